@@ -1,0 +1,121 @@
+//! The one error type of the crate: the question was ill-posed. How a well-posed question can end is no error, see
+//! [`crate::planning::Status`].
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// What was found, where, and what was expected instead.
+#[derive(Debug)]
+pub struct Error {
+    kind: Kind,
+    file: Option<PathBuf>,
+}
+
+#[derive(Debug)]
+enum Kind {
+    /// A value that makes no sense; `place` is a key path such as `robot.cables[3].outlet`.
+    Invalid { place: String, problem: String },
+    /// A file that cannot be read or written.
+    File { problem: String },
+    /// The caller asked to stop.
+    Interrupted,
+}
+
+/// Broad classes of errors, for callers that map them to exit statuses or exception types.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ErrorClass {
+    /// Bad input: a value, a key, a shape.
+    Input,
+    /// A file could not be read or written.
+    File,
+    /// Stopped on request.
+    Interrupted,
+}
+
+impl Error {
+    /// Bad input at `place` (a key path); `problem` says what was found and what is expected.
+    pub fn invalid(place: impl Into<String>, problem: impl Into<String>) -> Self {
+        let (place, problem) = (place.into(), problem.into());
+        Self { kind: Kind::Invalid { place, problem }, file: None }
+    }
+
+    /// A file that cannot be read or written.
+    pub fn file(path: &Path, problem: impl Into<String>) -> Self {
+        Self { kind: Kind::File { problem: problem.into() }, file: Some(path.to_path_buf()) }
+    }
+
+    /// The caller asked to stop.
+    pub fn interrupted() -> Self {
+        Self { kind: Kind::Interrupted, file: None }
+    }
+
+    /// Names the file in which bad input stood; an inner file name is kept.
+    pub fn in_file(mut self, path: &Path) -> Self {
+        self.file.get_or_insert_with(|| path.to_path_buf());
+        self
+    }
+
+    /// Puts `prefix` before the place of bad input: `robot` and `cables[3]` give `robot.cables[3]`.
+    pub fn under(mut self, prefix: &str) -> Self {
+        if let Kind::Invalid { place, .. } = &mut self.kind
+            && self.file.is_none()
+        {
+            *place = if place.is_empty() { prefix.to_string() } else { format!("{prefix}.{place}") };
+        }
+        self
+    }
+
+    /// The broad class of this error.
+    pub fn class(&self) -> ErrorClass {
+        match self.kind {
+            Kind::Invalid { .. } => ErrorClass::Input,
+            Kind::File { .. } => ErrorClass::File,
+            Kind::Interrupted => ErrorClass::Interrupted,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{}: ", file.display())?;
+        }
+        match &self.kind {
+            Kind::Invalid { place, problem } if place.is_empty() => f.write_str(problem),
+            Kind::Invalid { place, problem } => write!(f, "{place}: {problem}"),
+            Kind::File { problem } => f.write_str(problem),
+            Kind::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The known name nearest to `found`, if one is near enough to be a slip of the keyboard.
+pub(crate) fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    known
+        .into_iter()
+        .map(|name| (strsim::damerau_levenshtein(found, name), name))
+        .filter(|(distance, name)| *distance <= 2.max(name.chars().count() / 3))
+        .min()
+        .map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_and_files_read_from_outside_in() {
+        let error = Error::invalid("outlet", "found NaN").under("cables[3]").under("robot");
+        assert_eq!(error.to_string(), "robot.cables[3].outlet: found NaN");
+        let error = error.in_file(Path::new("a.toml")).in_file(Path::new("b.toml"));
+        assert_eq!(error.to_string(), "a.toml: robot.cables[3].outlet: found NaN");
+    }
+
+    #[test]
+    fn a_slip_finds_its_name_and_a_stranger_does_not() {
+        assert_eq!(nearest_name("pilar", ["column", "pillar"]), Some("pillar"));
+        assert_eq!(nearest_name("zebra", ["column", "pillar"]), None);
+    }
+}

@@ -1,0 +1,21 @@
+//! Convex bodies and what can be asked of two of them: distance (GJK), overlap depth (separating axes), contact.
+
+pub mod features;
+pub mod gjk;
+mod hull;
+pub mod polytope;
+pub mod seam;
+pub mod segment_segment;
+pub mod separating_axes;
+pub mod shape;
+
+pub use gjk::{Proximity, distance, proximity};
+pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
+pub use shape::{ConvexShape, Swept, Triangle};
+
+/// A place in the world or in the platform frame, m.
+pub type Point = nalgebra::Point3<f64>;
+/// A displacement, m, or a direction.
+pub type Vector = nalgebra::Vector3<f64>;
+/// World-from-platform rotation.
+pub type Rotation = nalgebra::UnitQuaternion<f64>;

@@ -1,0 +1,190 @@
+//! Faces of the convex hull of a point set in any dimension, with coplanar triangles merged.
+//!
+//! parry computes the triangles; here they become facets with all their corners, and the result is verified: every
+//! point inside every facet, every edge between exactly two facets, and Euler's formula.
+
+use parry3d_f64::math::Vector as Glam;
+use parry3d_f64::transformation::try_convex_hull;
+
+use super::polytope::Facet;
+use super::{Point, Vector};
+use crate::numerics::{COPLANAR_RELATIVE, FLAT};
+
+/// Corners of a hull and its facets over them.
+pub(super) struct Hull {
+    pub corners: Vec<Point>,
+    pub facets: Vec<Facet>,
+}
+
+/// Affine frame of a point set: how many directions it extends in, and which.
+pub(super) struct Extent {
+    pub dimension: usize,
+    origin: Point,
+    axes: [Vector; 3],
+    reach: [f64; 3],
+}
+
+impl Extent {
+    /// Measures a non-empty point set: farthest point, farthest from the line, farthest from the plane.
+    pub fn of(points: &[Point]) -> Self {
+        let origin = points[0];
+        let mut extent = Extent { dimension: 0, origin, axes: [Vector::zeros(); 3], reach: [0.0; 3] };
+        for k in 0..3 {
+            let offsets = points.iter().map(|p| extent.remainder(p));
+            let farthest = offsets.max_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared())).expect("not empty");
+            if farthest.norm() <= FLAT {
+                break;
+            }
+            extent.axes[k] = farthest.normalize();
+            extent.reach[k] = farthest.norm();
+            extent.dimension = k + 1;
+        }
+        extent
+    }
+
+    /// Coordinates along the axes in units of the reach: the affine image in which the body is about as thick as long.
+    fn evened(&self, point: &Point) -> Glam {
+        let offset = point - self.origin;
+        let [x, y, z] = std::array::from_fn(|k| self.axes[k].dot(&offset) / self.reach[k]);
+        Glam::new(x, y, z)
+    }
+
+    /// What is left of `point - origin` after the axes found so far.
+    fn remainder(&self, point: &Point) -> Vector {
+        let mut offset = point - self.origin;
+        for axis in &self.axes[..self.dimension] {
+            offset -= axis * axis.dot(&offset);
+        }
+        offset
+    }
+}
+
+/// Hull of points on a line: its two ends.
+pub(super) fn segment_hull(points: &[Point], extent: &Extent) -> Hull {
+    let along = |p: &Point| (p - extent.origin).dot(&extent.axes[0]);
+    let first = points.iter().min_by(|a, b| along(a).total_cmp(&along(b))).expect("not empty");
+    let last = points.iter().max_by(|a, b| along(a).total_cmp(&along(b))).expect("not empty");
+    Hull { corners: vec![*first, *last], facets: Vec::new() }
+}
+
+/// Hull of points in a plane: a polygon with two faces.
+pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Hull {
+    let [u, v, _] = extent.axes;
+    let flat: Vec<[f64; 2]> =
+        points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect();
+    let ring = convex_ring(&flat);
+    let corners: Vec<Point> = ring.iter().map(|&i| points[i]).collect();
+    let front: Vec<usize> = (0..corners.len()).collect();
+    let back: Vec<usize> = front.iter().rev().copied().collect();
+    let facets = vec![Facet::through(&corners, front), Facet::through(&corners, back)];
+    Hull { corners, facets }
+}
+
+/// Counter-clockwise hull of points in the plane (Andrew's monotone chain), as indices.
+fn convex_ring(points: &[[f64; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
+    let turns_left = |ring: &[usize], k: usize| {
+        let [a, b] = [points[ring[ring.len() - 2]], points[ring[ring.len() - 1]]];
+        let c = points[k];
+        let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        ab[0] * ac[1] - ab[1] * ac[0] > FLAT * 1e-2 * ac[0].hypot(ac[1])
+    };
+    let half = |order: &mut dyn Iterator<Item = usize>| {
+        let mut ring: Vec<usize> = Vec::new();
+        for k in order {
+            while ring.len() >= 2 && !turns_left(&ring, k) {
+                ring.pop();
+            }
+            ring.push(k);
+        }
+        ring.pop();
+        ring
+    };
+    let mut ring = half(&mut order.iter().copied());
+    ring.extend(half(&mut order.iter().rev().copied()));
+    ring
+}
+
+/// Hull of points with volume; none if it does not come out as a closed convex surface.
+pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
+    // Which points are on the hull does not change under affine maps, but parry takes a slab a thousand times longer
+    // than thick for flat: let it see an even one.
+    let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
+    let (vertices, triangles) = try_convex_hull(&even).ok()?;
+    let original = |i: u32| even.iter().position(|e| *e == vertices[i as usize]).map(|k| points[k]);
+    let triangles: Vec<[Point; 3]> =
+        triangles.iter().map(|[i, j, k]| Some([original(*i)?, original(*j)?, original(*k)?])).collect::<Option<_>>()?;
+    let vertices: Vec<Point> = (0..vertices.len() as u32).map(original).collect::<Option<_>>()?;
+    let tolerance = COPLANAR_RELATIVE * extent.reach[0];
+    let hull = corners_and_facets(&vertices, &merged_planes(&vertices, &triangles, tolerance))?;
+    let inside = |p: &Point| hull.facets.iter().all(|f| f.height(p) <= 10.0 * tolerance);
+    (is_closed(&hull) && points.iter().all(inside)).then_some(hull)
+}
+
+/// The planes of the hull, each as the list of vertices on it; the largest triangle of a plane defines it.
+fn merged_planes(vertices: &[Point], triangles: &[[Point; 3]], tolerance: f64) -> Vec<(Vector, Vec<usize>)> {
+    let outward = handedness(vertices, triangles);
+    let mut faces: Vec<(f64, Vector, Point)> = triangles
+        .iter()
+        .map(|[a, b, c]| ((b - a).cross(&(c - a)) * outward, *a))
+        .filter(|(area, _)| area.norm() > 0.0)
+        .map(|(area, a)| (area.norm(), area.normalize(), a))
+        .collect();
+    faces.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut planes: Vec<(Vector, Vec<usize>)> = Vec::new();
+    for (_, normal, point) in faces {
+        let on: Vec<usize> =
+            (0..vertices.len()).filter(|&i| (vertices[i] - point).dot(&normal).abs() <= tolerance).collect();
+        let known = planes.iter().any(|(n, held)| n.dot(&normal) > 0.0 && on.iter().all(|i| held.contains(i)));
+        if !known {
+            planes.push((normal, on));
+        }
+    }
+    planes
+}
+
+/// 1 if the triangles turn counter-clockwise seen from outside, else -1 (the axes of the even image may mirror).
+fn handedness(vertices: &[Point], triangles: &[[Point; 3]]) -> f64 {
+    let middle = vertices.iter().map(|v| v.coords).sum::<Vector>() / vertices.len() as f64;
+    let volume: f64 = triangles.iter().map(|[a, b, c]| (b - a).cross(&(c - a)).dot(&(a.coords - middle))).sum();
+    volume.signum()
+}
+
+/// Keeps the vertices where at least three planes meet, and orders each facet's corners around its normal.
+fn corners_and_facets(vertices: &[Point], planes: &[(Vector, Vec<usize>)]) -> Option<Hull> {
+    let planes_at = |i: usize| planes.iter().filter(|(_, on)| on.contains(&i)).count();
+    let kept: Vec<usize> = (0..vertices.len()).filter(|&i| planes_at(i) >= 3).collect();
+    let corners: Vec<Point> = kept.iter().map(|&i| vertices[i]).collect();
+    let mut facets = Vec::with_capacity(planes.len());
+    for (normal, on) in planes {
+        let members: Vec<usize> = (0..kept.len()).filter(|&k| on.contains(&kept[k])).collect();
+        if members.len() < 3 {
+            return None;
+        }
+        facets.push(Facet::through(&corners, around(&corners, members, normal)));
+    }
+    Some(Hull { corners, facets })
+}
+
+/// Sorts corners of a convex facet counter-clockwise as seen from the tip of `normal`.
+fn around(corners: &[Point], mut members: Vec<usize>, normal: &Vector) -> Vec<usize> {
+    let middle = members.iter().map(|&i| corners[i].coords).sum::<Vector>() / members.len() as f64;
+    let u = (corners[members[0]].coords - middle).normalize();
+    let v = normal.cross(&u);
+    let angle = |i: usize| {
+        let offset = corners[i].coords - middle;
+        offset.dot(&v).atan2(offset.dot(&u))
+    };
+    members.sort_by(|&i, &j| angle(i).total_cmp(&angle(j)));
+    members
+}
+
+fn is_closed(hull: &Hull) -> bool {
+    let mut edges: Vec<[usize; 2]> = hull.facets.iter().flat_map(Facet::edges).collect();
+    let forward = edges.len();
+    edges.sort_unstable();
+    edges.dedup();
+    let twins = edges.iter().all(|[i, j]| edges.binary_search(&[*j, *i]).is_ok());
+    edges.len() == forward && twins && hull.corners.len() + hull.facets.len() == forward / 2 + 2
+}

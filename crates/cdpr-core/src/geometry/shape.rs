@@ -1,0 +1,175 @@
+//! The convex sets of the collision conditions: polytopes at rest, cables that sweep triangles, platforms that sweep
+//! prisms. None of them is stored as a hull: GJK needs supports, separating axes need directions.
+
+use super::features::Boundary;
+use super::{Point, Polytope, Vector};
+use crate::numerics::{FLAT, TOUCH_DEPTH};
+
+/// A convex set described by its support map, and, for exact tests, by the directions of its faces and edges.
+pub trait ConvexShape {
+    /// A point of the set farthest along `direction` (any length but zero).
+    fn support(&self, direction: &Vector) -> Point;
+    /// Unit normals of the faces, up to sign; a superset is fine.
+    fn normals(&self) -> impl Iterator<Item = Vector>;
+    /// Unit directions of the edges, up to sign; a superset is fine.
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone;
+    /// Some point of the set, near its middle.
+    fn center(&self) -> Point;
+    /// Edges and faces as they lie in space.
+    fn boundary(&self) -> Boundary;
+}
+
+impl ConvexShape for Polytope {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        farthest(self.vertices(), direction)
+    }
+
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        self.normal_axes().iter().copied()
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        self.edge_axes().iter().copied()
+    }
+
+    fn center(&self) -> Point {
+        self.centroid()
+    }
+
+    fn boundary(&self) -> Boundary {
+        let at = |i: usize| self.vertices()[i];
+        let faces: Vec<Vec<Point>> = self.facets().iter().map(|f| f.corners.iter().map(|&i| at(i)).collect()).collect();
+        let edges = if self.dimension() < 2 {
+            vec![[at(0), at(self.vertices().len() - 1)]]
+        } else {
+            self.facets().iter().flat_map(|f| f.edges()).filter(|[i, j]| i < j).map(|[i, j]| [at(i), at(j)]).collect()
+        };
+        Boundary { edges, faces }
+    }
+}
+
+/// The point of a non-empty list that is farthest along `direction`.
+#[inline]
+pub fn farthest(points: &[Point], direction: &Vector) -> Point {
+    let mut best = points[0];
+    let mut reach = best.coords.dot(direction);
+    for point in &points[1..] {
+        let r = point.coords.dot(direction);
+        if r > reach {
+            (reach, best) = (r, *point);
+        }
+    }
+    best
+}
+
+/// The triangle a straight cable sweeps while its attachment moves along a straight line (the paper, section 3.1);
+/// with equal attachments, the cable itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Triangle {
+    /// Outlet, then the attachment before and after the motion.
+    pub corners: [Point; 3],
+}
+
+impl Triangle {
+    /// The triangle with these corners; any of them may coincide.
+    #[inline]
+    pub fn new(outlet: Point, from: Point, to: Point) -> Self {
+        Self { corners: [outlet, from, to] }
+    }
+
+    fn sides(&self) -> [Vector; 3] {
+        let [b, p, q] = self.corners;
+        [p - b, q - b, q - p]
+    }
+}
+
+impl ConvexShape for Triangle {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        farthest(&self.corners, direction)
+    }
+
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        let mut sides = self.sides();
+        sides.sort_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared()));
+        // The two shorter sides: their differences carry the least rounding.
+        let normal = sides[0].cross(&sides[1]);
+        // Narrower than touching, the triangle is a segment and has no face of its own.
+        (normal.norm() > TOUCH_DEPTH * 1e-3 * sides[1].norm()).then(|| normal.normalize()).into_iter()
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        self.sides().into_iter().filter(|side| side.norm() > 0.0).map(|side| side.normalize())
+    }
+
+    fn center(&self) -> Point {
+        let [b, p, q] = self.corners;
+        Point::from((b.coords + p.coords + q.coords) / 3.0)
+    }
+
+    fn boundary(&self) -> Boundary {
+        let [b, p, q] = self.corners;
+        Boundary { edges: vec![[b, p], [b, q], [p, q]], faces: vec![vec![b, p, q]] }
+    }
+}
+
+/// What a body sweeps in a straight translation: conv(K ∪ (K + d)), where `from` places the body at the start.
+#[derive(Debug, Clone, Copy)]
+pub struct Swept<'a> {
+    body: &'a Polytope,
+    from: Vector,
+    along: Vector,
+}
+
+impl<'a> Swept<'a> {
+    /// `body` moved by `from`, then swept by `along`.
+    #[inline]
+    pub fn new(body: &'a Polytope, from: Vector, along: Vector) -> Self {
+        Self { body, from, along }
+    }
+
+    fn direction(&self) -> Option<Vector> {
+        (self.along.norm() > FLAT * 1e-6).then(|| self.along.normalize())
+    }
+}
+
+impl ConvexShape for Swept<'_> {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        let at = self.body.support(direction) + self.from;
+        if self.along.dot(direction) > 0.0 { at + self.along } else { at }
+    }
+
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        let sides = self.direction().into_iter().flat_map(|along| {
+            self.body.edge_axes().iter().filter_map(move |edge| super::separating_axes::unit_cross(edge, &along))
+        });
+        self.body.normal_axes().iter().copied().chain(sides)
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        self.body.edge_axes().iter().copied().chain(self.direction())
+    }
+
+    fn center(&self) -> Point {
+        self.body.centroid() + self.from + self.along * 0.5
+    }
+
+    fn boundary(&self) -> Boundary {
+        let still = self.body.boundary();
+        let moved = |p: &Point, by: &Vector| p + self.from + by;
+        let ends = [Vector::zeros(), self.along];
+        let mut swept = Boundary::default();
+        for end in &ends {
+            swept.edges.extend(still.edges.iter().map(|edge| edge.map(|p| moved(&p, end))));
+            swept.faces.extend(still.faces.iter().map(|face| face.iter().map(|p| moved(p, end)).collect::<Vec<_>>()));
+        }
+        swept.edges.extend(self.body.vertices().iter().map(|v| ends.map(|end| moved(v, &end))));
+        swept.faces.extend(still.edges.iter().map(|[p, q]| {
+            let [start, end] = &ends;
+            vec![moved(p, start), moved(q, start), moved(q, end), moved(p, end)]
+        }));
+        swept
+    }
+}

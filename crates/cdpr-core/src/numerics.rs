@@ -1,0 +1,57 @@
+//! Every tolerance of the crate, once: what it compares, its unit, and why it has that size.
+//!
+//! Lengths are absolute, in metres, because the product promises an absolute accuracy ([`GAP_TOLERANCE`]). With
+//! coordinates of hall size (up to 1e3 m) `f64` carries 1e-13 m, so all of them stand far above rounding.
+
+/// Accuracy promised for every yes or no, m: two engines may differ only where the true gap is smaller than this.
+pub const GAP_TOLERANCE: f64 = 1e-7;
+
+/// Overlap that still counts as touching, m. Forbidden sets are open, so bodies that touch are free; rounding of exact
+/// contacts (about 1e-15 m in a hall) must not turn them into collisions, hence a depth far above rounding and far
+/// below [`GAP_TOLERANCE`].
+pub const TOUCH_DEPTH: f64 = 1e-9;
+
+/// A point this close to the surface of a body lies on it, m: an attachment on a platform part, an outlet bolted to an
+/// obstacle, a vertex on a face of its hull. Deeper inside is an error of the model.
+pub const ON_SURFACE: f64 = 1e-7;
+
+/// Extent below which a point set counts as flat in that direction, m. Thinner bodies have no interior.
+pub const FLAT: f64 = 1e-7;
+
+/// Two points closer than this are the same point, m: shared outlets, shared attachments, doubled waypoints.
+pub const SAME_POINT: f64 = 1e-9;
+
+/// Shortest cable that has a direction, m; positions with a shorter one are invalid (kind `cable-length`).
+pub const MIN_CABLE_LENGTH: f64 = 1e-7;
+
+/// Largest coordinate accepted, m: beyond it `f64` could not carry [`GAP_TOLERANCE`] through a product of coordinates.
+pub const MAX_COORDINATE: f64 = 1e6;
+
+/// Sine of the angle below which two directions are parallel. A facet of a Minkowski sum spanned by two such edges is
+/// narrower than rounding, so nothing is lost by leaving it out.
+pub const PARALLEL: f64 = 1e-10;
+
+/// How far the length of an orientation quaternion may be from 1.
+pub const UNIT_QUATERNION: f64 = 1e-6;
+
+/// Coplanarity of hull vertices relative to the size of the body: input typed with rounding still has its faces.
+pub const COPLANAR_RELATIVE: f64 = 1e-10;
+
+/// Iterations after which GJK stops; its answer is then the interval it has certified, never a guess.
+pub const GJK_ITERATIONS: usize = 64;
+
+/// Width at which GJK's bounds on a distance count as equal, m, well inside [`GAP_TOLERANCE`].
+pub const GJK_DISTANCE: f64 = 1e-11;
+
+/// Steps after which the march along a motion of two cables gives up and refuses the motion.
+pub const MARCH_STEPS: usize = 100_000;
+
+/// How much nearer than demanded two moving cables may come before the march refuses, m. It bounds the step from
+/// below, and with [`TOUCH_DEPTH`] stays inside [`GAP_TOLERANCE`].
+pub const MARCH_SLACK: f64 = 2.5e-8;
+
+/// Bisection steps when a first contact is located: 2^-45 of a motion.
+pub const BISECTION_STEPS: usize = 45;
+
+/// Least gain, m, for which rewinding replaces part of a path; "strictly shorter" above rounding, so that it ends.
+pub const SHORTER: f64 = 1e-9;

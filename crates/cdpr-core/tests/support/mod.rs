@@ -1,0 +1,124 @@
+//! Shared by the property tests: random bodies and cables, hostile ones included, and slow exact oracles.
+#![allow(dead_code)] // every test file uses its own part of it
+
+use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+pub fn rng(seed: u64) -> ChaCha8Rng {
+    ChaCha8Rng::seed_from_u64(seed)
+}
+
+pub fn uniform(rng: &mut impl Rng, lo: f64, hi: f64) -> f64 {
+    lo + (hi - lo) * rng.random::<f64>()
+}
+
+pub fn vector(rng: &mut impl Rng, half: f64) -> Vector {
+    Vector::from_fn(|_, _| uniform(rng, -half, half))
+}
+
+pub fn direction(rng: &mut impl Rng) -> Vector {
+    loop {
+        let v = vector(rng, 1.0);
+        if v.norm() > 0.1 && v.norm() < 1.0 {
+            return v.normalize();
+        }
+    }
+}
+
+pub fn rotation(rng: &mut impl Rng) -> Rotation {
+    Rotation::from_scaled_axis(direction(rng) * uniform(rng, 0.0, 3.14))
+}
+
+/// A convex body with volume around the origin: boxes, prisms, hulls of points, slabs, needles, some of them rotated.
+pub fn body(rng: &mut impl Rng) -> Polytope {
+    let raw = match rng.random_range(0..5) {
+        0 => Polytope::cuboid(std::array::from_fn(|_| uniform(rng, 0.05, 0.6))).unwrap(),
+        1 => Polytope::cuboid([uniform(rng, 0.001, 0.01), uniform(rng, 0.1, 0.6), uniform(rng, 0.1, 2.0)]).unwrap(),
+        2 => prism(rng),
+        3 => {
+            let count = rng.random_range(4..16);
+            let points: Vec<Point> = (0..count).map(|_| Point::from(direction(rng) * uniform(rng, 0.2, 0.5))).collect();
+            Polytope::hull_of(&points).unwrap()
+        }
+        _ => Polytope::cuboid([uniform(rng, 0.002, 0.02), uniform(rng, 0.002, 0.02), uniform(rng, 0.5, 1.5)]).unwrap(),
+    };
+    if rng.random_bool(0.3) { raw } else { raw.transformed(&rotation(rng), &Vector::zeros()) }
+}
+
+fn prism(rng: &mut impl Rng) -> Polytope {
+    let (count, radius, half) = (rng.random_range(3..9), uniform(rng, 0.05, 0.3), uniform(rng, 0.05, 0.7));
+    let corner = |k: usize, z: f64| {
+        let angle = std::f64::consts::TAU * k as f64 / count as f64;
+        Point::new(radius * angle.cos(), radius * angle.sin(), z)
+    };
+    let points: Vec<Point> = (0..count).flat_map(|k| [corner(k, -half), corner(k, half)]).collect();
+    Polytope::hull_of(&points).unwrap()
+}
+
+/// The part of a convex polygon where every facet's height is at most `margin`; empty if there is none.
+///
+/// An exact test, independent of GJK and of separating axes: with `margin = -t` a non-empty rest proves that the
+/// polygon reaches deeper than t into the body, with `margin = t` an empty rest proves a gap larger than t.
+pub fn clipped(polygon: &[Point], body: &Polytope, margin: f64) -> Vec<Point> {
+    let mut polygon = polygon.to_vec();
+    for facet in body.facets() {
+        let mut kept = Vec::new();
+        for (k, p) in polygon.iter().enumerate() {
+            let q = polygon[(k + 1) % polygon.len()];
+            let (hp, hq) = (facet.height(p) - margin, facet.height(&q) - margin);
+            if hp <= 0.0 {
+                kept.push(*p);
+            }
+            if (hp < 0.0 && hq > 0.0) || (hp > 0.0 && hq < 0.0) {
+                kept.push(p + (q - p) * (hp / (hp - hq)));
+            }
+        }
+        polygon = kept;
+        if polygon.is_empty() {
+            break;
+        }
+    }
+    polygon
+}
+
+/// A random point on the surface of a body: inside a facet, on an edge or at a corner.
+pub fn surface_point(rng: &mut impl Rng, body: &Polytope) -> Point {
+    let facet = &body.facets()[rng.random_range(0..body.facets().len())];
+    let corner = |k: usize| body.vertices()[facet.corners[k % facet.corners.len()]];
+    let k = rng.random_range(0..facet.corners.len());
+    match rng.random_range(0..3) {
+        0 => corner(k),
+        1 => corner(k) + (corner(k + 1) - corner(k)) * uniform(rng, 0.0, 1.0),
+        _ => {
+            let (u, v) = (uniform(rng, 0.0, 0.5), uniform(rng, 0.0, 0.5));
+            corner(0) + (corner(1) - corner(0)) * u + (corner(2) - corner(0)) * v
+        }
+    }
+}
+
+/// A cable's triangle near a body: random, thin, tiny, zero-length, or touching the surface nearly parallel to a facet.
+pub fn triangle(rng: &mut impl Rng, body: &Polytope) -> [Point; 3] {
+    let width = 10f64.powf(uniform(rng, -9.0, 0.3));
+    let outlet = Point::from(direction(rng) * uniform(rng, 0.8, 4.0));
+    if rng.random_bool(0.4) {
+        let from = Point::from(vector(rng, 1.0));
+        let to = if rng.random_bool(0.1) { from } else { from + direction(rng) * width };
+        return [outlet, from, to];
+    }
+    // Through a point at a chosen tiny height over the surface, along a facet or tilted a little.
+    let facet = &body.facets()[rng.random_range(0..body.facets().len())];
+    let height = match rng.random_range(0..4) {
+        0 => 0.0,
+        _ => 10f64.powf(uniform(rng, -10.0, -2.0)) * if rng.random_bool(0.5) { 1.0 } else { -1.0 },
+    };
+    let anchor = surface_point(rng, body) + facet.normal * height;
+    let tilt = if rng.random_bool(0.3) { 0.0 } else { 10f64.powf(uniform(rng, -9.0, 0.0)) };
+    let mut along = direction(rng);
+    along -= facet.normal * facet.normal.dot(&along) * (1.0 - tilt);
+    let along = along.normalize();
+    let sideways = if rng.random_bool(0.5) { facet.normal.cross(&along) } else { direction(rng) };
+    let from = anchor - along * uniform(rng, 0.0, 1.5);
+    let to = from + sideways * if rng.random_bool(0.1) { 0.0 } else { width };
+    [anchor + along * uniform(rng, 0.5, 3.0), from, to]
+}
