@@ -1,10 +1,24 @@
-//! Planning, checking and running paths of cable-driven parallel robots among obstacles.
+//! Planning, checking and running paths of cable-driven parallel robots (CDPRs) among obstacles.
 //!
-//! Modules in reading order; each uses only those before it.
-#![doc = ""]
+//! A platform hangs on cables that leave fixed outlets. A path of the platform is free when platform and cables keep
+//! away from obstacles and from each other, all along. The method follows Bak, Hwang, Yoon, Park, Park, "Collision-free
+//! path planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics 12 (2019);
+//! "the paper" in these pages.
+//!
+//! Modules in reading order; each uses only those before it (`error` is apart).
 
 pub mod error;
-pub mod geometry;
 pub mod numerics;
 
+pub mod collision;
+pub mod geometry;
+pub mod io;
+pub mod model;
+pub mod plan;
+pub mod planning;
+pub mod postprocess;
+
+pub mod testing;
+
 pub use error::{Error, ErrorClass};
+pub use model::{Robot, Scene};

@@ -1,0 +1,234 @@
+//! Two cables of one platform, during a translation.
+//!
+//! With u = p + arm_i - B_i (cable i as a vector), w = B_j - B_i and q = arm_j - arm_i, both constant, cable i runs from
+//! B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and q: a
+//! plane of positions, which a straight motion passes at one instant. There u = α w + β q, and the cables cross iff
+//! (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
+
+use super::constraint::CableAt;
+use crate::geometry::segment_segment::{self, SegmentPair};
+use crate::geometry::{Point, Vector};
+use crate::numerics::{MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+
+/// Two cables that share neither outlet nor attachment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CablePair {
+    /// Index of cable i.
+    pub first: usize,
+    /// Index of cable j.
+    pub second: usize,
+    /// Distance of the cables' lines to keep, m; 0: they must not cross.
+    pub gap: f64,
+    /// Sum of the cables' radii, m.
+    pub radii: f64,
+    /// min over r in [0, 1] of |(1 - r) w + r q|, m: no position gives more room than this.
+    pub best_gap: f64,
+    /// arm_i - B_i, so that u = p + offset.
+    offset: Vector,
+    w: Vector,
+    q: Vector,
+    plane: Plane,
+}
+
+/// How w and q lie.
+#[derive(Debug, Clone, PartialEq)]
+enum Plane {
+    /// They span a plane with this unit normal; sine of the angle between them.
+    Spanned { normal: Vector, sine: f64 },
+    /// Parallel, same direction: the cables meet only if both lie on the line of the outlets.
+    Parallel,
+    /// Parallel, opposite: they always cross.
+    Opposite,
+}
+
+impl CablePair {
+    /// The pair, or none if the cables share an outlet or an attachment and so touch by construction. A pair that can
+    /// never keep `demanded` metres is held to plain non-crossing.
+    pub fn new(cables: &[CableAt], first: usize, second: usize, demanded: f64) -> Option<Self> {
+        let (i, j) = (&cables[first], &cables[second]);
+        let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
+        if w.norm() <= ON_SURFACE || q.norm() <= ON_SURFACE {
+            return None;
+        }
+        let cross = w.cross(&q);
+        let sine = cross.norm() / (w.norm() * q.norm());
+        let plane = if sine > PARALLEL {
+            Plane::Spanned { normal: cross.normalize(), sine }
+        } else if w.dot(&q) > 0.0 {
+            Plane::Parallel
+        } else {
+            Plane::Opposite
+        };
+        let origin = Point::origin();
+        let best_gap = segment_segment::closest(&origin, &origin, &Point::from(w), &Point::from(q)).distance;
+        let gap = if best_gap < demanded { 0.0 } else { demanded };
+        let offset = i.arm - i.outlet.coords;
+        Some(CablePair { first, second, gap, radii: i.radius + j.radius, best_gap, offset, w, q, plane })
+    }
+
+    /// Whether the cables cross wherever the platform is.
+    pub fn always_crossing(&self) -> bool {
+        self.plane == Plane::Opposite
+    }
+
+    /// Whether the pair is held to less than was demanded.
+    pub fn counts_for_clearance(&self, demanded: f64) -> bool {
+        self.gap >= demanded && !self.always_crossing()
+    }
+
+    fn u(&self, position: &Point) -> Vector {
+        position.coords + self.offset
+    }
+
+    /// Whether the cables cross at some instant of the motion.
+    pub fn crosses(&self, from: &Point, to: &Point) -> bool {
+        let (u0, u1) = (self.u(from), self.u(to));
+        match &self.plane {
+            Plane::Opposite => true,
+            Plane::Parallel => self.overlaps_on_outlet_line(&u0, &u1),
+            Plane::Spanned { normal, sine } => {
+                let (s0, s1) = (normal.dot(&u0), normal.dot(&u1));
+                let Some((t0, t1)) = instants_near_plane(s0, s1) else { return false };
+                let at = |t: f64| self.coordinates(&(u0 + (u1 - u0) * t));
+                self.meets_wedge(at(t0), at(t1), *sine)
+            }
+        }
+    }
+
+    /// α and β of the projection of u on the plane of w and q.
+    fn coordinates(&self, u: &Vector) -> [f64; 2] {
+        let (ww, wq, qq) = (self.w.norm_squared(), self.w.dot(&self.q), self.q.norm_squared());
+        let determinant = ww * qq - wq * wq;
+        let (uw, uq) = (u.dot(&self.w), u.dot(&self.q));
+        [(uw * qq - uq * wq) / determinant, (uq * ww - uw * wq) / determinant]
+    }
+
+    /// Whether the straight way between two points of the plane enters either wedge by more than touching.
+    fn meets_wedge(&self, a: [f64; 2], b: [f64; 2], sine: f64) -> bool {
+        // Distance from an edge of the wedge is the coordinate times the height of the parallelogram on that side.
+        let (tip, outlet) = (TOUCH_DEPTH / (self.w.norm() * sine), TOUCH_DEPTH / (self.q.norm() * sine));
+        let beyond = |x: [f64; 2]| [x[0] - 1.0 - tip, x[1] - outlet];
+        let before = |x: [f64; 2]| [-x[0] - tip, -1.0 - x[1] - outlet];
+        both_positive_somewhere(beyond(a), beyond(b)) || both_positive_somewhere(before(a), before(b))
+    }
+
+    /// For w and q of the same direction: whether both cables come to lie on the line of the outlets and overlap there.
+    fn overlaps_on_outlet_line(&self, u0: &Vector, u1: &Vector) -> bool {
+        let line = self.w.normalize();
+        let aside = |u: &Vector| u - line * line.dot(u);
+        let (a0, a1) = (aside(u0), aside(u1));
+        let step = a1 - a0;
+        let nearest =
+            if step.norm_squared() > 0.0 { (-a0.dot(&step) / step.norm_squared()).clamp(0.0, 1.0) } else { 0.0 };
+        if (a0 + step * nearest).norm() > TOUCH_DEPTH {
+            return false;
+        }
+        let instants = if step.norm() <= TOUCH_DEPTH { [0.0, 1.0] } else { [nearest, nearest] };
+        let (along, far, apart) = (|t: f64| line.dot(&(u0 + (u1 - u0) * t)), self.q.norm(), self.w.norm());
+        // Cable i covers [0, x], cable j covers [apart, x + far]: overlap iff x > apart, or x + far < 0.
+        instants.iter().any(|&t| along(t) > apart + TOUCH_DEPTH || along(t) + far < -TOUCH_DEPTH)
+    }
+
+    /// Nearest points of the two cables at one position.
+    pub fn nearest(&self, position: &Point) -> SegmentPair {
+        let u = self.u(position);
+        let at = Point::from;
+        segment_segment::closest(&Point::origin(), &at(u), &at(self.w), &at(u + self.q))
+    }
+
+    /// Whether the cables come nearer to each other than the gap, at some instant of the motion.
+    ///
+    /// The march: at an instant with distance d > gap and nearest points along the unit direction n, the plane normal to
+    /// n keeps the cables apart as long as the gap along n, concave in t and made of linear pieces, stays large enough.
+    pub fn nearer_than_gap(&self, from: &Point, to: &Point) -> bool {
+        let limit = self.gap - MARCH_SLACK;
+        let (u0, step) = (self.u(from), to - from);
+        let mut t = 0.0;
+        for _ in 0..MARCH_STEPS {
+            let found = self.nearest(&(from + step * t));
+            if !(found.distance > limit) {
+                return true;
+            }
+            let normal = found.offset / found.distance;
+            let lipschitz = (found.distance - limit) / step.norm();
+            t = (t + lipschitz).max(self.kept_apart_until(&normal, &u0, &step, limit));
+            if !(t < 1.0) {
+                return self.nearest(to).distance < limit;
+            }
+        }
+        true // not settled: never a safe answer
+    }
+
+    /// Last instant until which the gap along `normal`, which is at least `limit` now, stays so.
+    fn kept_apart_until(&self, normal: &Vector, u0: &Vector, step: &Vector, limit: f64) -> f64 {
+        // gap(t) = min over the ends of j minus max over the ends of i, measured from B_i along the normal.
+        let (i0, di) = (normal.dot(u0), normal.dot(step));
+        let (outlet_j, end_j) = (normal.dot(&self.w), i0 + normal.dot(&self.q));
+        let pieces = [(outlet_j, 0.0), (outlet_j - i0, -di), (end_j, di), (end_j - i0, 0.0)];
+        let root = |(value, slope): (f64, f64)| if slope < 0.0 { (limit - value) / slope } else { f64::INFINITY };
+        pieces.into_iter().map(root).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Least distance of the cables' lines during a motion, m, to 1e-8, with an instant where it is reached.
+    pub fn least_distance(&self, from: &Point, to: &Point) -> (f64, f64) {
+        if self.crosses(from, to) {
+            return (0.0, 0.0);
+        }
+        let (u0, step) = (self.u(from), to - from);
+        let at = |t: f64| self.nearest(&(from + step * t));
+        let mut best = (f64::INFINITY, 0.0);
+        let mut open = vec![(0.0, at(0.0), 1.0, at(1.0))];
+        while let Some((t0, a, t1, b)) = open.pop() {
+            for (t, pair) in [(t0, &a), (t1, &b)] {
+                if pair.distance < best.0 {
+                    best = (pair.distance, t);
+                }
+            }
+            let floor = self.gap_floor(&a, &u0, &step, t0, t1).max(self.gap_floor(&b, &u0, &step, t0, t1));
+            let lipschitz = 0.5 * (a.distance + b.distance - (t1 - t0) * step.norm());
+            if floor.max(lipschitz) < best.0 - 1e-8 && (t1 - t0) * step.norm() > 1e-9 {
+                let middle = 0.5 * (t0 + t1);
+                open.push((middle, at(middle), t1, b));
+                open.push((t0, a, middle, at(middle)));
+            }
+        }
+        best
+    }
+
+    /// A lower bound of the distance between two instants, from the plane that parts the cables at one of them.
+    fn gap_floor(&self, at: &SegmentPair, u0: &Vector, step: &Vector, t0: f64, t1: f64) -> f64 {
+        let Some(normal) = at.offset.try_normalize(0.0) else { return 0.0 };
+        let gap = |t: f64| {
+            let i = normal.dot(&(u0 + step * t));
+            let j = normal.dot(&self.w).min(i + normal.dot(&self.q));
+            j - i.max(0.0)
+        };
+        gap(t0).min(gap(t1)) // concave in between
+    }
+}
+
+/// Instants of a motion at which a linear height, from `s0` to `s1`, is within touching of zero; for a crossing both are
+/// the same instant.
+fn instants_near_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
+    match (s0.abs() <= TOUCH_DEPTH, s1.abs() <= TOUCH_DEPTH) {
+        (true, true) => Some((0.0, 1.0)), // moves within the plane
+        (true, false) => Some((0.0, 0.0)),
+        (false, true) => Some((1.0, 1.0)),
+        (false, false) if (s0 > 0.0) == (s1 > 0.0) => None,
+        (false, false) => Some((s0 / (s0 - s1), s0 / (s0 - s1))),
+    }
+}
+
+/// Whether two linear functions, given at both ends of an interval, are positive together somewhere on it.
+fn both_positive_somewhere(a: [f64; 2], b: [f64; 2]) -> bool {
+    let (mut low, mut high) = (0.0f64, 1.0f64);
+    for (start, end) in [(a[0], b[0]), (a[1], b[1])] {
+        match (start > 0.0, end > 0.0) {
+            (true, true) => {}
+            (false, false) => return false,
+            (false, true) => low = low.max(start / (start - end)),
+            (true, false) => high = high.min(start / (start - end)),
+        }
+    }
+    low < high
+}

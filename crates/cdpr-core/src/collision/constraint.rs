@@ -1,0 +1,335 @@
+//! A scene at one orientation as a list of constraints: who must keep away from whom, and how.
+//!
+//! Everything that does not depend on the position is settled here, once: rotated platform and attachments, which pairs
+//! touch by construction, which can never keep the demanded distance. Engines only evaluate the list.
+
+use super::cable_cable::CablePair;
+use super::validity::Kind;
+use crate::error::Error;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
+use crate::model::{Member, Scene};
+use crate::numerics::{MIN_CABLE_LENGTH, ON_SURFACE};
+
+/// How a cable must keep away from a convex body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Demand {
+    /// At least `gap` metres between the cable's line and the body; 0: the body's interior is not entered.
+    Apart {
+        /// Least distance, m.
+        gap: f64,
+    },
+    /// The cable ends on the body's surface. It enters the body iff its direction from there goes below *every* facet
+    /// that is active at that end.
+    Leave {
+        /// Outward unit normals of the active facets.
+        normals: Vec<Vector>,
+    },
+}
+
+/// One condition on the position of the platform.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Constraint {
+    /// The platform's origin stays in this box, so that every vertex stays in the workspace.
+    Workspace {
+        /// Smallest position, m.
+        min: Point,
+        /// Largest position, m.
+        max: Point,
+    },
+    /// The cable's length stays in an interval.
+    CableLength {
+        /// Which cable.
+        cable: usize,
+        /// Shortest, m.
+        min: f64,
+        /// Longest, m.
+        max: f64,
+    },
+    /// A cable keeps out of a platform body.
+    CablePlatform {
+        /// Which cable.
+        cable: usize,
+        /// Index into [`Constraints::platform`].
+        body: usize,
+        /// How.
+        demand: Demand,
+    },
+    /// Two cables keep from each other.
+    CableCable(CablePair),
+    /// A platform part keeps `gap` away from an obstacle body.
+    PlatformObstacle {
+        /// Index into [`Constraints::platform`].
+        part: usize,
+        /// Index into [`Constraints::obstacles`].
+        body: usize,
+        /// Least distance, m.
+        gap: f64,
+    },
+    /// A cable keeps out of an obstacle body.
+    CableObstacle {
+        /// Which cable.
+        cable: usize,
+        /// Index into [`Constraints::obstacles`].
+        body: usize,
+        /// How.
+        demand: Demand,
+    },
+}
+
+/// A cable at fixed orientation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CableAt {
+    /// Outlet, world, m.
+    pub outlet: Point,
+    /// From the platform's origin to the attachment, world axes, m.
+    pub arm: Vector,
+    /// Half the diameter, m.
+    pub radius: f64,
+    /// Name.
+    pub name: String,
+}
+
+impl CableAt {
+    /// The triangle swept in the world while the platform's origin goes from one position to another.
+    #[inline]
+    pub fn sweep(&self, from: &Point, to: &Point) -> Triangle {
+        Triangle::new(self.outlet, from + self.arm, to + self.arm)
+    }
+
+    /// The triangle swept as seen from the platform, which then stands still at the origin.
+    #[inline]
+    pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> Triangle {
+        Triangle::new(Point::from(self.arm), self.outlet - from.coords, self.outlet - to.coords)
+    }
+}
+
+/// An obstacle body with the obstacle it belongs to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObstacleBody {
+    /// Convex body, world, m.
+    pub body: Polytope,
+    /// Index into [`Scene::obstacles`].
+    pub obstacle: usize,
+    /// Name of the obstacle.
+    pub name: String,
+}
+
+/// All constraints of a scene at one orientation; see the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraints {
+    /// Cables.
+    pub cables: Vec<CableAt>,
+    /// Platform parts, then the seams between them, world axes, platform's origin at zero.
+    pub platform: Vec<Polytope>,
+    /// Obstacle parts and seams.
+    pub obstacles: Vec<ObstacleBody>,
+    /// The conditions, cheap ones first.
+    pub list: Vec<Constraint>,
+    /// What the user should know about pairs that are treated in a special way.
+    pub notes: Vec<String>,
+}
+
+impl Constraints {
+    /// The constraints of a scene at its orientation.
+    ///
+    /// # Errors
+    /// A scene that demands wrench feasibility, which this version cannot check yet.
+    pub fn new(scene: &Scene) -> Result<Self, Error> {
+        if scene.wrench().is_some() {
+            return Err(Error::invalid(
+                "wrench",
+                "found a demand of wrench feasibility, which this version cannot check yet; \
+                 remove [wrench] to plan and check without it",
+            ));
+        }
+        let rotation = scene.orientation();
+        let robot = scene.robot();
+        let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
+        let mut constraints = Constraints {
+            cables: cables_at(scene, rotation),
+            platform: robot.parts().iter().chain(robot.seams()).map(turned).collect(),
+            obstacles: obstacle_bodies(scene),
+            list: Vec::new(),
+            notes: Vec::new(),
+        };
+        constraints.workspace(scene);
+        constraints.cable_lengths(scene);
+        constraints.cable_platform(scene);
+        constraints.cable_cable(scene);
+        constraints.platform_obstacle(scene);
+        constraints.cable_obstacle(scene);
+        Ok(constraints)
+    }
+
+    /// The condition a constraint belongs to.
+    pub fn kind(&self, constraint: &Constraint) -> Kind {
+        match constraint {
+            Constraint::Workspace { .. } => Kind::Workspace,
+            Constraint::CableLength { .. } => Kind::CableLength,
+            Constraint::CablePlatform { .. } => Kind::CablePlatform,
+            Constraint::CableCable(_) => Kind::CableCable,
+            Constraint::PlatformObstacle { .. } => Kind::PlatformObstacle,
+            Constraint::CableObstacle { .. } => Kind::CableObstacle,
+        }
+    }
+
+    /// The names of those whom a constraint keeps apart.
+    pub fn culprits(&self, constraint: &Constraint) -> Vec<String> {
+        let cable = |i: &usize| self.cables[*i].name.clone();
+        let platform = || crate::model::scene::PLATFORM.to_string();
+        let obstacle = |j: &usize| self.obstacles[*j].name.clone();
+        match constraint {
+            Constraint::Workspace { .. } => vec![platform()],
+            Constraint::CableLength { cable: i, .. } => vec![cable(i)],
+            Constraint::CablePlatform { cable: i, .. } => vec![cable(i), platform()],
+            Constraint::CableCable(pair) => vec![cable(&pair.first), cable(&pair.second)],
+            Constraint::PlatformObstacle { body, .. } => vec![platform(), obstacle(body)],
+            Constraint::CableObstacle { cable: i, body, .. } => vec![cable(i), obstacle(body)],
+        }
+    }
+
+    /// The box of positions where the platform is inside the workspace; it may be empty (min > max).
+    pub fn position_box(&self) -> (Point, Point) {
+        match &self.list[0] {
+            Constraint::Workspace { min, max } => (*min, *max),
+            _ => unreachable!("the workspace is the first constraint"),
+        }
+    }
+
+    fn workspace(&mut self, scene: &Scene) {
+        let vertices = || self.platform.iter().flat_map(|part| part.vertices());
+        let low = vertices().fold(Vector::repeat(f64::INFINITY), |low, v| low.inf(&v.coords));
+        let high = vertices().fold(Vector::repeat(f64::NEG_INFINITY), |high, v| high.sup(&v.coords));
+        let (min, max) = (scene.workspace().min - low, scene.workspace().max - high);
+        self.list.push(Constraint::Workspace { min, max });
+    }
+
+    fn cable_lengths(&mut self, scene: &Scene) {
+        for (cable, model) in scene.robot().cables().iter().enumerate() {
+            let [min, max] = model.length.unwrap_or([0.0, f64::INFINITY]);
+            self.list.push(Constraint::CableLength { cable, min: min.max(MIN_CABLE_LENGTH), max });
+        }
+    }
+
+    fn cable_platform(&mut self, scene: &Scene) {
+        for cable in 0..self.cables.len() {
+            if scene.ignores(Member::Cable(cable), Member::Platform) {
+                continue;
+            }
+            for body in 0..self.platform.len() {
+                let seam = body >= scene.robot().parts().len();
+                let demanded = if seam { 0.0 } else { scene.clearance() + self.cables[cable].radius };
+                if let Some(demand) = self.demand_of_part(cable, body, demanded) {
+                    self.list.push(Constraint::CablePlatform { cable, body, demand });
+                }
+            }
+        }
+    }
+
+    fn demand_of_part(&mut self, cable: usize, body: usize, demanded: f64) -> Option<Demand> {
+        let CableAt { arm, name, .. } = &self.cables[cable];
+        let attachment = Point::from(*arm);
+        let part = &self.platform[body];
+        let distance = shape_distance(&Triangle::new(attachment, attachment, attachment), part).distance;
+        if distance <= ON_SURFACE {
+            // A plate, a segment or a point has no interior that the cable could enter.
+            return part.has_volume().then(|| Demand::Leave { normals: part.active_normals(&attachment) });
+        }
+        if distance < demanded {
+            self.notes.push(format!(
+                "{name} is attached {distance:.4} m from a platform part and can never keep {demanded:.4} m from it; \
+                 only entering it counts"
+            ));
+            return Some(Demand::Apart { gap: 0.0 });
+        }
+        Some(Demand::Apart { gap: demanded })
+    }
+
+    fn cable_cable(&mut self, scene: &Scene) {
+        for first in 0..self.cables.len() {
+            for second in first + 1..self.cables.len() {
+                if scene.ignores(Member::Cable(first), Member::Cable(second)) {
+                    continue;
+                }
+                let demanded = scene.clearance() + self.cables[first].radius + self.cables[second].radius;
+                let Some(pair) = CablePair::new(&self.cables, first, second, demanded) else { continue };
+                let names = format!("{} and {}", self.cables[first].name, self.cables[second].name);
+                if pair.always_crossing() {
+                    self.notes.push(format!("{names} cross at every position"));
+                } else if pair.gap < demanded {
+                    self.notes.push(format!(
+                        "{names} can never keep {demanded:.4} m from each other ({:.4} m at best); only crossing counts",
+                        pair.best_gap
+                    ));
+                }
+                self.list.push(Constraint::CableCable(pair));
+            }
+        }
+    }
+
+    fn platform_obstacle(&mut self, scene: &Scene) {
+        for body in 0..self.obstacles.len() {
+            let obstacle = self.obstacles[body].obstacle;
+            if scene.ignores(Member::Platform, Member::Obstacle(obstacle)) {
+                continue;
+            }
+            for part in 0..scene.robot().parts().len() {
+                // A part with volume that reaches into a seam reaches into the parts on both sides of it.
+                if self.is_seam(scene, body) && self.platform[part].has_volume() {
+                    continue;
+                }
+                let gap = if self.is_seam(scene, body) { 0.0 } else { scene.clearance() };
+                self.list.push(Constraint::PlatformObstacle { part, body, gap });
+            }
+        }
+    }
+
+    fn cable_obstacle(&mut self, scene: &Scene) {
+        for cable in 0..self.cables.len() {
+            for body in 0..self.obstacles.len() {
+                let ObstacleBody { body: polytope, obstacle, name } = &self.obstacles[body];
+                if scene.ignores(Member::Cable(cable), Member::Obstacle(*obstacle)) {
+                    continue;
+                }
+                let CableAt { outlet, radius, name: cable_name, .. } = &self.cables[cable];
+                let gap = if self.is_seam(scene, body) { 0.0 } else { scene.clearance() + radius };
+                let normals = polytope.active_normals(outlet);
+                let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), polytope).distance;
+                if normals.is_empty() && distance < gap {
+                    self.notes.push(format!(
+                        "the outlet of {cable_name} is {distance:.4} m from {name} and can never keep {gap:.4} m from it: \
+                         every position is refused; allow the contact with ignore = [[\"{cable_name}\", \"{name}\"]]"
+                    ));
+                }
+                let demand = if normals.is_empty() { Demand::Apart { gap } } else { Demand::Leave { normals } };
+                self.list.push(Constraint::CableObstacle { cable, body, demand });
+            }
+        }
+    }
+
+    fn is_seam(&self, scene: &Scene, body: usize) -> bool {
+        let obstacle = self.obstacles[body].obstacle;
+        let first = self.obstacles.iter().position(|b| b.obstacle == obstacle).expect("it is one of them");
+        body - first >= scene.obstacles()[obstacle].parts.len()
+    }
+}
+
+fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
+    let at = |cable: &crate::model::Cable| CableAt {
+        outlet: cable.outlet,
+        arm: rotation * cable.attachment.coords,
+        radius: 0.5 * cable.diameter,
+        name: cable.name.clone(),
+    };
+    scene.robot().cables().iter().map(at).collect()
+}
+
+fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {
+    let of = |(obstacle, model): (usize, &crate::model::Obstacle)| {
+        let name = model.name.clone();
+        let body = move |body: &Polytope| ObstacleBody { body: body.clone(), obstacle, name: name.clone() };
+        model.bodies().map(body).collect::<Vec<_>>()
+    };
+    scene.obstacles().iter().enumerate().flat_map(of).collect()
+}

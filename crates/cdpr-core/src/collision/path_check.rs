@@ -1,0 +1,79 @@
+//! Checking a whole path: every violation with its place, and the nearest approach.
+
+use serde::Serialize;
+
+use super::validity::{Kind, Validity};
+use crate::geometry::Point;
+
+/// A broken condition on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PathViolation {
+    /// Which segment, counting from 0.
+    pub segment: usize,
+    /// Fraction of the segment at which it begins, 0 to 1.
+    pub at: f64,
+    /// The condition.
+    pub kind: Kind,
+    /// Who is involved.
+    pub culprits: Vec<String>,
+    /// Worst gap over the segment, m; see [`super::Violation::margin`].
+    pub margin: Option<f64>,
+}
+
+/// The nearest approach on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PathClearance {
+    /// Gap in the world, m.
+    pub value: f64,
+    /// Which segment, counting from 0.
+    pub segment: usize,
+    /// Fraction of the segment, 0 to 1.
+    pub at: f64,
+    /// Between whom.
+    pub culprits: Vec<String>,
+}
+
+/// What was found about a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PathReport {
+    /// Whether the whole path is valid.
+    pub valid: bool,
+    /// Its length, m.
+    pub length: f64,
+    /// Its nearest approach, if there is anything to keep away from.
+    pub min_clearance: Option<PathClearance>,
+    /// Everything that is wrong with it, in order along the path.
+    pub violations: Vec<PathViolation>,
+}
+
+/// Length of a path, m.
+pub fn path_length(waypoints: &[Point]) -> f64 {
+    waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+}
+
+/// The first segment of a path that is not valid.
+pub fn first_invalid_segment(validity: &dyn Validity, waypoints: &[Point]) -> Option<usize> {
+    waypoints.windows(2).position(|pair| !validity.motion_valid(&pair[0], &pair[1]))
+}
+
+/// Checks every segment of a path of at least two waypoints.
+pub fn check_path(validity: &dyn Validity, waypoints: &[Point]) -> PathReport {
+    let segments = || waypoints.windows(2).enumerate();
+    let violations: Vec<PathViolation> = segments()
+        .flat_map(|(segment, pair)| {
+            validity.violations(&pair[0], &pair[1]).into_iter().map(move |v| PathViolation {
+                segment,
+                at: v.at,
+                kind: v.kind,
+                culprits: v.culprits,
+                margin: v.margin,
+            })
+        })
+        .collect();
+    let nearest = segments()
+        .filter_map(|(segment, pair)| Some((segment, validity.clearance(&pair[0], &pair[1])?)))
+        .min_by(|a, b| a.1.value.total_cmp(&b.1.value));
+    let min_clearance =
+        nearest.map(|(segment, c)| PathClearance { value: c.value, segment, at: c.at, culprits: c.culprits });
+    PathReport { valid: violations.is_empty(), length: path_length(waypoints), min_clearance, violations }
+}

@@ -1,0 +1,126 @@
+//! The question every engine answers, and the words of its answers.
+
+use serde::Serialize;
+
+use crate::geometry::Point;
+
+/// How cables are kept from each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Interference {
+    /// They must not meet at any instant of the motion.
+    #[default]
+    Exact,
+    /// The triangles they sweep must be disjoint (the paper, section 3.2): safe, and stricter than needed, since the
+    /// cables may pass the crossing at different times.
+    Swept,
+}
+
+/// The engines there are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Engine {
+    /// GJK on swept bodies, the paper's way.
+    #[default]
+    Gjk,
+}
+
+/// Which condition a motion breaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// The platform leaves the workspace box.
+    Workspace,
+    /// A cable is longer or shorter than it can be.
+    CableLength,
+    /// A cable enters the platform, or comes too near a part that it is not attached to.
+    CablePlatform,
+    /// Two cables meet, or come too near each other.
+    CableCable,
+    /// The platform meets an obstacle, or comes too near it.
+    PlatformObstacle,
+    /// A cable meets an obstacle, or comes too near it.
+    CableObstacle,
+    /// The cables cannot balance the required wrenches.
+    Wrench,
+}
+
+/// One broken condition of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Violation {
+    /// Fraction of the motion at which it begins, 0 to 1.
+    pub at: f64,
+    /// The condition.
+    pub kind: Kind,
+    /// Who is involved, by the names of the scene.
+    pub culprits: Vec<String>,
+    /// Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross,
+    /// positive where only a demanded clearance is missed. None where no gap is defined (wrench).
+    pub margin: Option<f64>,
+}
+
+impl Violation {
+    /// The violation in plain words: "cable 3 meets pillar, 12.0 mm deep".
+    pub fn sentence(&self) -> String {
+        sentence(self.kind, &self.culprits, self.margin)
+    }
+}
+
+/// A broken condition in plain words.
+pub fn sentence(kind: Kind, culprits: &[String], margin: Option<f64>) -> String {
+    let name = |k: usize| culprits.get(k).map_or("?", String::as_str);
+    let amount = margin.map_or(String::new(), |m| match m {
+        m if m < 0.0 => format!(", {} deep", millimetres(-m)),
+        m if m > 0.0 => format!(", with only {} between them", millimetres(m)),
+        _ => String::new(),
+    });
+    let missing = || margin.map_or(String::new(), |m| format!(" by {}", millimetres(-m)));
+    match kind {
+        Kind::Workspace => format!("the platform leaves the workspace{}", missing()),
+        Kind::CableLength => format!("{} breaks its length limits{}", name(0), missing()),
+        Kind::CablePlatform => format!("{} meets the platform{amount}", name(0)),
+        Kind::CableCable => format!("{} meets {}{amount}", name(0), name(1)),
+        Kind::PlatformObstacle => format!("the platform meets {}{amount}", name(1)),
+        Kind::CableObstacle => format!("{} meets {}{amount}", name(0), name(1)),
+        Kind::Wrench => "the cables cannot balance the required wrenches".to_string(),
+    }
+}
+
+/// A length for people.
+fn millimetres(length: f64) -> String {
+    if length < 1e-6 { format!("{:.3} µm", length * 1e6) } else { format!("{:.3} mm", length * 1e3) }
+}
+
+/// The nearest approach of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Clearance {
+    /// Gap in the world, m.
+    pub value: f64,
+    /// Fraction of the motion at which it is first reached, 0 to 1.
+    pub at: f64,
+    /// Between whom.
+    pub culprits: Vec<String>,
+}
+
+/// Whether a robot may be somewhere, or go somewhere in a straight line.
+///
+/// The state is a position of the platform's origin (world, m) at the fixed orientation of the engine; spaces with
+/// rotation will bring a state type of their own. Implementations are immutable and shared between threads.
+pub trait Validity<State = Point>: Sync {
+    /// Whether the robot may be in a state.
+    fn state_valid(&self, state: &State) -> bool;
+
+    /// Whether it may go straight from one state to another; both ends are part of the motion.
+    fn motion_valid(&self, from: &State, to: &State) -> bool;
+
+    /// All conditions that a motion breaks, those that break first first; empty if it is valid.
+    fn violations(&self, from: &State, to: &State) -> Vec<Violation>;
+
+    /// The nearest approach of a motion to anything it must keep away from; none where there is no such thing.
+    fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
+
+    /// The first condition that a motion breaks.
+    fn explain(&self, from: &State, to: &State) -> Option<Violation> {
+        self.violations(from, to).into_iter().next()
+    }
+}

@@ -1,0 +1,204 @@
+//! Path files: the JSON that planning writes, and CSV of waypoints (header `x,y,z`, m).
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::text::{self, shown};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::spec::FORMAT_VERSION;
+use crate::model::{Scene, body};
+use crate::plan::{PlanOptions, PlanResult};
+
+/// What a path file must hold; more keys may stand beside these, and planning writes more.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(title = "cdpr path")]
+pub struct PathFile {
+    /// Version of the format, 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<u32>,
+    /// Positions of the platform's origin, world, m.
+    pub waypoints: Vec<[f64; 3]>,
+    /// The scene that the path was planned for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<SceneId>,
+    /// How planning ended: solved, budget_spent, start_invalid or goal_invalid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub status: Option<String>,
+    /// Length of the path, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cost: Option<f64>,
+    /// The planner's path before rewinding.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub raw_waypoints: Vec<[f64; 3]>,
+    /// Its length, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub raw_cost: Option<f64>,
+    /// The planner.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub planner: Option<String>,
+}
+
+/// Which scene a path belongs to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SceneId {
+    /// Name of the scene.
+    pub name: String,
+    /// See [`Scene::fingerprint`].
+    pub fingerprint: String,
+}
+
+/// The JSON of a planning result; costs of unsolved ones are null.
+pub fn plan_json(scene: &Scene, options: &PlanOptions, result: &PlanResult) -> Value {
+    let post = options.post.map_or(json!("none"), |order| json!(order));
+    json!({
+        "version": FORMAT_VERSION,
+        "status": result.status,
+        "reason": result.reason,
+        "cost": finite(result.cost),
+        "waypoints": rows(&result.waypoints),
+        "raw_cost": finite(result.raw_cost),
+        "raw_waypoints": rows(&result.raw_waypoints),
+        "planner": options.planner,
+        "engine": options.engine,
+        "interference": options.interference,
+        "seed": options.seed,
+        "options": {
+            "step": options.step,
+            "post": post,
+            "repeats": options.repeats,
+            "max_samples": options.max_samples,
+            "budget_ms": options.budget.map(|b| b.as_secs_f64() * 1e3),
+        },
+        "stats": result.stats,
+        "scene": scene_id(scene),
+    })
+}
+
+/// The JSON of a bare path of a scene.
+pub fn path_json(scene: &Scene, waypoints: &[Point]) -> Value {
+    let cost = crate::collision::path_check::path_length(waypoints);
+    json!({ "version": FORMAT_VERSION, "cost": cost, "waypoints": rows(waypoints), "scene": scene_id(scene) })
+}
+
+fn scene_id(scene: &Scene) -> SceneId {
+    SceneId { name: scene.name().to_string(), fingerprint: scene.fingerprint() }
+}
+
+fn finite(number: f64) -> Option<f64> {
+    number.is_finite().then_some(number)
+}
+
+fn rows(points: &[Point]) -> Vec<[f64; 3]> {
+    points.iter().map(|p| [p.x, p.y, p.z]).collect()
+}
+
+/// Writes a path: JSON as given, or its waypoints as CSV, by the extension.
+///
+/// # Errors
+/// Another extension, or a file that cannot be written; nothing half-written is left.
+pub fn save_path(path: &Path, json: &Value) -> Result<(), Error> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("json") => text::write_atomically(path, format!("{json:#}\n").as_bytes()),
+        Some("csv") => text::write_atomically(path, &csv_bytes(json)?),
+        other => Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other)))),
+    }
+}
+
+/// Checks that a path can be written under this name, before the work is done.
+///
+/// # Errors
+/// An extension that is neither .json nor .csv.
+pub fn check_path_name(path: &Path) -> Result<(), Error> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("json" | "csv") => Ok(()),
+        other => Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other)))),
+    }
+}
+
+fn csv_bytes(json: &Value) -> Result<Vec<u8>, Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let problem = |e: csv::Error| Error::invalid("", e.to_string());
+    writer.write_record(["x", "y", "z"]).map_err(problem)?;
+    let waypoints: Vec<[f64; 3]> = serde_json::from_value(json["waypoints"].clone()).unwrap_or_default();
+    for waypoint in waypoints {
+        writer.write_record(waypoint.map(|x| x.to_string())).map_err(problem)?;
+    }
+    writer.into_inner().map_err(|e| Error::invalid("", e.to_string()))
+}
+
+/// A path file that was read and checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedPath {
+    /// At least two positions, m.
+    pub waypoints: Vec<Point>,
+    /// All that the file says, if it is JSON.
+    pub file: Option<PathFile>,
+}
+
+/// Loads a path of at least two waypoints from JSON or CSV.
+///
+/// With `scene`, a file that says it was planned for another scene is refused.
+///
+/// # Errors
+/// Names the file, the key or line, what was found and what was expected.
+pub fn load_waypoints(path: &Path, scene: Option<&Scene>) -> Result<LoadedPath, Error> {
+    let loaded = match path.extension().and_then(|e| e.to_str()) {
+        Some("json") => from_json(path, scene),
+        Some("csv") => from_csv(path).map(|waypoints| LoadedPath { waypoints, file: None }),
+        other => {
+            return Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other))));
+        }
+    };
+    loaded.map_err(|e| e.in_file(path))
+}
+
+fn from_json(path: &Path, scene: Option<&Scene>) -> Result<LoadedPath, Error> {
+    let file: PathFile = text::parse(&text::read(path)?, text::Notation::Json)?;
+    if let Some(version) = file.version.filter(|v| *v != FORMAT_VERSION) {
+        return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
+    }
+    if let (Some(scene), Some(id)) = (scene, &file.scene)
+        && id.fingerprint != scene.fingerprint()
+    {
+        let problem = format!(
+            "found a path planned for another scene (\"{}\", {}), expected one for \"{}\" ({}); \
+             plan again, or remove the key \"scene\" from the file to use the path anyway",
+            id.name,
+            id.fingerprint,
+            scene.name(),
+            scene.fingerprint()
+        );
+        return Err(Error::invalid("scene", problem));
+    }
+    let why =
+        file.status.as_deref().filter(|s| *s != "solved").map_or(String::new(), |s| format!(" (its status is {s})"));
+    let waypoints = checked(&file.waypoints, &why)?;
+    Ok(LoadedPath { waypoints, file: Some(file) })
+}
+
+fn from_csv(path: &Path) -> Result<Vec<Point>, Error> {
+    let text = text::read(path)?;
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header: Vec<String> = reader.headers().map_err(csv_problem)?.iter().map(str::to_string).collect();
+    if header != ["x", "y", "z"] {
+        return Err(Error::invalid("header", format!("found \"{}\", expected \"x,y,z\"", header.join(","))));
+    }
+    let rows = reader.deserialize().map(|row| row.map_err(csv_problem)).collect::<Result<Vec<[f64; 3]>, _>>()?;
+    checked(&rows, "")
+}
+
+fn csv_problem(error: csv::Error) -> Error {
+    let place = error.position().map_or(String::new(), |p| format!("line {}", p.line()));
+    Error::invalid(place, error.to_string())
+}
+
+fn checked(rows: &[[f64; 3]], why: &str) -> Result<Vec<Point>, Error> {
+    if rows.len() < 2 {
+        return Err(Error::invalid("waypoints", format!("found {} waypoints{why}, expected at least two", rows.len())));
+    }
+    rows.iter().enumerate().map(|(k, row)| body::point(&format!("waypoints[{k}]"), *row)).collect()
+}

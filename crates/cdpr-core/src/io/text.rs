@@ -1,0 +1,106 @@
+//! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
+
+use std::io::Write;
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+
+use crate::error::{Error, nearest_name};
+
+/// The two notations of structured files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// `.toml`
+    Toml,
+    /// `.json`
+    Json,
+}
+
+impl Notation {
+    /// By the file's extension.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("toml") => Ok(Notation::Toml),
+            Some("json") => Ok(Notation::Json),
+            other => Err(Error::file(path, format!("found the extension {}, expected .toml or .json", shown(other)))),
+        }
+    }
+}
+
+/// An extension as it reads in a message.
+pub(super) fn shown(extension: Option<&str>) -> String {
+    extension.map_or("(none)".to_string(), |e| format!(".{e}"))
+}
+
+/// The whole file as text.
+pub fn read(path: &Path) -> Result<String, Error> {
+    std::fs::read_to_string(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))
+}
+
+/// Parses text; errors name the key path, what was found, what was expected, and the line.
+pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, Error> {
+    match notation {
+        Notation::Toml => {
+            let line_of =
+                |e: &toml::de::Error| e.span().map(|s| 1 + text[..s.start.min(text.len())].matches('\n').count());
+            let whole = |e: toml::de::Error| Error::invalid("", at_line(e.message(), line_of(&e)));
+            let parser = toml::Deserializer::parse(text).map_err(whole)?;
+            serde_path_to_error::deserialize(parser).map_err(|e| {
+                let line = line_of(e.inner());
+                keyed(&e.path().to_string(), e.inner().message(), line)
+            })
+        }
+        Notation::Json => {
+            let mut parser = serde_json::Deserializer::from_str(text);
+            let value = serde_path_to_error::deserialize(&mut parser)
+                .map_err(|e| keyed(&e.path().to_string(), &e.inner().to_string(), None))?;
+            parser.end().map_err(|e| Error::invalid("", e.to_string()))?;
+            Ok(value)
+        }
+    }
+}
+
+fn keyed(path: &str, message: &str, line: Option<usize>) -> Error {
+    let place = if path == "." { "" } else { path };
+    Error::invalid(place, at_line(&with_suggestion(message), line))
+}
+
+fn at_line(message: &str, line: Option<usize>) -> String {
+    line.map_or(message.to_string(), |line| format!("{message} (line {line})"))
+}
+
+/// Adds "did you mean" to serde's "unknown field `x`, expected one of `a`, `b`".
+fn with_suggestion(message: &str) -> String {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    match (message.starts_with("unknown"), quoted.next()) {
+        (true, Some(found)) => match nearest_name(found, quoted) {
+            Some(name) => format!("{message}; did you mean `{name}`?"),
+            None => message.to_string(),
+        },
+        _ => message.to_string(),
+    }
+}
+
+/// Writes a file whole or not at all: beside it first, then renamed over it.
+pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
+    let problem = |e: std::io::Error| Error::file(path, format!("cannot be written: {e}"));
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut file = tempfile::Builder::new().prefix(".cdpr-").tempfile_in(folder).map_err(problem)?;
+    file.write_all(contents).map_err(problem)?;
+    file.as_file().sync_all().map_err(problem)?;
+    set_ordinary_permissions(file.path()).map_err(problem)?;
+    file.persist(path).map_err(|e| problem(e.error))?;
+    Ok(())
+}
+
+/// Temporary files are private; results are ordinary files.
+#[cfg(unix)]
+fn set_ordinary_permissions(path: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn set_ordinary_permissions(_: &Path) -> std::io::Result<()> {
+    Ok(())
+}

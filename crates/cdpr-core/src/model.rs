@@ -1,0 +1,12 @@
+//! Robots, obstacles and scenes: what files say (`spec`), and what holds once it has been checked (`robot`, `scene`).
+
+pub mod body;
+pub mod robot;
+pub mod scene;
+pub mod spec;
+
+pub use robot::{Cable, Robot};
+pub use scene::{Member, Obstacle, Scene};
+pub use spec::{
+    BodySpec, CableSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, SceneSpec, WorkspaceSpec, WrenchSpec,
+};

@@ -1,0 +1,135 @@
+//! Bodies from their specs, and the checks of numbers that robots and scenes share.
+
+use super::spec::{BodySpec, PrismSpec};
+use crate::error::Error;
+use crate::geometry::{Point, Polytope, Rotation, Vector};
+use crate::numerics::{MAX_COORDINATE, UNIT_QUATERNION};
+
+/// Checks that every number is finite and within [`MAX_COORDINATE`].
+pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
+    match numbers.iter().find(|x| !(x.abs() <= MAX_COORDINATE)) {
+        None => Ok(()),
+        Some(x) if x.is_finite() => {
+            Err(Error::invalid(place, format!("found {x} m, expected coordinates up to {MAX_COORDINATE:e} m")))
+        }
+        Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers"))),
+    }
+}
+
+/// Checks a place in space, m.
+pub fn point(place: &str, numbers: [f64; 3]) -> Result<Point, Error> {
+    coordinates(place, &numbers)?;
+    Ok(Point::from(numbers))
+}
+
+/// Checks a number that must be finite and not negative.
+pub fn not_negative(place: &str, number: f64) -> Result<f64, Error> {
+    if number >= 0.0 && number.is_finite() {
+        return Ok(number);
+    }
+    Err(Error::invalid(place, format!("found {number}, expected a finite number of at least 0")))
+}
+
+/// Checks an interval `0 <= least <= largest`.
+pub fn interval(place: &str, [least, largest]: [f64; 2]) -> Result<[f64; 2], Error> {
+    if least >= 0.0 && least <= largest && largest.is_finite() {
+        return Ok([least, largest]);
+    }
+    Err(Error::invalid(place, format!("found [{least}, {largest}], expected [min, max] with 0 <= min <= max")))
+}
+
+/// Checks a unit quaternion w x y z.
+pub fn unit_quaternion(place: &str, [w, x, y, z]: [f64; 4]) -> Result<Rotation, Error> {
+    let quaternion = nalgebra::Quaternion::new(w, x, y, z);
+    if (quaternion.norm() - 1.0).abs() <= UNIT_QUATERNION {
+        return Ok(Rotation::from_quaternion(quaternion));
+    }
+    Err(Error::invalid(
+        place,
+        format!(
+            "found a quaternion of length {}, expected length 1 within {UNIT_QUATERNION:e} (w x y z)",
+            quaternion.norm()
+        ),
+    ))
+}
+
+/// Builds a convex body where its spec puts it. Flat bodies are allowed here.
+pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
+    let shape = match (&spec.cuboid, &spec.vertices, &spec.prism) {
+        (Some(sides), None, None) => cuboid(&format!("{place}.box"), *sides),
+        (None, Some(vertices), None) => from_vertices(&format!("{place}.vertices"), vertices),
+        (None, None, Some(prism)) => upright_prism(&format!("{place}.prism"), prism),
+        (None, None, None) => Err(Error::invalid(place, "found no shape, expected one of box, vertices, prism")),
+        _ => Err(Error::invalid(place, "found several shapes, expected exactly one of box, vertices, prism")),
+    }?;
+    let rotation = turn(place, spec)?;
+    let position = point(&format!("{place}.position"), spec.position.unwrap_or_default())?;
+    let body = shape.transformed(&rotation, &position.coords);
+    let numbers: Vec<f64> = body.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+    coordinates(place, &numbers)?;
+    Ok(body)
+}
+
+fn turn(place: &str, spec: &BodySpec) -> Result<Rotation, Error> {
+    match (spec.rpy, spec.quaternion) {
+        (None, None) => Ok(Rotation::identity()),
+        (Some(rpy), None) => {
+            coordinates(&format!("{place}.rpy"), &rpy)?;
+            let [roll, pitch, yaw] = rpy;
+            Ok(Rotation::from_euler_angles(roll, pitch, yaw))
+        }
+        (None, Some(quaternion)) => unit_quaternion(&format!("{place}.quaternion"), quaternion),
+        (Some(_), Some(_)) => Err(Error::invalid(place, "found both rpy and quaternion, expected one of them")),
+    }
+}
+
+fn cuboid(place: &str, sides: [f64; 3]) -> Result<Polytope, Error> {
+    coordinates(place, &sides)?;
+    if let Some(side) = sides.iter().find(|side| **side < 0.0) {
+        return Err(Error::invalid(
+            place,
+            format!("found a side of {side} m, expected full side lengths of at least 0"),
+        ));
+    }
+    hull(place, Polytope::cuboid(sides))
+}
+
+fn from_vertices(place: &str, vertices: &[[f64; 3]]) -> Result<Polytope, Error> {
+    let vertices: Vec<Point> =
+        vertices.iter().enumerate().map(|(k, v)| point(&format!("{place}[{k}]"), *v)).collect::<Result<_, _>>()?;
+    hull(place, Polytope::from_vertices(&vertices))
+}
+
+fn upright_prism(place: &str, prism: &PrismSpec) -> Result<Polytope, Error> {
+    coordinates(&format!("{place}.height"), &[prism.height])?;
+    if !(prism.height > 0.0) {
+        let problem = format!("found {} m, expected a positive height", prism.height);
+        return Err(Error::invalid(format!("{place}.height"), problem));
+    }
+    let base = format!("{place}.base");
+    let floor: Vec<Point> = prism
+        .base
+        .iter()
+        .enumerate()
+        .map(|(k, [x, y])| point(&format!("{base}[{k}]"), [*x, *y, 0.0]))
+        .collect::<Result<_, _>>()?;
+    let polygon = hull(&base, Polytope::hull_of(&floor))?;
+    if polygon.dimension() != 2 {
+        return Err(Error::invalid(base, "found no area, expected at least three corners that are not on one line"));
+    }
+    // A corner of the base strictly inside the polygon is strictly inside the side of no prism: look for it here.
+    let lifted: Vec<Point> = polygon.vertices().iter().flat_map(|v| [*v, v + Vector::z() * prism.height]).collect();
+    let body = hull(place, Polytope::hull_of(&lifted))?;
+    let middle = |v: &Point| v + Vector::z() * (0.5 * prism.height);
+    match floor.iter().position(|v| body.depth_of(&middle(v)) > crate::numerics::ON_SURFACE.min(0.4 * prism.height)) {
+        Some(k) => Err(Error::invalid(
+            format!("{base}[{k}]"),
+            "lies inside the hull of the others, expected the corners of a convex polygon",
+        )),
+        None => Ok(body),
+    }
+}
+
+fn hull(place: &str, result: Result<Polytope, crate::geometry::PolytopeError>) -> Result<Polytope, Error> {
+    result.map_err(|problem| Error::invalid(place, problem.to_string()))
+}

@@ -1,0 +1,143 @@
+//! A robot that has been checked: platform parts, cables, and what follows from them alone.
+
+use super::body;
+use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
+use crate::error::Error;
+use crate::geometry::{Point, Polytope, seam};
+use crate::numerics::ON_SURFACE;
+
+/// A straight cable from a fixed outlet to the platform.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cable {
+    /// Name used in messages.
+    pub name: String,
+    /// Where the cable leaves the frame, world, m.
+    pub outlet: Point,
+    /// Where it meets the platform, platform frame, m.
+    pub attachment: Point,
+    /// Least and largest tension, N.
+    pub tension: Option<[f64; 2]>,
+    /// Diameter, m.
+    pub diameter: f64,
+    /// Least and largest length, m.
+    pub length: Option<[f64; 2]>,
+}
+
+/// A cable robot: a platform of convex parts, hung on cables. Immutable; made by [`Robot::try_from`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Robot {
+    spec: RobotSpec,
+    cables: Vec<Cable>,
+    parts: Vec<Polytope>,
+    seams: Vec<Polytope>,
+    center_of_mass: Point,
+}
+
+impl TryFrom<RobotSpec> for Robot {
+    type Error = Error;
+
+    /// Checks a robot: finite numbers, unique names, tension and length limits in order, no attachment inside a part.
+    fn try_from(spec: RobotSpec) -> Result<Self, Error> {
+        if let Some(version) = spec.version.filter(|v| *v != FORMAT_VERSION) {
+            return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
+        }
+        if spec.platform.is_empty() {
+            return Err(Error::invalid("platform", "found no parts, expected at least one (a point will do)"));
+        }
+        if spec.cables.is_empty() {
+            return Err(Error::invalid("cables", "found none, expected at least one"));
+        }
+        if let Some(mass) = spec.mass {
+            body::not_negative("mass", mass)?;
+        }
+        let center_of_mass = body::point("center_of_mass", spec.center_of_mass.unwrap_or_default())?;
+        let parts = (spec.platform.iter().enumerate())
+            .map(|(k, part)| body::build(&format!("platform[{k}]"), part))
+            .collect::<Result<Vec<_>, _>>()?;
+        let cables = (spec.cables.iter().enumerate())
+            .map(|(k, cable)| checked_cable(k, cable).map_err(|e| e.under(&format!("cables[{k}]"))))
+            .collect::<Result<Vec<_>, _>>()?;
+        let seams = seam::seams(&parts);
+        unique_names(&cables)?;
+        attachments_outside(&cables, &parts, &seams)?;
+        Ok(Robot { spec, cables, parts, seams, center_of_mass })
+    }
+}
+
+impl Robot {
+    /// The robot as plain data.
+    pub fn spec(&self) -> &RobotSpec {
+        &self.spec
+    }
+
+    /// Name, or "robot".
+    pub fn name(&self) -> &str {
+        self.spec.name.as_deref().unwrap_or("robot")
+    }
+
+    /// Cables, in the order of the file; they count from 0.
+    pub fn cables(&self) -> &[Cable] {
+        &self.cables
+    }
+
+    /// Convex parts of the platform, platform frame.
+    pub fn parts(&self) -> &[Polytope] {
+        &self.parts
+    }
+
+    /// Bodies that close the seams between abutting parts, platform frame; see [`crate::geometry::seam`].
+    pub fn seams(&self) -> &[Polytope] {
+        &self.seams
+    }
+
+    /// Mass of the platform, kg, if it was given.
+    pub fn mass(&self) -> Option<f64> {
+        self.spec.mass
+    }
+
+    /// Centre of mass, platform frame, m.
+    pub fn center_of_mass(&self) -> Point {
+        self.center_of_mass
+    }
+}
+
+fn checked_cable(index: usize, spec: &CableSpec) -> Result<Cable, Error> {
+    Ok(Cable {
+        name: spec.name.clone().unwrap_or_else(|| format!("cable {index}")),
+        outlet: body::point("outlet", spec.outlet)?,
+        attachment: body::point("attachment", spec.attachment)?,
+        tension: spec.tension.map(|t| body::interval("tension", t)).transpose()?,
+        diameter: body::not_negative("diameter", spec.diameter.unwrap_or(0.0))?,
+        length: spec.length.map(|l| body::interval("length", l)).transpose()?,
+    })
+}
+
+fn unique_names(cables: &[Cable]) -> Result<(), Error> {
+    for (k, cable) in cables.iter().enumerate() {
+        if let Some(first) = cables[..k].iter().position(|c| c.name == cable.name) {
+            let problem = format!("found \"{}\", which cables[{first}] has already; expected unique names", cable.name);
+            return Err(Error::invalid(format!("cables[{k}].name"), problem));
+        }
+        if cable.name == super::scene::PLATFORM {
+            return Err(Error::invalid(
+                format!("cables[{k}].name"),
+                "found \"platform\", which means the platform itself",
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn attachments_outside(cables: &[Cable], parts: &[Polytope], seams: &[Polytope]) -> Result<(), Error> {
+    for (i, cable) in cables.iter().enumerate() {
+        let depths = parts.iter().chain(seams).map(|part| part.depth_of(&cable.attachment));
+        if let Some((k, depth)) = depths.enumerate().find(|(_, depth)| *depth > ON_SURFACE) {
+            let place = if k < parts.len() { format!("platform[{k}]") } else { "two abutting parts".to_string() };
+            let problem = format!(
+                "found a point {depth:.3e} m inside {place}, expected one on the surface or outside; move it to the surface"
+            );
+            return Err(Error::invalid(format!("cables[{i}].attachment"), problem));
+        }
+    }
+    Ok(())
+}

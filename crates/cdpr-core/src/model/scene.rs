@@ -1,0 +1,260 @@
+//! A scene that has been checked: robot, obstacles, workspace, and the question asked of them.
+
+use sha2::{Digest, Sha256};
+
+use super::body;
+use super::robot::Robot;
+use super::spec::{BodySpec, FORMAT_VERSION, RobotSource, SceneSpec, WrenchSpec};
+use crate::error::{Error, nearest_name};
+use crate::geometry::{Aabb, Point, Polytope, Rotation, seam};
+use crate::numerics::ON_SURFACE;
+
+/// The name that stands for the platform in messages and in `ignore`.
+pub const PLATFORM: &str = "platform";
+
+/// An obstacle: convex parts under one name, m, world.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Obstacle {
+    /// Name used in messages.
+    pub name: String,
+    /// Convex parts.
+    pub parts: Vec<Polytope>,
+    /// Bodies that close the seams between abutting parts; see [`crate::geometry::seam`].
+    pub seams: Vec<Polytope>,
+}
+
+impl Obstacle {
+    /// Parts and seams: all convex bodies whose union's interior is forbidden.
+    pub fn bodies(&self) -> impl Iterator<Item = &Polytope> {
+        self.parts.iter().chain(&self.seams)
+    }
+}
+
+/// Something that can be in contact: named in `ignore` and in messages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Member {
+    /// A cable, counting from 0.
+    Cable(usize),
+    /// The platform.
+    Platform,
+    /// An obstacle, in order of first appearance.
+    Obstacle(usize),
+}
+
+/// A checked scene. Immutable; made by [`Scene::new`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    spec: SceneSpec,
+    robot: Robot,
+    obstacles: Vec<Obstacle>,
+    workspace: Aabb,
+    orientation: Rotation,
+    clearance: f64,
+    ignored: Vec<(Member, Member)>,
+    start: Option<Point>,
+    goal: Option<Point>,
+}
+
+impl Scene {
+    /// Checks a scene whose robot stands in place (`spec.robot` is inline).
+    ///
+    /// # Errors
+    /// Names the key, what was found and what was expected. A start or goal that collides is no error: only planning
+    /// judges the query.
+    pub fn new(spec: SceneSpec) -> Result<Self, Error> {
+        if spec.version != FORMAT_VERSION {
+            return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+        }
+        let robot = match &spec.robot {
+            RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot"))?,
+            RobotSource::File(path) => {
+                let problem = format!("found the path \"{path}\"; load the scene from its file to have it read");
+                return Err(Error::invalid("robot", problem));
+            }
+        };
+        body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
+        let clearance = body::not_negative("clearance", spec.clearance.unwrap_or(0.0))?;
+        let workspace = workspace(&spec)?;
+        let obstacles = obstacles(&spec.obstacles, &robot)?;
+        outlets_outside(&robot, &obstacles)?;
+        let ignored = (spec.ignore.iter().enumerate())
+            .map(|(k, pair)| ignored_pair(&format!("ignore[{k}]"), pair, &robot, &obstacles))
+            .collect::<Result<_, _>>()?;
+        let query = spec.query.clone().unwrap_or_default();
+        let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
+        let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
+        let orientation =
+            body::unit_quaternion("query.orientation", query.orientation.unwrap_or([1.0, 0.0, 0.0, 0.0]))?;
+        Ok(Scene { spec, robot, obstacles, workspace, orientation, clearance, ignored, start, goal })
+    }
+
+    /// The scene as plain data, the robot in place.
+    pub fn spec(&self) -> &SceneSpec {
+        &self.spec
+    }
+
+    /// Name, or "scene".
+    pub fn name(&self) -> &str {
+        self.spec.name.as_deref().unwrap_or("scene")
+    }
+
+    /// The robot.
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// Obstacles by name, in order of first appearance.
+    pub fn obstacles(&self) -> &[Obstacle] {
+        &self.obstacles
+    }
+
+    /// The box that every platform vertex must stay in.
+    pub fn workspace(&self) -> &Aabb {
+        &self.workspace
+    }
+
+    /// World-from-platform rotation of the query.
+    pub fn orientation(&self) -> &Rotation {
+        &self.orientation
+    }
+
+    /// Least distance to keep, m.
+    pub fn clearance(&self) -> f64 {
+        self.clearance
+    }
+
+    /// Start of the query, if given.
+    pub fn start(&self) -> Option<Point> {
+        self.start
+    }
+
+    /// Goal of the query, if given.
+    pub fn goal(&self) -> Option<Point> {
+        self.goal
+    }
+
+    /// The demand of wrench feasibility, if given.
+    pub fn wrench(&self) -> Option<&WrenchSpec> {
+        self.spec.wrench.as_ref()
+    }
+
+    /// Whether contact between these two is allowed by the scene.
+    pub fn ignores(&self, a: Member, b: Member) -> bool {
+        self.ignored.contains(&(a.min(b), a.max(b)))
+    }
+
+    /// The name of a member, as in messages.
+    pub fn member_name(&self, member: Member) -> &str {
+        match member {
+            Member::Cable(i) => &self.robot.cables()[i].name,
+            Member::Platform => PLATFORM,
+            Member::Obstacle(j) => &self.obstacles[j].name,
+        }
+    }
+
+    /// Identifies what paths of this scene were planned against: everything but name, start and goal.
+    pub fn fingerprint(&self) -> String {
+        let mut spec = self.spec.clone();
+        spec.name = None;
+        if let Some(query) = &mut spec.query {
+            (query.start, query.goal) = (None, None);
+        }
+        spec.query = spec.query.filter(|query| query.orientation.is_some());
+        let text = serde_json::to_string(&spec).expect("specs of checked scenes are finite");
+        Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    }
+}
+
+fn workspace(spec: &SceneSpec) -> Result<Aabb, Error> {
+    let min = body::point("workspace.min", spec.workspace.min)?;
+    let max = body::point("workspace.max", spec.workspace.max)?;
+    if let Some(axis) = (0..3).find(|&k| !(min[k] < max[k])) {
+        let problem = format!(
+            "found min {} and max {} along {}, expected min < max",
+            min[axis],
+            max[axis],
+            ["x", "y", "z"][axis]
+        );
+        return Err(Error::invalid("workspace", problem));
+    }
+    Ok(Aabb { min, max })
+}
+
+fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> {
+    let mut obstacles: Vec<Obstacle> = Vec::new();
+    for (k, spec) in specs.iter().enumerate() {
+        let place = format!("obstacles[{k}]");
+        let part = body::build(&place, spec)?;
+        if !part.has_volume() {
+            return Err(Error::invalid(
+                place,
+                "found a body without volume (flat within 1e-7 m), expected one with volume",
+            ));
+        }
+        let name = spec.name.clone().unwrap_or_else(|| format!("obstacle {k}"));
+        if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
+            return Err(Error::invalid(
+                format!("{place}.name"),
+                format!("found \"{name}\", which names something else already"),
+            ));
+        }
+        match obstacles.iter_mut().find(|o| o.name == name) {
+            Some(body) => body.parts.push(part),
+            None => obstacles.push(Obstacle { name, parts: vec![part], seams: Vec::new() }),
+        }
+    }
+    for obstacle in &mut obstacles {
+        obstacle.seams = seam::seams(&obstacle.parts);
+    }
+    Ok(obstacles)
+}
+
+fn outlets_outside(robot: &Robot, obstacles: &[Obstacle]) -> Result<(), Error> {
+    for (i, cable) in robot.cables().iter().enumerate() {
+        for obstacle in obstacles {
+            let depth = obstacle.bodies().map(|b| b.depth_of(&cable.outlet)).fold(f64::NEG_INFINITY, f64::max);
+            if depth > ON_SURFACE {
+                let problem = format!(
+                    "found a point {depth:.3e} m inside obstacle \"{}\", expected one outside or on its surface; move one of them",
+                    obstacle.name
+                );
+                return Err(Error::invalid(format!("robot.cables[{i}].outlet"), problem));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn ignored_pair(
+    place: &str,
+    pair: &[String; 2],
+    robot: &Robot,
+    obstacles: &[Obstacle],
+) -> Result<(Member, Member), Error> {
+    let [a, b] = [member(place, &pair[0], robot, obstacles)?, member(place, &pair[1], robot, obstacles)?];
+    if a == b || matches!((a, b), (Member::Obstacle(_), Member::Obstacle(_))) {
+        let problem = format!(
+            "found [\"{}\", \"{}\"], expected two different members, at least one of them of the robot",
+            pair[0], pair[1]
+        );
+        return Err(Error::invalid(place, problem));
+    }
+    Ok((a.min(b), a.max(b)))
+}
+
+fn member(place: &str, name: &str, robot: &Robot, obstacles: &[Obstacle]) -> Result<Member, Error> {
+    if name == PLATFORM {
+        return Ok(Member::Platform);
+    }
+    let cable = robot.cables().iter().position(|c| c.name == name).map(Member::Cable);
+    let obstacle = || obstacles.iter().position(|o| o.name == name).map(Member::Obstacle);
+    cable.or_else(obstacle).ok_or_else(|| {
+        let cables = robot.cables().iter().map(|c| c.name.as_str());
+        let known = cables.chain(obstacles.iter().map(|o| o.name.as_str())).chain([PLATFORM]);
+        let hint = nearest_name(name, known).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+        Error::invalid(
+            place,
+            format!("found \"{name}\", expected the name of a cable or obstacle, or \"platform\"{hint}"),
+        )
+    })
+}

@@ -1,0 +1,232 @@
+//! The file formats as plain data: one set of types for TOML, JSON and the JSON Schema. Nothing here is checked beyond
+//! its shape; [`crate::model::Robot`] and [`crate::model::Scene`] do that once.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+/// The version of the scene, robot and path formats that this program reads and writes.
+pub const FORMAT_VERSION: u32 = 1;
+
+/// A scene: robot, obstacles, workspace, and the question asked of them. Lengths in m, world axes, z up by custom.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "cdpr scene")]
+pub struct SceneSpec {
+    /// Version of the format, 1.
+    pub version: u32,
+    /// A name for messages and pictures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Gravity in world axes, m/s²; default (0, 0, -9.81).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gravity: Option<[f64; 3]>,
+    /// Least distance to keep between whatever must not touch, m; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<f64>,
+    /// Allowed contacts, as pairs of names: a cable's, an obstacle's, or "platform".
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub ignore: Vec<[String; 2]>,
+    /// The box that every platform vertex must stay in.
+    pub workspace: WorkspaceSpec,
+    /// The robot: a table, or the path of a robot file relative to the scene file.
+    pub robot: RobotSource,
+    /// Convex obstacle parts; parts of one concave body carry the same name.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<BodySpec>,
+    /// Demand of wrench feasibility; its presence turns the constraint on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrench: Option<WrenchSpec>,
+    /// Start, goal and orientation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub query: Option<QuerySpec>,
+}
+
+/// An axis-aligned box in the world, m.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WorkspaceSpec {
+    /// Smallest coordinates, m.
+    pub min: [f64; 3],
+    /// Largest coordinates, m.
+    pub max: [f64; 3],
+}
+
+/// A robot in place, or the path of its file.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum RobotSource {
+    /// Path of a robot file (TOML or JSON), relative to the scene file.
+    File(String),
+    /// The robot itself.
+    Inline(RobotSpec),
+}
+
+impl<'de> Deserialize<'de> for RobotSource {
+    // By hand: an untagged derive would answer a misspelt key with "did not match any variant".
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = RobotSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a robot table or the path of a robot file")
+            }
+
+            fn visit_str<E: de::Error>(self, path: &str) -> Result<RobotSource, E> {
+                Ok(RobotSource::File(path.to_string()))
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<RobotSource, A::Error> {
+                RobotSpec::deserialize(de::value::MapAccessDeserializer::new(map)).map(RobotSource::Inline)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+/// A cable robot: platform and cables.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "cdpr robot")]
+pub struct RobotSpec {
+    /// Version of the format, 1; only in a robot file of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<u32>,
+    /// A name for messages and pictures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Mass of the platform, kg.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
+    /// Centre of mass in the platform frame, m; default the origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub center_of_mass: Option<[f64; 3]>,
+    /// Convex parts of the platform, in the platform frame; they may be flat, a segment or a point.
+    pub platform: Vec<BodySpec>,
+    /// Cables.
+    pub cables: Vec<CableSpec>,
+}
+
+/// A straight cable between a fixed outlet and an attachment on the platform.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CableSpec {
+    /// A name for messages; default "cable K", counting from 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Where the cable leaves the frame, world, m.
+    pub outlet: [f64; 3],
+    /// Where it meets the platform, platform frame, m.
+    pub attachment: [f64; 3],
+    /// Least and largest tension, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension: Option<[f64; 2]>,
+    /// Diameter, m; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diameter: Option<f64>,
+    /// Least and largest length between outlet and attachment, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<[f64; 2]>,
+}
+
+/// A convex body: exactly one of `box`, `vertices` and `prism`, then turned and moved.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodySpec {
+    /// A name for messages; obstacle parts of the same name form one body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Full side lengths of a box centred at the origin, m.
+    #[serde(default, rename = "box", skip_serializing_if = "Option::is_none")]
+    pub cuboid: Option<[f64; 3]>,
+    /// Corners of a convex body in any order, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<Vec<[f64; 3]>>,
+    /// An upright prism over a convex polygon.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prism: Option<PrismSpec>,
+    /// Added to every point after turning, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<[f64; 3]>,
+    /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rpy: Option<[f64; 3]>,
+    /// The turn as a unit quaternion, w x y z.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quaternion: Option<[f64; 4]>,
+}
+
+/// An upright prism from z = 0 to z = height.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PrismSpec {
+    /// Corners of the convex base, m.
+    pub base: Vec<[f64; 2]>,
+    /// Height, m.
+    pub height: f64,
+}
+
+/// The wrenches that the cables must be able to balance all along a path.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrenchSpec {
+    /// Radius of the required force ball, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force: Option<f64>,
+    /// Radius of the required moment ball, N·m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+    /// Corners of a required polytope instead, each fx fy fz mx my mz.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<Vec<[f64; 6]>>,
+    /// A further constant load, world axes, its moment about the platform's origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<[f64; 6]>,
+    /// Which margin decides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub margin: Option<MarginSpec>,
+    /// How a motion is judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rule: Option<RuleSpec>,
+    /// Cell size of the grid rule, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grid: Option<f64>,
+    /// Length that turns moments into forces, m; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub characteristic_length: Option<f64>,
+}
+
+/// Which margin decides on wrench feasibility.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MarginSpec {
+    /// The rigorous one, on the 6-D set.
+    Capacity,
+    /// The paper's: force part and moment part each on its own.
+    Projected,
+}
+
+/// How wrench feasibility of a motion is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RuleSpec {
+    /// Every point of the motion is proved.
+    Certified,
+    /// The paper's: the cells of a grid that the motion crosses.
+    Grid,
+}
+
+/// What is asked: from where to where, and how the platform is turned all the way.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct QuerySpec {
+    /// Position of the platform's origin at the start, world, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<[f64; 3]>,
+    /// Position of the platform's origin at the goal, world, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal: Option<[f64; 3]>,
+    /// World-from-platform unit quaternion, w x y z; default no turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<[f64; 4]>,
+}

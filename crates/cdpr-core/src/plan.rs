@@ -1,0 +1,221 @@
+//! The whole answer to a planning question: engine, planner, rewinding, and a last check of the path.
+
+use std::time::{Duration, Instant};
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use serde::Serialize;
+
+use crate::collision::path_check::{first_invalid_segment, path_length};
+use crate::collision::{Engine, GjkEngine, Interference, Validity, Violation};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::Scene;
+use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationSpace, Watch, modified_rrt};
+use crate::postprocess::{Order, RewindOptions, rewind};
+
+/// The planners there are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Planner {
+    /// Algorithm 3 of the paper.
+    #[default]
+    ModifiedRrt,
+}
+
+/// How to plan; the question itself stands in the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanOptions {
+    /// Search method.
+    pub planner: Planner,
+    /// Who checks motions.
+    pub engine: Engine,
+    /// How cables are kept from each other.
+    pub interference: Interference,
+    /// Everything random flows from it.
+    pub seed: u64,
+    /// Start instead of the scene's, m.
+    pub start: Option<Point>,
+    /// Goal instead of the scene's, m.
+    pub goal: Option<Point>,
+    /// Step of rewinding, m.
+    pub step: f64,
+    /// Order of rewinding; none leaves the raw path.
+    pub post: Option<Order>,
+    /// Repeats of rewinding.
+    pub repeats: usize,
+    /// Random samples after which the search gives up.
+    pub max_samples: usize,
+    /// Time after which the search gives up.
+    pub budget: Option<Duration>,
+}
+
+impl Default for PlanOptions {
+    fn default() -> Self {
+        let RewindOptions { step, order, repeats } = RewindOptions::default();
+        PlanOptions {
+            planner: Planner::default(),
+            engine: Engine::default(),
+            interference: Interference::default(),
+            seed: 0,
+            start: None,
+            goal: None,
+            step,
+            post: Some(order),
+            repeats,
+            max_samples: ModifiedRrtOptions::default().max_samples,
+            budget: None,
+        }
+    }
+}
+
+/// Counts and times of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Stats {
+    /// Nodes of the tree.
+    pub nodes: usize,
+    /// Motions checked by the planner.
+    pub motion_checks: usize,
+    /// Random samples drawn.
+    pub samples: usize,
+    /// Time of the planner, s.
+    pub planning_seconds: f64,
+    /// Time of rewinding, s.
+    pub post_seconds: f64,
+}
+
+/// What planning found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanResult {
+    /// How it ended.
+    pub status: Status,
+    /// Why the start or goal is invalid.
+    pub reason: Option<Violation>,
+    /// The final path, m; empty unless solved.
+    pub waypoints: Vec<Point>,
+    /// Its length, m; NaN unless solved.
+    pub cost: f64,
+    /// The planner's path before rewinding, m; empty unless solved.
+    pub raw_waypoints: Vec<Point>,
+    /// Its length, m; NaN unless solved.
+    pub raw_cost: f64,
+    /// Counts and times.
+    pub stats: Stats,
+}
+
+/// The engine that answers for a scene.
+///
+/// # Errors
+/// As [`crate::collision::Constraints::new`].
+pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<GjkEngine, Error> {
+    match engine {
+        Engine::Gjk => GjkEngine::new(scene, interference),
+    }
+}
+
+/// Plans the query of a scene.
+///
+/// # Errors
+/// A scene without start or goal where the options give none, bad options, [`Error::interrupted`].
+///
+/// # Example
+/// ```
+/// use cdpr_core::plan::{plan, PlanOptions};
+/// use cdpr_core::planning::{Status, Watch};
+/// let result = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &|| false)?;
+/// assert_eq!(result.status, Status::Solved);
+/// assert!(result.cost <= result.raw_cost && result.cost > 1.98); // the straight line has 1.98 m
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool) -> Result<PlanResult, Error> {
+    let rewinding =
+        RewindOptions { step: options.step, order: options.post.unwrap_or_default(), repeats: options.repeats };
+    let rewinding = rewinding.checked()?;
+    let start = end("start", options.start, scene.start())?;
+    let goal = end("goal", options.goal, scene.goal())?;
+    let engine = engine_for(scene, options.engine, options.interference)?;
+    for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
+        if let Some(reason) = engine.explain(&state, &state) {
+            return Ok(PlanResult::unsolved(status, Some(reason), Stats::default()));
+        }
+    }
+    let problem = Problem { space: TranslationSpace::of(engine.constraints()), start, goal };
+    let clock = Instant::now();
+    let watch = Watch { deadline: options.budget.map(|budget| clock + budget), interrupted };
+    let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
+    let outcome = match options.planner {
+        Planner::ModifiedRrt => {
+            modified_rrt(&problem, &engine, &ModifiedRrtOptions { max_samples: options.max_samples }, &mut rng, &watch)?
+        }
+    };
+    let planning_seconds = clock.elapsed().as_secs_f64();
+    let Outcome { status, waypoints: raw_waypoints, nodes, motion_checks, samples } = outcome;
+    let stats = Stats { nodes, motion_checks, samples, planning_seconds, post_seconds: 0.0 };
+    if status != Status::Solved {
+        return Ok(PlanResult::unsolved(status, None, stats));
+    }
+    let clock = Instant::now();
+    let waypoints = match options.post {
+        Some(_) => rewind(&problem.space, &engine, &raw_waypoints, &rewinding, &Watch { deadline: None, interrupted })?,
+        None => raw_waypoints.clone(),
+    };
+    let stats = Stats { post_seconds: clock.elapsed().as_secs_f64(), ..stats };
+    verified(&engine, &waypoints)?;
+    let (cost, raw_cost) = (path_length(&waypoints), path_length(&raw_waypoints));
+    Ok(PlanResult { status, reason: None, waypoints, cost, raw_waypoints, raw_cost, stats })
+}
+
+impl PlanResult {
+    fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
+        let (cost, raw_cost) = (f64::NAN, f64::NAN);
+        PlanResult { status, reason, waypoints: Vec::new(), cost, raw_waypoints: Vec::new(), raw_cost, stats }
+    }
+}
+
+fn end(key: &str, given: Option<Point>, of_scene: Option<Point>) -> Result<Point, Error> {
+    match given {
+        Some(point) => crate::model::body::point(key, point.into()),
+        None => of_scene.ok_or_else(|| {
+            Error::invalid(
+                format!("query.{key}"),
+                format!("found none, expected a position; give query.{key} in the scene, or --{key}"),
+            )
+        }),
+    }
+}
+
+/// Checks a path for validity, all segments: a collision on a returned path would be a defect of this program.
+fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
+    match first_invalid_segment(engine, waypoints) {
+        None => Ok(()),
+        Some(segment) => {
+            let problem =
+                format!("segment {segment} of the planned path did not pass its last check; please report this scene");
+            Err(Error::invalid("", problem))
+        }
+    }
+}
+
+/// Rewinds a path of a scene, given by the user.
+///
+/// # Errors
+/// A path whose segment collides (named with the reason), bad options, [`Error::interrupted`].
+pub fn rewind_path(
+    engine: &GjkEngine,
+    waypoints: &[Point],
+    options: &RewindOptions,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<Vec<Point>, Error> {
+    if let Some(segment) = first_invalid_segment(engine, waypoints) {
+        let reason = engine.explain(&waypoints[segment], &waypoints[segment + 1]);
+        let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
+        return Err(Error::invalid(
+            format!("waypoints[{segment}]"),
+            format!("the segment from here is not valid{why}"),
+        ));
+    }
+    let space = TranslationSpace::of(engine.constraints());
+    let shorter = rewind(&space, engine, waypoints, options, &Watch { deadline: None, interrupted })?;
+    verified(engine, &shorter)?;
+    Ok(shorter)
+}

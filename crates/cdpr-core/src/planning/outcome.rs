@@ -1,0 +1,67 @@
+//! How planning can end, and what bounds it.
+
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::error::Error;
+
+/// How a well-posed planning question can end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// A path was found.
+    Solved,
+    /// The samples or the time ran out first.
+    BudgetSpent,
+    /// The start is not a valid state.
+    StartInvalid,
+    /// The goal is not a valid state.
+    GoalInvalid,
+}
+
+/// What a planner found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome<State> {
+    /// How it ended.
+    pub status: Status,
+    /// The path from start to goal; empty unless solved.
+    pub waypoints: Vec<State>,
+    /// Nodes of the tree.
+    pub nodes: usize,
+    /// Motions that were checked.
+    pub motion_checks: usize,
+    /// Random samples that were drawn.
+    pub samples: usize,
+}
+
+/// What may end a long run early: a deadline, or a caller who wants to stop.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// When to stop with [`Status::BudgetSpent`].
+    pub deadline: Option<Instant>,
+    /// Asked often; true ends the run with [`Error::interrupted`].
+    pub interrupted: &'a dyn Fn() -> bool,
+}
+
+impl Watch<'_> {
+    /// No deadline, no interruption.
+    pub const NONE: Watch<'static> = Watch { deadline: None, interrupted: &|| false };
+
+    /// Whether the deadline has passed.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the caller wants to stop.
+    pub fn expired(&self) -> Result<bool, Error> {
+        if (self.interrupted)() {
+            return Err(Error::interrupted());
+        }
+        Ok(self.deadline.is_some_and(|deadline| Instant::now() >= deadline))
+    }
+}
+
+impl std::fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Watch").field("deadline", &self.deadline).finish_non_exhaustive()
+    }
+}

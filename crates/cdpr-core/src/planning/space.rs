@@ -1,0 +1,68 @@
+//! The space a planner searches: what a state is, how far two are apart, how to draw one.
+
+use rand::{Rng, RngExt};
+
+use crate::collision::Constraints;
+use crate::geometry::{Point, Vector};
+
+/// States, straight lines between them, and their length.
+pub trait StateSpace: Sync {
+    /// Where the robot can be.
+    type State: Copy + PartialEq + std::fmt::Debug + Send + Sync;
+
+    /// A state drawn uniformly, or none if the space is empty.
+    fn sample(&self, rng: &mut impl Rng) -> Option<Self::State>;
+
+    /// Length of the straight line between two states.
+    fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
+
+    /// The state at fraction `t` of the straight line from `a` to `b`.
+    fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
+}
+
+/// Positions of the platform's origin at fixed orientation, uniform over those where the platform is inside the
+/// workspace.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TranslationSpace {
+    /// Smallest position, m.
+    pub min: Point,
+    /// Largest position, m.
+    pub max: Point,
+}
+
+impl TranslationSpace {
+    /// The positions that the workspace leaves.
+    pub fn of(constraints: &Constraints) -> Self {
+        let (min, max) = constraints.position_box();
+        TranslationSpace { min, max }
+    }
+}
+
+impl StateSpace for TranslationSpace {
+    type State = Point;
+
+    fn sample(&self, rng: &mut impl Rng) -> Option<Point> {
+        let size = self.max - self.min;
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|_| rng.random());
+        (size.min() >= 0.0).then(|| self.min + size.component_mul(&Vector::new(x, y, z)))
+    }
+
+    fn distance(&self, a: &Point, b: &Point) -> f64 {
+        (b - a).norm()
+    }
+
+    fn interpolate(&self, a: &Point, b: &Point, t: f64) -> Point {
+        a + (b - a) * t
+    }
+}
+
+/// From where to where.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem<S: StateSpace> {
+    /// The space of states.
+    pub space: S,
+    /// Start.
+    pub start: S::State,
+    /// Goal.
+    pub goal: S::State,
+}

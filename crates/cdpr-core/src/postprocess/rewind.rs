@@ -1,0 +1,174 @@
+//! Rewinding, Algorithms 4 and 5 of the paper: pull the string of waypoints from one end, then from the other.
+//!
+//! Readings: as printed the algorithms never end, because the last step of a segment "rewinds" onto the neighbour that a
+//! waypoint already has; here the path must get strictly shorter. After a success the new point is the next reference.
+//! k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the reversed path.
+
+use serde::Serialize;
+
+use crate::collision::Validity;
+use crate::error::Error;
+use crate::numerics::SHORTER;
+use crate::planning::{StateSpace, Watch};
+
+/// In which order the two rewindings run (the paper, section 5.2).
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Order {
+    /// Both of the following; the shorter result is kept, as the paper recommends.
+    #[default]
+    Both,
+    /// Backward rewinding, then forward.
+    Backward,
+    /// Forward rewinding, then backward.
+    Forward,
+}
+
+/// Options of [`rewind`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct RewindOptions {
+    /// Distance of the points tried along each segment, m, > 0.
+    pub step: f64,
+    /// Order of the rewindings.
+    pub order: Order,
+    /// How often the pair of rewindings runs; it ends early where nothing gets shorter.
+    pub repeats: usize,
+}
+
+impl Default for RewindOptions {
+    fn default() -> Self {
+        RewindOptions { step: 0.1, order: Order::Both, repeats: 1 }
+    }
+}
+
+impl RewindOptions {
+    /// Checks the options.
+    ///
+    /// # Errors
+    /// A step that is not positive and finite.
+    pub fn checked(self) -> Result<Self, Error> {
+        if self.step > 0.0 && self.step.is_finite() {
+            return Ok(self);
+        }
+        Err(Error::invalid("step", format!("found {} m, expected a positive number", self.step)))
+    }
+}
+
+/// Shortens a path whose segments are valid; the result is valid, has the same ends and is never longer.
+///
+/// # Errors
+/// Bad options, or [`Error::interrupted`] if the watch says so.
+///
+/// # Source
+/// The paper, section 4, Algorithms 4 and 5.
+pub fn rewind<S: StateSpace>(
+    space: &S,
+    validity: &dyn Validity<S::State>,
+    waypoints: &[S::State],
+    options: &RewindOptions,
+    watch: &Watch,
+) -> Result<Vec<S::State>, Error> {
+    let options = options.clone().checked()?;
+    let rewinder = Rewinder { space, validity, step: options.step, watch };
+    let run = |first: Direction, second: Direction| {
+        let mut path = waypoints.to_vec();
+        for _ in 0..options.repeats {
+            let before = rewinder.length(&path);
+            rewinder.rewind(&mut path, first)?;
+            rewinder.rewind(&mut path, second)?;
+            if !(rewinder.length(&path) < before) {
+                break;
+            }
+        }
+        Ok::<_, Error>(path)
+    };
+    match options.order {
+        Order::Backward => run(Direction::Backward, Direction::Forward),
+        Order::Forward => run(Direction::Forward, Direction::Backward),
+        Order::Both => {
+            let backward_first = run(Direction::Backward, Direction::Forward)?;
+            let forward_first = run(Direction::Forward, Direction::Backward)?;
+            let shorter = rewinder.length(&forward_first) < rewinder.length(&backward_first);
+            Ok(if shorter { forward_first } else { backward_first })
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Direction {
+    Backward,
+    Forward,
+}
+
+struct Rewinder<'a, S: StateSpace> {
+    space: &'a S,
+    validity: &'a dyn Validity<S::State>,
+    step: f64,
+    watch: &'a Watch<'a>,
+}
+
+impl<S: StateSpace> Rewinder<'_, S> {
+    fn length(&self, path: &[S::State]) -> f64 {
+        path.windows(2).map(|pair| self.space.distance(&pair[0], &pair[1])).sum()
+    }
+
+    fn rewind(&self, path: &mut Vec<S::State>, direction: Direction) -> Result<(), Error> {
+        if direction == Direction::Forward {
+            path.reverse();
+        }
+        self.backward(path)?;
+        if direction == Direction::Forward {
+            path.reverse();
+        }
+        Ok(())
+    }
+
+    /// Algorithm 4: for every reference waypoint from the last on, connect it to the earliest point of the path that it
+    /// can be connected to, and drop what lies between.
+    fn backward(&self, path: &mut Vec<S::State>) -> Result<(), Error> {
+        let mut reference = path.len().saturating_sub(1);
+        while reference >= 2 {
+            self.watch.expired()?;
+            reference = match self.earliest_connection(path, reference) {
+                Some((j, None)) => {
+                    path.drain(j + 1..reference);
+                    j
+                }
+                Some((j, Some(x_step))) => {
+                    path.splice(j + 1..reference, [x_step]);
+                    j + 1
+                }
+                None => reference - 1,
+            };
+        }
+        Ok(())
+    }
+
+    /// The first point along the path, at a waypoint j or in steps after it, that shortens the path to the reference and
+    /// can be connected to it.
+    fn earliest_connection(&self, path: &[S::State], reference: usize) -> Option<(usize, Option<S::State>)> {
+        let x_i = &path[reference];
+        for j in 0..=reference - 2 {
+            let (x_j, x_next) = (&path[j], &path[j + 1]);
+            let segment = self.space.distance(x_j, x_next);
+            let old = self.length(&path[j..=reference]);
+            let steps = (segment / self.step * (1.0 + 1e-12)).floor() as usize;
+            for k in 0..=steps {
+                let along = k as f64 * self.step;
+                let x_step =
+                    if k == 0 { *x_j } else { self.space.interpolate(x_j, x_next, (along / segment).min(1.0)) };
+                let new = self.space.distance(x_j, &x_step) + self.space.distance(&x_step, x_i);
+                if new < old - SHORTER && self.connects(x_j, &x_step, x_i, k) {
+                    return Some((j, (k > 0).then_some(x_step)));
+                }
+            }
+        }
+        None
+    }
+
+    /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it (it is
+    /// part of a valid motion, but its end is rounded).
+    fn connects(&self, x_j: &S::State, x_step: &S::State, x_i: &S::State, k: usize) -> bool {
+        self.validity.motion_valid(x_step, x_i) && (k == 0 || self.validity.motion_valid(x_j, x_step))
+    }
+}

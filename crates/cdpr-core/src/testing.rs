@@ -1,0 +1,74 @@
+//! The paper's robot and the two scenes that stand in for its Figure 9, for examples and tests.
+//!
+//! Eight outlets at the corners of a cube of 2 m, each joined to the platform corner of the same signs; a platform of
+//! 0.15 × 0.15 × 0.05 m; start (0.3, 1, 0.3), goal (1.7, 1, 1.7) (the paper, Table 1; it prints neither its cable layout
+//! nor the obstacles).
+
+use crate::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+
+/// The paper's robot.
+pub fn paper_robot() -> RobotSpec {
+    let signs = |k: usize| std::array::from_fn(|axis| if k >> axis & 1 == 1 { 1.0 } else { -1.0 });
+    let cable = |k: usize| {
+        let [x, y, z]: [f64; 3] = signs(k);
+        CableSpec {
+            name: None,
+            outlet: [1.0 + x, 1.0 + y, 1.0 + z],
+            attachment: [0.075 * x, 0.075 * y, 0.025 * z],
+            tension: Some([10.0, 1000.0]),
+            diameter: None,
+            length: None,
+        }
+    };
+    RobotSpec {
+        version: None,
+        name: Some("paper".to_string()),
+        mass: Some(10.0),
+        center_of_mass: None,
+        platform: vec![BodySpec { cuboid: Some([0.15, 0.15, 0.05]), ..BodySpec::default() }],
+        cables: (0..8).map(cable).collect(),
+    }
+}
+
+/// A box obstacle.
+pub fn block(name: &str, sides: [f64; 3], position: [f64; 3]) -> BodySpec {
+    BodySpec { name: Some(name.to_string()), cuboid: Some(sides), position: Some(position), ..BodySpec::default() }
+}
+
+/// The paper's robot in its workspace with these obstacles.
+pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
+    SceneSpec {
+        version: 1,
+        name: Some(name.to_string()),
+        gravity: None,
+        clearance: None,
+        ignore: Vec::new(),
+        workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] },
+        robot: RobotSource::Inline(paper_robot()),
+        obstacles,
+        wrench: None,
+        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 1.7]), orientation: None }),
+    }
+}
+
+/// One pillar 0.3 × 0.3 × 1.5 m in the middle.
+pub fn hard1() -> Scene {
+    scene(paper_scene("hard1", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]))
+}
+
+/// Three pillars 0.2 × 0.2 × 1.2 m.
+pub fn hard3() -> Scene {
+    let pillar = |name: &str, x: f64, y: f64| block(name, [0.2, 0.2, 1.2], [x, y, 0.6]);
+    let pillars = vec![pillar("west", 0.7, 1.0), pillar("south", 1.3, 0.7), pillar("north", 1.3, 1.3)];
+    scene(paper_scene("hard3", pillars))
+}
+
+/// No obstacles.
+pub fn empty() -> Scene {
+    scene(paper_scene("empty", Vec::new()))
+}
+
+/// A checked scene from a spec that is known to be right.
+pub fn scene(spec: SceneSpec) -> Scene {
+    Scene::new(spec).expect("a sound scene")
+}
