@@ -1,1 +1,52 @@
-fn main() {}
+//! `cdpr`: plan, check and look at paths of cable-driven parallel robots from the shell.
+
+mod args;
+mod commands;
+mod output;
+
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use args::{Cli, Command};
+use cdpr_core::{Error, ErrorClass};
+use clap::Parser;
+
+/// Set by Ctrl-C; long work asks for it.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// How a command that ran to its end answers.
+enum Answer {
+    Yes,
+    No,
+}
+
+fn interrupted() -> bool {
+    INTERRUPTED.load(Ordering::Relaxed)
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    // Without a handler Ctrl-C would still end the program, only less politely.
+    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+    match run(cli.command) {
+        Ok(Answer::Yes) => ExitCode::SUCCESS,
+        Ok(Answer::No) => ExitCode::from(1),
+        Err(error) => {
+            output::say(&format!("cdpr: {error}"));
+            ExitCode::from(if error.class() == ErrorClass::Interrupted { 130 } else { 2 })
+        }
+    }
+}
+
+fn run(command: Command) -> Result<Answer, Error> {
+    match command {
+        Command::Plan(args) => commands::plan::run(&args),
+        Command::Check(args) => commands::check::run(&args),
+        Command::Info(args) => commands::info::run(&args),
+        Command::Post(args) => commands::post::run(&args),
+        Command::New(args) => commands::new::run(&args),
+        Command::Schema(args) => commands::schema::run(&args),
+        Command::View(args) => commands::view::run(&args),
+        Command::Completions(args) => commands::completions::run(&args),
+    }
+}

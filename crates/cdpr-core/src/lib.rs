@@ -13,10 +13,13 @@ pub mod numerics;
 pub mod collision;
 pub mod geometry;
 pub mod io;
+pub mod kinematics;
 pub mod model;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
+pub mod survey;
+pub mod view;
 
 pub mod testing;
 

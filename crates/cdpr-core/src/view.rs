@@ -1,2 +1,129 @@
 //! One self-contained HTML page that shows a scene and its path; it opens offline.
+//!
+//! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
+//! scene as JSON.
 
+use serde_json::{Value, json};
+
+use crate::collision::path_check::PathViolation;
+use crate::geometry::{Point, Polytope};
+use crate::model::{Obstacle, Scene};
+
+const TEMPLATE: &str = include_str!("view/assets/template.html");
+const STYLE: &str = include_str!("view/assets/viewer.css");
+const SCRIPT: &str = include_str!("view/assets/viewer.js");
+
+/// What to show of a path.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ShownPath {
+    /// How planning ended, in the words of the path file.
+    pub status: Option<String>,
+    /// The final path, m.
+    pub waypoints: Vec<Point>,
+    /// Its length, m.
+    pub cost: Option<f64>,
+    /// The path before rewinding, m.
+    pub raw_waypoints: Vec<Point>,
+    /// Its length, m.
+    pub raw_cost: Option<f64>,
+    /// Name of the planner.
+    pub planner: Option<String>,
+}
+
+/// The page for a scene, a path and what is wrong with it.
+///
+/// # Example
+/// ```
+/// let page = cdpr_core::view::page(&cdpr_core::testing::hard1(), None, &[]);
+/// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
+/// ```
+pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
+    let data = inert(&data(scene, path, violations).to_string());
+    let title = escaped(&format!("{} – cdpr", scene.name()));
+    let parts = [("/*{{style}}*/", STYLE), ("{{title}}", &title), ("{{data}}", &data), ("/*{{script}}*/", SCRIPT)];
+    fill(TEMPLATE, &parts)
+}
+
+fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> Value {
+    let q = scene.orientation();
+    let cable = |c: &crate::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
+    let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
+    json!({
+        "version": 1,
+        "title": scene.name(),
+        "workspace": { "min": xyz(&scene.workspace().min), "max": xyz(&scene.workspace().max) },
+        "orientation": [q.w, q.i, q.j, q.k],
+        "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
+        "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
+        "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
+        "start": scene.start().as_ref().map(xyz),
+        "goal": scene.goal().as_ref().map(xyz),
+        "path": path.map(|p| json!({
+            "status": p.status,
+            "waypoints": p.waypoints.iter().map(xyz).collect::<Vec<_>>(),
+            "cost": p.cost,
+            "raw_waypoints": p.raw_waypoints.iter().map(xyz).collect::<Vec<_>>(),
+            "raw_cost": p.raw_cost,
+            "planner": p.planner,
+        })),
+        "violations": violations,
+    })
+}
+
+fn xyz(p: &Point) -> [f64; 3] {
+    [p.x, p.y, p.z]
+}
+
+fn body(body: &Polytope) -> Value {
+    let faces: Vec<&Vec<usize>> = body.facets().iter().map(|f| &f.corners).collect();
+    json!({ "vertices": body.vertices().iter().map(xyz).collect::<Vec<_>>(), "faces": faces })
+}
+
+/// JSON that cannot end the script element it stands in.
+fn inert(json: &str) -> String {
+    let mut out = String::with_capacity(json.len());
+    for c in json.chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => out.push_str(&format!("\\u{:04x}", c as u32)),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Replaces placeholders in one pass, so that nothing inside a replacement is taken for a placeholder.
+fn fill(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut places: Vec<(usize, &str, &str)> = parts
+        .iter()
+        .map(|(mark, text)| (template.find(mark).expect("the template has every placeholder"), *mark, *text))
+        .collect();
+    places.sort_unstable();
+    let mut out = String::new();
+    let mut done = 0;
+    for (at, mark, text) in places {
+        out.push_str(&template[done..at]);
+        out.push_str(text);
+        done = at + mark.len();
+    }
+    out.push_str(&template[done..]);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{block, paper_scene, scene};
+
+    #[test]
+    fn hostile_names_stay_data() {
+        let name = "</script><script>alert(1)</script>{{title}}/*{{script}}*/";
+        let scene = scene(paper_scene(name, vec![block(name, [0.1; 3], [1.0; 3])]));
+        let page = page(&scene, None, &[]);
+        assert!(!page.contains("<script>alert(1)"));
+        assert_eq!(page.matches(SCRIPT).count(), 1);
+    }
+}

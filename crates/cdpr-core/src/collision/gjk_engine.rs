@@ -42,6 +42,12 @@ impl GjkEngine {
         &self.constraints
     }
 
+    /// Whether no cable meets another or the platform at a position.
+    pub fn free_of_interference(&self, position: &Point) -> bool {
+        let internal = |c: &&Constraint| matches!(c, Constraint::CableCable(_) | Constraint::CablePlatform { .. });
+        !self.constraints.list.iter().filter(internal).any(|c| self.breaks(c, position, position))
+    }
+
     /// Whether a motion breaks one constraint.
     fn breaks(&self, constraint: &Constraint, from: &Point, to: &Point) -> bool {
         let c = &self.constraints;

@@ -1,0 +1,321 @@
+//! The command line: names, defaults and help.
+
+use std::path::PathBuf;
+
+use cdpr_core::collision;
+use cdpr_core::geometry::Point;
+use cdpr_core::plan;
+use cdpr_core::postprocess;
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+
+/// Plan, check and look at paths of cable-driven parallel robots among obstacles.
+///
+/// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 130 interrupted.
+/// Results go to standard output, everything else to standard error.
+#[derive(Debug, Parser)]
+#[command(name = "cdpr", version, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Plan a path from the start to the goal of a scene.
+    #[command(after_help = "Examples:
+  cdpr plan hall.toml -o path.json --html view.html
+  cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
+  cdpr plan hall.toml --post none -o raw.csv")]
+    Plan(PlanArgs),
+    /// Check a path: every violation with culprits, place and margin, and the nearest approach.
+    #[command(after_help = "Example:
+  cdpr check hall.toml path.json")]
+    Check(PathArgs),
+    /// Describe a scene: sizes, ranks, special pairs of cables, how much of the workspace is free.
+    #[command(after_help = "Example:
+  cdpr info hall.toml")]
+    Info(SceneArgs),
+    /// Shorten anyone's path by rewinding.
+    #[command(after_help = "Examples:
+  cdpr post hall.toml waypoints.csv -o shorter.json
+  cdpr post hall.toml path.json --step 0.02 --repeats 5 -o shorter.csv")]
+    Post(PostArgs),
+    /// Write a commented starter scene that plans.
+    #[command(after_help = "Example:
+  cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html")]
+    New(NewArgs),
+    /// Print the JSON Schema of a file format.
+    #[command(after_help = "Example:
+  cdpr schema scene > scene.schema.json")]
+    Schema(SchemaArgs),
+    /// Write one self-contained HTML page that shows a scene and, if given, a path.
+    #[command(after_help = "Example:
+  cdpr view hall.toml path.json -o view.html")]
+    View(ViewArgs),
+    /// Print a completion script for a shell.
+    #[command(after_help = "Example:
+  cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
+    Completions(CompletionsArgs),
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For programs.
+    Json,
+}
+
+#[derive(Debug, Clone, Args)]
+pub struct SceneArgs {
+    /// Scene file (.toml or .json).
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub scene: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct PathArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub path: PathBuf,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+}
+
+/// Who checks motions, and how strictly.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct CheckerArgs {
+    /// Collision engine.
+    #[arg(long, value_enum, default_value_t)]
+    pub engine: Engine,
+    /// How cables are kept from each other.
+    #[arg(long, value_enum, default_value_t)]
+    pub interference: Interference,
+}
+
+#[derive(Debug, Args)]
+pub struct PlanArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Search method.
+    #[arg(long, value_enum, default_value_t)]
+    pub planner: Planner,
+    /// Give up after this time, ms (the samples may run out first).
+    #[arg(long, value_name = "T", value_parser = positive)]
+    pub budget_ms: Option<f64>,
+    /// Give up after this many random samples.
+    #[arg(long, value_name = "N", default_value_t = plan::PlanOptions::default().max_samples)]
+    pub max_samples: usize,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+    /// Seed of everything random.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    #[command(flatten)]
+    pub rewinding: RewindArgs,
+    /// Rewinding of the found path, by which of its two directions comes first.
+    #[arg(long, value_enum, default_value_t)]
+    pub post: Post,
+    /// Start instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub start: Option<Vec<f64>>,
+    /// Goal instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub goal: Option<Vec<f64>>,
+    /// Write the result here (.json, or .csv for the waypoints alone).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Write a page here that shows the result.
+    #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
+    pub html: Option<PathBuf>,
+}
+
+/// Options of rewinding.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct RewindArgs {
+    /// Distance of the points that rewinding tries, m.
+    #[arg(long, value_name = "M", default_value_t = plan::PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
+    pub step: f64,
+    /// How often rewinding runs.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub repeats: usize,
+}
+
+#[derive(Debug, Args)]
+pub struct PostArgs {
+    #[command(flatten)]
+    pub path: PathArgs,
+    #[command(flatten)]
+    pub rewinding: RewindArgs,
+    /// Which of the two directions comes first.
+    #[arg(long, value_enum, default_value_t)]
+    pub post: PostOrder,
+    /// Write the path here (.json or .csv).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct NewArgs {
+    /// File to write; standard output if none is given.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Overwrite an existing file.
+    #[arg(long)]
+    pub force: bool,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct SchemaArgs {
+    /// Which file format.
+    #[arg(value_enum, default_value_t)]
+    pub of: FileFormat,
+    /// Accepted for uniformity; a schema is JSON.
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ViewArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Path file to show.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub path: Option<PathBuf>,
+    /// Page to write.
+    #[arg(short, long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum FileFormat {
+    #[default]
+    Scene,
+    Robot,
+    Path,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Planner {
+    /// Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3).
+    #[default]
+    ModifiedRrt,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Engine {
+    /// GJK on swept bodies.
+    #[default]
+    Gjk,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Interference {
+    /// Cables must not meet at any instant.
+    #[default]
+    Exact,
+    /// The triangles they sweep must be disjoint: the paper's rule, stricter.
+    Swept,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Post {
+    /// Both orders; the shorter result is kept.
+    #[default]
+    Both,
+    /// Backward rewinding, then forward.
+    Backward,
+    /// Forward rewinding, then backward.
+    Forward,
+    /// The planner's path as it is.
+    None,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum PostOrder {
+    /// Both orders; the shorter result is kept.
+    #[default]
+    Both,
+    /// Backward rewinding, then forward.
+    Backward,
+    /// Forward rewinding, then backward.
+    Forward,
+}
+
+impl CheckerArgs {
+    pub fn engine(&self) -> collision::Engine {
+        match self.engine {
+            Engine::Gjk => collision::Engine::Gjk,
+        }
+    }
+
+    pub fn interference(&self) -> collision::Interference {
+        match self.interference {
+            Interference::Exact => collision::Interference::Exact,
+            Interference::Swept => collision::Interference::Swept,
+        }
+    }
+}
+
+impl PlanArgs {
+    pub fn options(&self) -> plan::PlanOptions {
+        plan::PlanOptions {
+            planner: match self.planner {
+                Planner::ModifiedRrt => plan::Planner::ModifiedRrt,
+            },
+            engine: self.checker.engine(),
+            interference: self.checker.interference(),
+            seed: self.seed,
+            start: self.start.as_deref().map(Point::from_slice),
+            goal: self.goal.as_deref().map(Point::from_slice),
+            step: self.rewinding.step,
+            post: match self.post {
+                Post::Both => Some(postprocess::Order::Both),
+                Post::Backward => Some(postprocess::Order::Backward),
+                Post::Forward => Some(postprocess::Order::Forward),
+                Post::None => None,
+            },
+            repeats: self.rewinding.repeats,
+            max_samples: self.max_samples,
+            budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
+        }
+    }
+}
+
+impl PostArgs {
+    pub fn options(&self) -> postprocess::RewindOptions {
+        let order = match self.post {
+            PostOrder::Both => postprocess::Order::Both,
+            PostOrder::Backward => postprocess::Order::Backward,
+            PostOrder::Forward => postprocess::Order::Forward,
+        };
+        postprocess::RewindOptions { step: self.rewinding.step, order, repeats: self.rewinding.repeats }
+    }
+}
+
+/// A positive number; a step or a time.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number <= 1e9 => Ok(number),
+        Ok(number) => Err(format!("found {number}, expected a positive number of at most 1e9")),
+        Err(_) => Err("expected a number".to_string()),
+    }
+}

@@ -1,0 +1,10 @@
+//! One module per command.
+
+pub mod check;
+pub mod completions;
+pub mod info;
+pub mod new;
+pub mod plan;
+pub mod post;
+pub mod schema;
+pub mod view;

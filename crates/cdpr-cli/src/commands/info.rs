@@ -1,0 +1,58 @@
+//! `cdpr info`
+
+use cdpr_core::survey::{Survey, survey};
+use cdpr_core::{Error, io};
+
+use crate::Answer;
+use crate::args::{Format, SceneArgs};
+use crate::output::{count, result, scene_line, short};
+
+pub fn run(args: &SceneArgs) -> Result<Answer, Error> {
+    let scene = io::load_scene(&args.scene)?;
+    let survey = survey(&scene).map_err(|e| e.in_file(&args.scene))?;
+    match args.format {
+        Format::Json => result(&format!("{:#}", serde_json::json!(survey))),
+        Format::Text => {
+            result(&scene_line(&scene));
+            lines(&survey).iter().for_each(|line| result(line));
+        }
+    }
+    Ok(Answer::Yes)
+}
+
+fn lines(s: &Survey) -> Vec<String> {
+    let mut lines = vec![format!("parts: platform {}, obstacles {}", s.platform_parts, s.obstacle_parts)];
+    let xyz = |p: &[f64; 3]| p.map(short).join(", ");
+    lines.push(match &s.position_box {
+        Some([min, max]) => format!("positions: from ({}) to ({}) m", xyz(min), xyz(max)),
+        None => "positions: none, the platform does not fit into the workspace".to_string(),
+    });
+    if let Some([low, high]) = s.wrench_rank {
+        let rank = if low == high { low.to_string() } else { format!("{low} to {high}") };
+        let full = 6.min(s.cables);
+        let lost = if low < full { " (some wrench cannot be produced there)" } else { "" };
+        lines.push(format!("rank of the wrench matrix: {rank}{lost}"));
+    }
+    let pairs = |pairs: &[[String; 2]]| pairs.iter().map(|p| p.join(" and ")).collect::<Vec<_>>().join("; ");
+    for (label, list) in [
+        ("cables that share an end", &s.sharing_pairs),
+        ("cables that always cross", &s.always_crossing_pairs),
+        ("outlets on obstacles", &s.outlets_on_obstacles),
+    ] {
+        lines.push(format!("{label}: {}", if list.is_empty() { "none".to_string() } else { pairs(list) }));
+    }
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    if let (Some(free), Some(valid)) = (s.interference_free, s.valid) {
+        lines.push(format!(
+            "of {}: {} without self-interference, {} valid",
+            count(s.samples, "sampled position"),
+            percent(free),
+            percent(valid)
+        ));
+    }
+    for (end, reason) in [("start", &s.start), ("goal", &s.goal)] {
+        lines.extend(reason.iter().map(|r| format!("{end} is not valid: {}", r.sentence())));
+    }
+    lines.extend(s.notes.iter().map(|note| format!("note: {note}")));
+    lines
+}

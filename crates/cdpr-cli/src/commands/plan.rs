@@ -1,0 +1,123 @@
+//! `cdpr plan`
+
+use cdpr_core::collision::check_path;
+use cdpr_core::geometry::Point;
+use cdpr_core::plan::{PlanOptions, PlanResult, engine_for, plan};
+use cdpr_core::planning::Status;
+use cdpr_core::view::{ShownPath, page};
+use cdpr_core::{Error, Scene, io};
+
+use crate::Answer;
+use crate::args::{Format, PlanArgs};
+use crate::output::{count, position, result, say, say_notes, scene_line, short};
+
+pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
+    args.output.as_deref().map(io::check_path_name).transpose()?;
+    args.html.as_deref().map(super::view::check_page_name).transpose()?;
+    let scene = io::load_scene(&args.scene.scene)?;
+    let options = args.options();
+    let engine = engine_for(&scene, options.engine, options.interference).map_err(|e| e.in_file(&args.scene.scene))?;
+    say_notes(engine.constraints());
+    let found = plan(&scene, &options, &crate::interrupted).map_err(|e| e.in_file(&args.scene.scene))?;
+    let json = io::plan_json(&scene, &options, &found);
+    match args.scene.format {
+        Format::Json => result(&format!("{json:#}")),
+        Format::Text => {
+            result(&question(&scene, &options));
+            result(&answer(&scene, &options, &found));
+            if found.status == Status::Solved {
+                let report = check_path(&engine, &found.waypoints);
+                report.min_clearance.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
+            }
+        }
+    }
+    if let Some(path) = &args.output {
+        io::save_path(path, &json)?;
+        say(&format!("wrote {}", path.display()));
+    }
+    if let Some(path) = &args.html {
+        io::write_atomically(
+            path,
+            page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]).as_bytes(),
+        )?;
+        say(&format!("wrote {} (open it in a browser)", path.display()));
+    }
+    say_next(args, &found);
+    Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// The scene with the start and goal that were really asked for.
+fn shown_scene(scene: &Scene, options: &PlanOptions) -> Result<Scene, Error> {
+    let mut spec = scene.spec().clone();
+    let query = spec.query.get_or_insert_default();
+    query.start = options.start.map(<[f64; 3]>::from).or(query.start);
+    query.goal = options.goal.map(<[f64; 3]>::from).or(query.goal);
+    Scene::new(spec)
+}
+
+fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
+    let name = |value: serde_json::Value| value.as_str().map(str::to_string);
+    let cost = |cost: f64| cost.is_finite().then_some(cost);
+    ShownPath {
+        status: name(serde_json::json!(found.status)),
+        waypoints: found.waypoints.clone(),
+        cost: cost(found.cost),
+        raw_waypoints: found.raw_waypoints.clone(),
+        raw_cost: cost(found.raw_cost),
+        planner: name(serde_json::json!(options.planner)),
+    }
+}
+
+fn question(scene: &Scene, options: &PlanOptions) -> String {
+    let end = |given: Option<Point>, own: Option<Point>| given.or(own).map_or("?".to_string(), |p| position(&p));
+    format!("{}; from {} to {}", scene_line(scene), end(options.start, scene.start()), end(options.goal, scene.goal()))
+}
+
+fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
+    let reason = || found.reason.as_ref().map_or(String::new(), |r| format!(": {}", r.sentence()));
+    match found.status {
+        Status::Solved => solved(options, found),
+        Status::BudgetSpent => format!(
+            "no path found after {} ({:.1} ms, seed {}); there may still be one",
+            count(found.stats.samples, "sample"),
+            found.stats.planning_seconds * 1e3,
+            options.seed
+        ),
+        Status::StartInvalid => format!("no: the start of {} is not valid{}", scene.name(), reason()),
+        Status::GoalInvalid => format!("no: the goal of {} is not valid{}", scene.name(), reason()),
+    }
+}
+
+fn solved(options: &PlanOptions, found: &PlanResult) -> String {
+    let PlanResult { waypoints, stats, .. } = found;
+    let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
+    let before =
+        if options.post.is_some() { format!("{} m before rewinding, ", short(found.raw_cost)) } else { String::new() };
+    format!(
+        "solved: {} m with {} ({before}{} m as the crow flies)\n\
+         searched {:.2} ms ({}, {}, seed {}), rewound {:.2} ms; every segment checked once more",
+        short(found.cost),
+        count(waypoints.len(), "waypoint"),
+        short(straight),
+        stats.planning_seconds * 1e3,
+        count(stats.nodes, "node"),
+        count(stats.motion_checks, "motion check"),
+        options.seed,
+        stats.post_seconds * 1e3,
+    )
+}
+
+fn say_next(args: &PlanArgs, found: &PlanResult) {
+    let scene = args.scene.scene.display();
+    match (found.status, &args.output) {
+        (Status::Solved, Some(path)) => say(&format!("next: cdpr check {scene} {}", path.display())),
+        (Status::Solved, None) if args.scene.format == Format::Text => {
+            say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
+        }
+        (Status::BudgetSpent, _) => say("next: try --max-samples with a larger number, or another --seed"),
+        (Status::StartInvalid | Status::GoalInvalid, _) => {
+            say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,40 @@
+//! `cdpr post`
+
+use cdpr_core::collision::path_check::path_length;
+use cdpr_core::plan::{engine_for, rewind_path};
+use cdpr_core::{Error, io};
+
+use crate::Answer;
+use crate::args::{Format, PostArgs};
+use crate::output::{count, result, say, say_notes, scene_line, short};
+
+pub fn run(args: &PostArgs) -> Result<Answer, Error> {
+    args.output.as_deref().map(io::check_path_name).transpose()?;
+    let given = &args.path;
+    let scene = io::load_scene(&given.scene.scene)?;
+    let path = io::load_waypoints(&given.path, Some(&scene))?;
+    let engine = engine_for(&scene, given.checker.engine(), given.checker.interference())
+        .map_err(|e| e.in_file(&given.scene.scene))?;
+    say_notes(engine.constraints());
+    let shorter = rewind_path(&engine, &path.waypoints, &args.options(), &crate::interrupted)
+        .map_err(|e| e.in_file(&given.path))?;
+    let json = io::path_json(&scene, &shorter);
+    match given.scene.format {
+        Format::Json => result(&format!("{json:#}")),
+        Format::Text => {
+            result(&scene_line(&scene));
+            result(&format!(
+                "{} m with {} (was {} m with {})",
+                short(path_length(&shorter)),
+                count(shorter.len(), "waypoint"),
+                short(path_length(&path.waypoints)),
+                path.waypoints.len()
+            ));
+        }
+    }
+    if let Some(output) = &args.output {
+        io::save_path(output, &json)?;
+        say(&format!("wrote {}", output.display()));
+    }
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,54 @@
+//! `cdpr view`
+
+use std::path::Path;
+
+use cdpr_core::collision::check_path;
+use cdpr_core::geometry::Point;
+use cdpr_core::plan::engine_for;
+use cdpr_core::view::{ShownPath, page};
+use cdpr_core::{Error, io};
+
+use crate::Answer;
+use crate::args::{Format, ViewArgs};
+use crate::output::{result, say};
+
+pub fn run(args: &ViewArgs) -> Result<Answer, Error> {
+    check_page_name(&args.output)?;
+    let scene = io::load_scene(&args.scene.scene)?;
+    let (shown, violations) = match &args.path {
+        None => (None, Vec::new()),
+        Some(path) => {
+            let loaded = io::load_waypoints(path, Some(&scene))?;
+            let engine = engine_for(&scene, args.checker.engine(), args.checker.interference())
+                .map_err(|e| e.in_file(&args.scene.scene))?;
+            let report = check_path(&engine, &loaded.waypoints);
+            (Some(shown(loaded, report.length)), report.violations)
+        }
+    };
+    io::write_atomically(&args.output, page(&scene, shown.as_ref(), &violations).as_bytes())?;
+    match args.scene.format {
+        Format::Text => say(&format!("wrote {} (open it in a browser)", args.output.display())),
+        Format::Json => result(&serde_json::json!({ "page": args.output, "violations": violations }).to_string()),
+    }
+    Ok(Answer::Yes)
+}
+
+/// Checks that a page can be written under this name, before the work is done.
+pub fn check_page_name(path: &Path) -> Result<(), Error> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("html" | "htm") => Ok(()),
+        _ => Err(Error::file(path, "found another extension, expected .html")),
+    }
+}
+
+fn shown(loaded: io::LoadedPath, length: f64) -> ShownPath {
+    let file = loaded.file;
+    ShownPath {
+        status: file.as_ref().and_then(|f| f.status.clone()),
+        waypoints: loaded.waypoints,
+        cost: Some(length),
+        raw_waypoints: file.iter().flat_map(|f| &f.raw_waypoints).map(|p| Point::from(*p)).collect(),
+        raw_cost: file.as_ref().and_then(|f| f.raw_cost),
+        planner: file.and_then(|f| f.planner),
+    }
+}

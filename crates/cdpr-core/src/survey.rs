@@ -1,0 +1,128 @@
+//! What there is to know about a scene before planning: sizes, ranks, special pairs, how much of the workspace is free.
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::collision::{Constraint, GjkEngine, Interference, Validity, Violation};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::kinematics::{rank, wrench_matrix};
+use crate::model::Scene;
+use crate::planning::{StateSpace, TranslationSpace};
+
+/// Facts about a scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Survey {
+    /// Name of the scene.
+    pub name: String,
+    /// Name of the robot.
+    pub robot: String,
+    /// Cables.
+    pub cables: usize,
+    /// Convex parts of the platform.
+    pub platform_parts: usize,
+    /// Obstacles by name.
+    pub obstacles: usize,
+    /// Their convex parts.
+    pub obstacle_parts: usize,
+    /// Smallest and largest position at which the platform is inside the workspace, m; none if it does not fit.
+    pub position_box: Option<[[f64; 3]; 2]>,
+    /// Least and largest rank of the wrench matrix over sampled positions.
+    pub wrench_rank: Option<[usize; 2]>,
+    /// Pairs of cables that share an outlet or an attachment.
+    pub sharing_pairs: Vec<[String; 2]>,
+    /// Pairs of cables that cross wherever the platform is.
+    pub always_crossing_pairs: Vec<[String; 2]>,
+    /// Cables that end on an obstacle.
+    pub outlets_on_obstacles: Vec<[String; 2]>,
+    /// Share of the positions without self-interference (cable–cable, cable–platform).
+    pub interference_free: Option<f64>,
+    /// Share of the positions that are valid.
+    pub valid: Option<f64>,
+    /// How many positions were sampled.
+    pub samples: usize,
+    /// Why the start is invalid, if it is.
+    pub start: Option<Violation>,
+    /// Why the goal is invalid, if it is.
+    pub goal: Option<Violation>,
+    /// Further remarks.
+    pub notes: Vec<String>,
+}
+
+/// Positions sampled: shares come out within half a per cent.
+const SAMPLES: usize = 20_000;
+/// Positions at which the rank is computed.
+const RANK_SAMPLES: usize = 200;
+
+/// Looks a scene over.
+///
+/// # Errors
+/// As [`crate::collision::Constraints::new`].
+pub fn survey(scene: &Scene) -> Result<Survey, Error> {
+    let engine = GjkEngine::new(scene, Interference::Exact)?;
+    let constraints = engine.constraints();
+    let space = TranslationSpace::of(constraints);
+    let mut rng = ChaCha8Rng::seed_from_u64(0);
+    let positions: Vec<Point> = (0..SAMPLES).map_while(|_| space.sample(&mut rng)).collect();
+    let share = |test: &(dyn Fn(&Point) -> bool + Sync)| {
+        let count = positions.par_iter().filter(|p| test(p)).count();
+        (!positions.is_empty()).then(|| count as f64 / positions.len() as f64)
+    };
+    let ranks = positions.iter().take(RANK_SAMPLES).filter_map(|p| wrench_matrix(scene, p).ok()).map(|w| rank(&w));
+    let ranks: Vec<usize> = ranks.collect();
+    let at = |p: Option<Point>| p.and_then(|p| engine.explain(&p, &p));
+    Ok(Survey {
+        name: scene.name().to_string(),
+        robot: scene.robot().name().to_string(),
+        cables: scene.robot().cables().len(),
+        platform_parts: scene.robot().parts().len(),
+        obstacles: scene.obstacles().len(),
+        obstacle_parts: scene.obstacles().iter().map(|o| o.parts.len()).sum(),
+        position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
+        wrench_rank: ranks.iter().min().zip(ranks.iter().max()).map(|(low, high)| [*low, *high]),
+        sharing_pairs: sharing_pairs(scene),
+        always_crossing_pairs: always_crossing(&engine),
+        outlets_on_obstacles: outlets_on_obstacles(scene),
+        interference_free: share(&|p| engine.free_of_interference(p)),
+        valid: share(&|p| engine.state_valid(p)),
+        samples: positions.len(),
+        start: at(scene.start()),
+        goal: at(scene.goal()),
+        notes: constraints.notes.clone(),
+    })
+}
+
+fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
+    let cables = scene.robot().cables();
+    let near = |a: &Point, b: &Point| (a - b).norm() <= crate::numerics::ON_SURFACE;
+    let mut pairs = Vec::new();
+    for (i, a) in cables.iter().enumerate() {
+        for b in &cables[i + 1..] {
+            if near(&a.outlet, &b.outlet) || near(&a.attachment, &b.attachment) {
+                pairs.push([a.name.clone(), b.name.clone()]);
+            }
+        }
+    }
+    pairs
+}
+
+fn always_crossing(engine: &GjkEngine) -> Vec<[String; 2]> {
+    let constraints = engine.constraints();
+    let name = |i: usize| constraints.cables[i].name.clone();
+    let pair = |c: &Constraint| match c {
+        Constraint::CableCable(pair) if pair.always_crossing() => Some([name(pair.first), name(pair.second)]),
+        _ => None,
+    };
+    constraints.list.iter().filter_map(pair).collect()
+}
+
+fn outlets_on_obstacles(scene: &Scene) -> Vec<[String; 2]> {
+    let on = |cable: &crate::model::Cable, obstacle: &crate::model::Obstacle| {
+        obstacle.parts.iter().any(|part| !part.active_normals(&cable.outlet).is_empty())
+    };
+    let cables = scene.robot().cables().iter();
+    let pairs = cables.flat_map(|c| scene.obstacles().iter().filter(move |o| on(c, o)).map(move |o| (c, o)));
+    pairs.map(|(cable, obstacle)| [cable.name.clone(), obstacle.name.clone()]).collect()
+}

@@ -1,0 +1,82 @@
+// Reads the scene data of the page and fills in what is missing, so that the other modules need no checks.
+
+const list = (value) => (Array.isArray(value) ? value : []);
+
+const text = (value, fallback) => (typeof value === 'string' && value !== '' ? value : fallback);
+
+const isPoint = (p) => Array.isArray(p) && p.length >= 3 && p.slice(0, 3).every(Number.isFinite);
+
+const pointOrNull = (p) => (isPoint(p) ? p : null);
+
+const numberOrNull = (x) => (Number.isFinite(x) ? x : null);
+
+function readPart(part) {
+  const vertices = list(part?.vertices);
+  if (!vertices.every(isPoint)) return { vertices: vertices.filter(isPoint), faces: [] };
+  const usable = (face) => Array.isArray(face) && face.length >= 3 && face.every((i) => vertices[i]);
+  return { vertices, faces: list(part?.faces).filter(usable) };
+}
+
+const readParts = (parts) => list(parts).map(readPart).filter((part) => part.vertices.length > 0);
+
+function readCable(cable, index) {
+  return {
+    name: text(cable?.name, `cable ${index}`),
+    outlet: pointOrNull(cable?.outlet),
+    attachment: pointOrNull(cable?.attachment),
+    diameter: Math.max(0, numberOrNull(cable?.diameter) ?? 0),
+  };
+}
+
+function readObstacle(obstacle, index) {
+  return { name: text(obstacle?.name, `obstacle ${index}`), parts: readParts(obstacle?.parts) };
+}
+
+function readPath(path) {
+  if (!path) return null;
+  return {
+    status: text(path.status, 'unknown'),
+    planner: text(path.planner, null),
+    waypoints: list(path.waypoints).filter(isPoint),
+    rawWaypoints: list(path.raw_waypoints).filter(isPoint),
+    cost: numberOrNull(path.cost),
+    rawCost: numberOrNull(path.raw_cost),
+  };
+}
+
+function readViolation(violation) {
+  return {
+    segment: Math.max(0, Math.trunc(numberOrNull(violation?.segment) ?? 0)),
+    at: Math.min(1, Math.max(0, numberOrNull(violation?.at) ?? 0)),
+    kind: text(violation?.kind, 'unknown'),
+    culprits: list(violation?.culprits).map(String),
+    margin: numberOrNull(violation?.margin),
+  };
+}
+
+function readWorkspace(workspace) {
+  const { min, max } = workspace ?? {};
+  return isPoint(min) && isPoint(max) ? { min, max } : null;
+}
+
+function readOrientation(q) {
+  const valid = Array.isArray(q) && q.length === 4 && q.every(Number.isFinite) && Math.hypot(...q) > 0;
+  return valid ? q : [1, 0, 0, 0];
+}
+
+/** The model of a page from its raw data. */
+export function readModel(raw) {
+  const cables = list(raw?.cables).map(readCable);
+  return {
+    title: text(raw?.title, 'untitled scene'),
+    workspace: readWorkspace(raw?.workspace),
+    orientation: readOrientation(raw?.orientation),
+    platform: readParts(raw?.platform),
+    cables: cables.filter((cable) => cable.outlet && cable.attachment),
+    obstacles: list(raw?.obstacles).map(readObstacle),
+    start: pointOrNull(raw?.start),
+    goal: pointOrNull(raw?.goal),
+    path: readPath(raw?.path),
+    violations: list(raw?.violations).map(readViolation),
+  };
+}

@@ -1,0 +1,45 @@
+// Groups of the scene that the reader can show and hide.
+
+import { Group } from 'three';
+import { addLegendRow } from './panel.js';
+
+const NAMES = {
+  platform: { name: 'platform', swatch: 'solid' },
+  obstacles: { name: 'obstacles', swatch: 'solid' },
+  cables: { name: 'cables', swatch: 'line' },
+  rawPath: { name: 'raw path', swatch: 'dashed' },
+  finalPath: { name: 'final path', swatch: 'thick' },
+  violations: { name: 'violations', swatch: 'cross' },
+  startGoal: { name: 'start and goal', swatch: 'ghost' },
+  workspace: { name: 'workspace', swatch: 'outline' },
+};
+
+function createLayer(key, group, invalidate) {
+  const layer = {
+    get visible() {
+      return group.visible;
+    },
+    set visible(value) {
+      group.visible = Boolean(value);
+      tick(group.visible);
+      invalidate();
+    },
+  };
+  const { name, swatch } = NAMES[key];
+  const isEmpty = group.children.length === 0;
+  const tick = isEmpty ? () => {} : addLegendRow(name, `${swatch} of-${key}`, layer);
+  return layer;
+}
+
+/** A layer for each known name; `contents` maps names to objects, and layers without objects have no legend row. */
+export function createLayers(contents, scene, invalidate) {
+  const layers = {};
+  for (const key of Object.keys(NAMES)) {
+    const group = new Group();
+    group.name = key;
+    for (const object of contents[key] ?? []) group.add(object);
+    scene.add(group);
+    layers[key] = createLayer(key, group, invalidate);
+  }
+  return layers;
+}

@@ -1,0 +1,85 @@
+// Lines and dots that keep their width on the screen.
+
+import { BufferGeometry, CanvasTexture, LineBasicMaterial, LineSegments, Points, PointsMaterial, SRGBColorSpace } from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+
+const TEXTURE_SIZE = 64;
+
+const flatten = (points) => points.flatMap((p) => [p.x, p.y, p.z]);
+
+/** Consecutive points as pairs of segment ends. */
+export function chain(points) {
+  return points.slice(1).flatMap((point, i) => [points[i], point]);
+}
+
+/** Lines one pixel wide between pairs of points. */
+export function hairlines(pairs, material = new LineBasicMaterial()) {
+  return new LineSegments(new BufferGeometry().setFromPoints(pairs), material);
+}
+
+/** Lines of a width in pixels between pairs of points. */
+export function wideLines(pairs, options) {
+  const geometry = new LineSegmentsGeometry().setPositions(flatten(pairs));
+  const lines = new LineSegments2(geometry, new LineMaterial(options));
+  if (options.dashed) lines.computeLineDistances();
+  lines.frustumCulled = false;
+  return lines;
+}
+
+/** Moves the ends of wide lines. */
+export function moveWideLines(lines, pairs) {
+  const buffer = lines.geometry.attributes.instanceStart.data;
+  pairs.forEach((point, i) => point.toArray(buffer.array, 3 * i));
+  buffer.needsUpdate = true;
+}
+
+function texture(draw) {
+  const canvas = document.createElement('canvas');
+  canvas.width = TEXTURE_SIZE;
+  canvas.height = TEXTURE_SIZE;
+  const context = canvas.getContext('2d');
+  context.translate(TEXTURE_SIZE / 2, TEXTURE_SIZE / 2);
+  draw(context, TEXTURE_SIZE / 2);
+  const result = new CanvasTexture(canvas);
+  result.colorSpace = SRGBColorSpace;
+  return result;
+}
+
+function drawDisc(context, radius) {
+  context.fillStyle = '#fff';
+  context.arc(0, 0, radius - 2, 0, 2 * Math.PI);
+  context.fill();
+}
+
+function drawCross(context, radius, thickness) {
+  const arm = radius * 0.62;
+  context.strokeStyle = '#fff';
+  context.lineCap = 'round';
+  context.lineWidth = radius * thickness;
+  context.moveTo(-arm, -arm);
+  context.lineTo(arm, arm);
+  context.moveTo(-arm, arm);
+  context.lineTo(arm, -arm);
+  context.stroke();
+}
+
+function sprites(points, size, map) {
+  const material = new PointsMaterial({ size, map, sizeAttenuation: false, transparent: true, alphaTest: 0.5 });
+  const marks = new Points(new BufferGeometry().setFromPoints(points), material);
+  marks.frustumCulled = false;
+  return marks;
+}
+
+/** Round dots with a diameter in pixels. */
+export const dots = (points, size) => sprites(points, size, texture(drawDisc));
+
+/** Crosses with a width in pixels that nothing hides. */
+export function crosses(points, size, thickness, order) {
+  const marks = sprites(points, size, texture((context, radius) => drawCross(context, radius, thickness)));
+  marks.material.depthTest = false;
+  marks.material.alphaTest = 0;
+  marks.renderOrder = order;
+  return marks;
+}

@@ -1,0 +1,104 @@
+// The platform, its cables and the ghosts that mark start and goal.
+
+import { CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { dots, hairlines, moveWideLines, wideLines } from './marks.js';
+import { buildShapes, solidGeometry } from './shapes.js';
+
+const UP = new Vector3(0, 1, 0);
+
+const rotationOf = ([w, x, y, z]) => new Quaternion(x, y, z, w).normalize();
+
+/** The shapes of the platform around its own origin. */
+export const platformShapes = (model, frame) => buildShapes(model.platform, (v) => frame.vector(v));
+
+function solidPlatform(shapes, theme) {
+  const material = new MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  return new Mesh(solidGeometry(shapes), theme.paint(material, 'platform'));
+}
+
+/** The platform; its group moves with the position. */
+export function createPlatform(shapes, orientation, theme) {
+  const group = new Group();
+  group.quaternion.copy(rotationOf(orientation));
+  const edges = hairlines(shapes.edges);
+  theme.paint(edges.material, 'platformEdge');
+  const bars = wideLines(shapes.segments, { linewidth: 4 });
+  theme.paint(bars.material, 'platform');
+  // The dot at the origin shows where a platform is that is too small to see.
+  const marks = dots([...shapes.dots, new Vector3()], 8);
+  theme.paint(marks.material, 'platform');
+  group.add(solidPlatform(shapes, theme), edges, bars, marks);
+  return group;
+}
+
+function ghostFill() {
+  return new MeshLambertMaterial({
+    transparent: true,
+    opacity: 0.3,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
+  });
+}
+
+/** A see-through platform. */
+export function createGhost(shapes, orientation, theme) {
+  const group = new Group();
+  group.quaternion.copy(rotationOf(orientation));
+  const edges = wideLines([...shapes.edges, ...shapes.segments], { linewidth: 1.5 });
+  const marks = dots([...shapes.dots, new Vector3()], 9);
+  const fill = new Mesh(solidGeometry(shapes), ghostFill());
+  // After the obstacles, which would otherwise paint over it.
+  fill.renderOrder = 4;
+  for (const part of [edges, marks, fill]) theme.paint(part.material, 'ghost');
+  group.add(fill, edges, marks);
+  return group;
+}
+
+function createTubes(cables, theme) {
+  const geometry = new CylinderGeometry(1, 1, 1, 12, 1, true);
+  const tubes = new InstancedMesh(geometry, theme.paint(new MeshLambertMaterial(), 'cable'), cables.length);
+  tubes.frustumCulled = false;
+  return tubes;
+}
+
+// The matrix that stretches a unit cylinder between two points.
+function tubeMatrix(from, to, radius, matrix) {
+  const axis = to.clone().sub(from);
+  const length = axis.length();
+  const turn = new Quaternion().setFromUnitVectors(UP, axis.divideScalar(length || 1));
+  return matrix.compose(from.clone().add(to).multiplyScalar(0.5), turn, new Vector3(radius, length, radius));
+}
+
+function layCables(model, frame) {
+  const rotation = rotationOf(model.orientation);
+  return model.cables.map((cable) => ({
+    outlet: frame.point(cable.outlet),
+    arm: frame.vector(cable.attachment).applyQuaternion(rotation),
+    end: new Vector3(),
+    radius: (cable.diameter / 2) * frame.scale,
+  }));
+}
+
+/** The cables and their outlets; `move` brings the platform end of the cables to a position of the platform. */
+export function createCables(model, frame, theme) {
+  const cables = layCables(model, frame);
+  const thick = cables.filter((cable) => cable.radius > 0);
+  const ends = cables.flatMap((cable) => [cable.outlet, cable.end]);
+  const lines = wideLines(ends, { linewidth: 1.75 });
+  const tubes = createTubes(thick, theme);
+  const outlets = dots(cables.map((cable) => cable.outlet), 8);
+  theme.paint(lines.material, 'cable');
+  theme.paint(outlets.material, 'outlet');
+  const matrix = new Matrix4();
+
+  function move(position) {
+    for (const cable of cables) cable.end.copy(position).add(cable.arm);
+    moveWideLines(lines, ends);
+    thick.forEach((cable, i) => tubes.setMatrixAt(i, tubeMatrix(cable.outlet, cable.end, cable.radius, matrix)));
+    tubes.instanceMatrix.needsUpdate = true;
+  }
+
+  return { parts: cables.length > 0 ? [lines, tubes, outlets] : [], move };
+}

@@ -1,0 +1,150 @@
+// Renderer, camera, lights and mouse control. Draws only when something has changed.
+
+import { AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+
+const FIRST_VIEW = new Vector3(0.45, -1, 0.42).normalize();
+const FILL = 0.9;
+
+/** Whether the browser can draw in 3D. */
+export function hasWebGL() {
+  try {
+    const context = document.createElement('canvas').getContext('webgl2');
+    context?.getExtension('WEBGL_lose_context')?.loseContext();
+    return context !== null;
+  } catch {
+    return false;
+  }
+}
+
+function createRenderer(container) {
+  const renderer = new WebGLRenderer({ antialias: true });
+  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  renderer.domElement.tabIndex = 0;
+  renderer.domElement.setAttribute('role', 'img');
+  renderer.domElement.setAttribute('aria-label', '3D view; drag to turn, right-drag to pan, wheel to zoom, arrow keys to pan');
+  container.append(renderer.domElement);
+  return renderer;
+}
+
+function createCamera(scene) {
+  const camera = new PerspectiveCamera(30, 1, 0.01, 20);
+  camera.up.set(0, 0, 1);
+  const lamp = new DirectionalLight(0xffffff, 1.9);
+  lamp.position.set(-0.6, 0.9, 1);
+  camera.add(lamp, lamp.target);
+  lamp.target.position.set(0, 0, -1);
+  scene.add(camera, new AmbientLight(0xffffff, 1.5));
+  return camera;
+}
+
+function createControls(camera, canvas) {
+  const controls = new OrbitControls(camera, canvas);
+  controls.enableDamping = !window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+  controls.dampingFactor = 0.15;
+  controls.zoomToCursor = true;
+  controls.minDistance = 1e-3;
+  controls.maxDistance = 50;
+  controls.listenToKeyEvents(canvas);
+  return controls;
+}
+
+function cornersOf({ min, max }) {
+  const corners = [];
+  for (const x of [min.x, max.x]) {
+    for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) corners.push(new Vector3(x, y, z));
+  }
+  return corners;
+}
+
+// Shifts the picture into the part of the canvas that no panel covers, and returns how much of it is left.
+function avoidMargins(camera, { clientWidth: width, clientHeight: height }, { left, top, bottom }) {
+  camera.setViewOffset(width, height, -left / 2, (bottom - top) / 2, width, height);
+  return { x: Math.max(0.3, 1 - left / width), y: Math.max(0.3, 1 - (top + bottom) / height) };
+}
+
+// The least distance from the box's centre at which all its corners are in the free part of the picture.
+function fittingDistance(camera, box, direction, free) {
+  const centre = box.getCenter(new Vector3());
+  const right = new Vector3().crossVectors(camera.up, direction).normalize();
+  const up = new Vector3().crossVectors(direction, right);
+  const slope = Math.tan((camera.fov * Math.PI) / 360) * FILL;
+  const slopeX = slope * camera.aspect * free.x;
+  const slopeY = slope * free.y;
+  const needed = cornersOf(box).map((corner) => {
+    const v = corner.sub(centre);
+    return v.dot(direction) + Math.max(Math.abs(v.dot(right)) / slopeX, Math.abs(v.dot(up)) / slopeY);
+  });
+  return Math.max(...needed);
+}
+
+/**
+ * The 3D part of the page. `box` is what the first view shows, `margins` tells how much of the page is covered at each
+ * side, `onDraw` runs after each picture.
+ */
+export function createStage(container, box, { margins, onDraw }) {
+  const scene = new Scene();
+  scene.background = new Color();
+  const renderer = createRenderer(container);
+  const camera = createCamera(scene);
+  const controls = createControls(camera, renderer.domElement);
+  let pending = false;
+  let touched = false;
+
+  function draw() {
+    pending = false;
+    controls.update();
+    const distance = camera.position.distanceTo(controls.target);
+    camera.near = Math.max(1e-5, distance * 0.02);
+    camera.far = camera.position.length() + 10;
+    camera.updateProjectionMatrix();
+    renderer.render(scene, camera);
+    onDraw(camera, container);
+  }
+
+  function invalidate() {
+    if (!pending) requestAnimationFrame(draw);
+    pending = true;
+  }
+
+  // Ends a turn that is still running out.
+  function stop() {
+    const damped = controls.enableDamping;
+    controls.enableDamping = false;
+    controls.update();
+    controls.enableDamping = damped;
+  }
+
+  function resetView() {
+    touched = false;
+    stop();
+    box.getCenter(controls.target);
+    const free = avoidMargins(camera, container, margins());
+    const distance = fittingDistance(camera, box, FIRST_VIEW, free);
+    camera.position.copy(controls.target).addScaledVector(FIRST_VIEW, distance);
+    controls.update();
+    invalidate();
+  }
+
+  function keepView() {
+    avoidMargins(camera, container, margins());
+    invalidate();
+  }
+
+  function resize() {
+    const { clientWidth: width, clientHeight: height } = container;
+    if (width === 0 || height === 0) return;
+    renderer.setSize(width, height);
+    if (touched) keepView();
+    else resetView();
+  }
+
+  controls.addEventListener('start', () => {
+    touched = true;
+  });
+  controls.addEventListener('change', invalidate);
+  renderer.domElement.addEventListener('webglcontextrestored', invalidate);
+  new ResizeObserver(resize).observe(container);
+  resize();
+  return { scene, camera, canvas: renderer.domElement, invalidate, resetView };
+}

@@ -1,0 +1,77 @@
+// What stands still around the robot: workspace and obstacles.
+
+import { Box3, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
+import { dots, hairlines, wideLines } from './marks.js';
+import { buildShapes, solidGeometry } from './shapes.js';
+
+const OBSTACLE_OPACITY = 0.78;
+
+// Corners of a box in the order of three bits x, y, z.
+function boxCorners({ min, max }) {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map(
+    (i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z),
+  );
+}
+
+function boxEdges(box) {
+  const corners = boxCorners(box);
+  const edges = [];
+  corners.forEach((corner, i) => {
+    for (const bit of [1, 2, 4]) if (!(i & bit)) edges.push(corner, corners[i | bit]);
+  });
+  return edges;
+}
+
+function floorOf(box, theme) {
+  const size = box.getSize(new Vector3());
+  const material = new MeshBasicMaterial({ transparent: true, opacity: 0.14, side: 2, depthWrite: false });
+  const floor = new Mesh(new PlaneGeometry(size.x, size.y), theme.paint(material, 'floor'));
+  box.getCenter(floor.position).setZ(box.min.z);
+  floor.renderOrder = -1;
+  return floor;
+}
+
+/** The workspace box with its floor. */
+export function createWorkspace(model, frame, theme) {
+  if (!model.workspace) return [];
+  const box = new Box3(frame.point(model.workspace.min), frame.point(model.workspace.max));
+  const edges = hairlines(boxEdges(box));
+  theme.paint(edges.material, 'workspace');
+  return [edges, floorOf(box, theme)];
+}
+
+function obstacleMaterial(theme, options) {
+  const material = new MeshLambertMaterial({
+    transparent: true,
+    opacity: OBSTACLE_OPACITY,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    ...options,
+  });
+  return theme.paint(material, 'obstacle');
+}
+
+// Drawn twice, depth first, so that only the nearest surface shows and looks the same from every side.
+function translucentSolid(shapes, theme) {
+  const geometry = solidGeometry(shapes);
+  const depth = new Mesh(geometry, obstacleMaterial(theme, { colorWrite: false }));
+  const color = new Mesh(geometry, obstacleMaterial(theme, { depthWrite: false }));
+  depth.renderOrder = 1;
+  color.renderOrder = 2;
+  return [depth, color];
+}
+
+/** All obstacles as a handful of merged objects. */
+export function createObstacles(model, frame, theme) {
+  const shapes = buildShapes(model.obstacles.flatMap((obstacle) => obstacle.parts), (v) => frame.point(v));
+  const edges = hairlines(shapes.edges, new LineBasicMaterial({ transparent: true }));
+  const bars = wideLines(shapes.segments, { linewidth: 3 });
+  const marks = dots(shapes.dots, 8);
+  edges.renderOrder = 3;
+  theme.paint(edges.material, 'obstacleEdge');
+  theme.paint(bars.material, 'obstacle');
+  theme.paint(marks.material, 'obstacle');
+  const isEmpty = shapes.positions.length + shapes.segments.length + shapes.dots.length === 0;
+  return isEmpty ? [] : [...translucentSolid(shapes, theme), edges, bars, marks];
+}

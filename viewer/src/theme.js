@@ -1,0 +1,68 @@
+// Colours of the light and the dark look, after the Okabe–Ito palette.
+
+const LIGHT = {
+  background: '#f6f7f9',
+  platform: '#0072b2',
+  platformEdge: '#003b5c',
+  obstacle: '#e69f00',
+  obstacleEdge: '#6b4a00',
+  cable: '#2b2f36',
+  outlet: '#000000',
+  rawPath: '#80868f',
+  finalPath: '#009e73',
+  waypoint: '#00664a',
+  ghost: '#b0578d',
+  workspace: '#8d97a3',
+  floor: '#8d97a3',
+  violation: '#d40000',
+};
+
+const DARK = {
+  background: '#14171c',
+  platform: '#56b4e9',
+  platformEdge: '#d3edfb',
+  obstacle: '#e69f00',
+  obstacleEdge: '#ffe0a0',
+  cable: '#d8dce2',
+  outlet: '#ffffff',
+  rawPath: '#969ca6',
+  finalPath: '#14c795',
+  waypoint: '#a5f0d9',
+  ghost: '#e29ac1',
+  workspace: '#68717d',
+  floor: '#68717d',
+  violation: '#f0392b',
+};
+
+/** Keeps the colours of materials, page and 3D background in step with the look the reader prefers. */
+export function createTheme(onChange) {
+  const query = window.matchMedia('(prefers-color-scheme: dark)');
+  const bound = [];
+  const palette = () => (query.matches ? DARK : LIGHT);
+
+  function apply() {
+    const colors = palette();
+    for (const [role, color] of Object.entries(colors)) {
+      document.documentElement.style.setProperty(`--${role}`, color);
+    }
+    for (const { color, role } of bound) color.set(colors[role]);
+    onChange();
+  }
+
+  function bind(color, role) {
+    bound.push({ color, role });
+    color.set(palette()[role]);
+  }
+
+  query.addEventListener('change', apply);
+  apply();
+  return {
+    /** Ties a colour to a role of the palette. */
+    bind,
+    /** Ties the colour of a material to a role of the palette. */
+    paint: (material, role) => {
+      bind(material.color, role);
+      return material;
+    },
+  };
+}

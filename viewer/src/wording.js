@@ -1,0 +1,72 @@
+// Sentences and numbers as the reader sees them.
+
+const UNITS = [
+  { from: 1000, factor: 1e-3, digits: 3, name: 'km' },
+  { from: 0.1, factor: 1, digits: 3, name: 'm' },
+  { from: 1e-3, factor: 1e3, digits: 2, name: 'mm' },
+  { from: 0, factor: 1e6, digits: 1, name: 'µm' },
+];
+
+function withUnit(metres, unit, digits) {
+  return `${(metres * unit.factor).toFixed(digits)} ${unit.name}`;
+}
+
+const unitFor = (metres) => UNITS.find((unit) => Math.abs(metres) >= unit.from);
+
+/** A length with three decimals or so: "2.621 m". */
+export function formatLength(metres) {
+  if (metres === 0) return '0 m';
+  const unit = unitFor(metres);
+  return withUnit(metres, unit, unit.digits);
+}
+
+/** A distance in the unit of a whole: "0.050 of 2.621 m". */
+export function formatProgress(distance, whole) {
+  const unit = unitFor(whole);
+  return `${(distance * unit.factor).toFixed(unit.digits)} of ${withUnit(whole, unit, unit.digits)}`;
+}
+
+/** A small gap without needless digits: "12 mm". */
+export function formatGap(metres) {
+  if (metres >= 1) return `${Number(metres.toPrecision(3))} m`;
+  const millimetres = metres * 1e3;
+  if (millimetres >= 0.1) return `${Number(millimetres.toPrecision(3))} mm`;
+  return `${Number((metres * 1e6).toPrecision(3))} µm`;
+}
+
+/** The outcome of planning in one line. */
+export function describeOutcome(path, length) {
+  if (!path) return 'no path';
+  if (path.waypoints.length === 0) return `no path (${path.status})`;
+  const cost = formatLength(path.cost ?? length);
+  if (path.rawCost === null) return `${path.status}: ${cost}`;
+  return `${path.status}: ${cost} after rewinding, ${formatLength(path.rawCost)} raw`;
+}
+
+const SENTENCES = {
+  workspace: (who) => `${who[0] ?? 'platform'} leaves the workspace`,
+  'cable-length': (who) => `${who[0] ?? 'a cable'} is too short or too long`,
+  wrench: () => 'the cables cannot balance the platform',
+};
+
+function describeEvent({ kind, culprits, margin }) {
+  if (SENTENCES[kind]) return SENTENCES[kind](culprits);
+  const verb = margin > 0 ? 'comes too near' : 'meets';
+  if (culprits.length >= 2) return `${culprits[0]} ${verb} ${culprits.slice(1).join(' and ')}`;
+  return [...culprits, kind].join(': ');
+}
+
+function describeMargin({ kind, margin }) {
+  if (margin === null) return '';
+  const gap = formatGap(Math.abs(margin));
+  if (kind === 'workspace') return margin < 0 ? `, ${gap} outside` : '';
+  if (kind === 'cable-length') return margin < 0 ? `, by ${gap}` : '';
+  if (margin < 0) return `, ${gap} deep`;
+  return margin > 0 ? `, only ${gap} apart` : '';
+}
+
+/** A violation in one sentence. */
+export function describeViolation(violation) {
+  const where = `at ${violation.at.toFixed(2)} of segment ${violation.segment}`;
+  return `${describeEvent(violation)} ${where}${describeMargin(violation)}`;
+}
