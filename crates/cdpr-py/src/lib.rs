@@ -1,1 +1,281 @@
-//! Python bindings.
+//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around it.
+
+mod convert;
+mod errors;
+
+use cdpr_core::collision::batch::{BatchOptions, motions_valid, states_valid};
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::geometry::{Polytope, distance};
+use cdpr_core::io::{self, text::Notation};
+use cdpr_core::plan::{PlanOptions, Planner, engine_for, plan, rewind_path};
+use cdpr_core::postprocess::{Order, RewindOptions};
+use cdpr_core::view::{ShownPath, page};
+use cdpr_core::{Error, Robot};
+use numpy::{PyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use convert::{point, points, row};
+use errors::{interruptible, raised};
+
+/// A checked scene.
+#[pyclass(frozen, module = "cdpr._core")]
+struct Scene(cdpr_core::Scene);
+
+fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<GjkEngine> {
+    engine_for(&scene.0, engine_named(engine)?, interference_named(interference)?).map_err(raised)
+}
+
+fn engine_named(name: &str) -> PyResult<Engine> {
+    named("engine", name, &[("gjk", Engine::Gjk)])
+}
+
+fn interference_named(name: &str) -> PyResult<Interference> {
+    named("interference", name, &[("exact", Interference::Exact), ("swept", Interference::Swept)])
+}
+
+fn order_named(name: &str) -> PyResult<Order> {
+    named("order", name, &[("both", Order::Both), ("backward", Order::Backward), ("forward", Order::Forward)])
+}
+
+fn named<T: Copy>(what: &str, name: &str, known: &[(&str, T)]) -> PyResult<T> {
+    known.iter().find(|(known, _)| *known == name).map(|(_, value)| *value).ok_or_else(|| {
+        let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+        raised(Error::invalid(what, format!("found \"{name}\", expected one of {}", names.join(", "))))
+    })
+}
+
+fn serialized(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).expect("answers are finite")
+}
+
+#[pymethods]
+impl Scene {
+    /// Loads a scene file.
+    #[staticmethod]
+    fn load(path: std::path::PathBuf) -> PyResult<Self> {
+        io::load_scene(&path).map(Scene).map_err(raised)
+    }
+
+    /// A scene from JSON text, the robot in place.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        io::scene_from_text(text, Notation::Json, None).map(Scene).map_err(raised)
+    }
+
+    /// The scene as JSON text, the robot in place.
+    fn to_json(&self) -> String {
+        serialized(self.0.spec())
+    }
+
+    /// Identifies what paths of this scene are planned against.
+    fn fingerprint(&self) -> String {
+        self.0.fingerprint()
+    }
+
+    /// What is special about the scene.
+    fn notes(&self) -> PyResult<Vec<String>> {
+        if self.0.wrench().is_some() {
+            return Ok(Vec::new()); // told when a question is asked
+        }
+        Ok(cdpr_core::collision::Constraints::new(&self.0).map_err(raised)?.notes)
+    }
+
+    /// Whether each row of an (n, 3) array is a valid position.
+    fn states_valid<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        engine: &str,
+        interference: &str,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let engine = engine_of(self, engine, interference)?;
+        let rows = positions.as_slice()?;
+        let mut answers = vec![false; rows.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            states_valid(&engine, |k| row(rows, k), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// Whether each straight motion between rows of two (n, 3) arrays is valid.
+    fn motions_valid<'py>(
+        &self,
+        py: Python<'py>,
+        starts: PyReadonlyArray2<'py, f64>,
+        ends: PyReadonlyArray2<'py, f64>,
+        engine: &str,
+        interference: &str,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let engine = engine_of(self, engine, interference)?;
+        let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
+        let mut answers = vec![false; starts.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            motions_valid(&engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// The violations of a motion as JSON, those that begin first first.
+    fn violations(&self, start: [f64; 3], end: [f64; 3], engine: &str, interference: &str) -> PyResult<String> {
+        let engine = engine_of(self, engine, interference)?;
+        Ok(serialized(&engine.violations(&point(start), &point(end))))
+    }
+
+    /// The report on a path as JSON.
+    fn check(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(self, engine, interference)?;
+        let waypoints = points(waypoints.as_slice()?);
+        Ok(py.detach(|| serialized(&check_path(&engine, &waypoints))))
+    }
+
+    /// The result of planning as JSON, as in a path file.
+    #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
+    fn plan(
+        &self,
+        py: Python<'_>,
+        planner: &str,
+        engine: &str,
+        interference: &str,
+        seed: u64,
+        start: Option<[f64; 3]>,
+        goal: Option<[f64; 3]>,
+        step: f64,
+        post: &str,
+        repeats: usize,
+        max_samples: usize,
+        budget: Option<f64>,
+    ) -> PyResult<String> {
+        let options = PlanOptions {
+            planner: named("planner", planner, &[("modified-rrt", Planner::ModifiedRrt)])?,
+            engine: engine_named(engine)?,
+            interference: interference_named(interference)?,
+            seed,
+            start: start.map(point),
+            goal: goal.map(point),
+            step,
+            post: if post == "none" { None } else { Some(order_named(post)?) },
+            repeats,
+            max_samples,
+            budget: budget.map(seconds).transpose()?,
+        };
+        let found = interruptible(py, |interrupted| plan(&self.0, &options, interrupted))?;
+        Ok(io::plan_json(&self.0, &options, &found).to_string())
+    }
+
+    /// The rewound path as JSON.
+    #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.rewind
+    fn rewind(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        step: f64,
+        order: &str,
+        repeats: usize,
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(self, engine, interference)?;
+        let waypoints = points(waypoints.as_slice()?);
+        let options = RewindOptions { step, order: order_named(order)?, repeats };
+        let shorter = interruptible(py, |interrupted| rewind_path(&engine, &waypoints, &options, interrupted))?;
+        Ok(io::path_json(&self.0, &shorter).to_string())
+    }
+
+    /// A self-contained page that shows the scene and, if given, a path.
+    #[allow(clippy::too_many_arguments)] // one per thing shown
+    fn page(
+        &self,
+        status: Option<String>,
+        waypoints: Option<PyReadonlyArray2<'_, f64>>,
+        cost: Option<f64>,
+        raw_waypoints: Option<PyReadonlyArray2<'_, f64>>,
+        raw_cost: Option<f64>,
+        planner: Option<String>,
+        interference: &str,
+    ) -> PyResult<String> {
+        let list = |rows: Option<PyReadonlyArray2<'_, f64>>| {
+            rows.map_or(Ok(Vec::new()), |rows| Ok::<_, PyErr>(points(rows.as_slice()?)))
+        };
+        let Some(waypoints) = waypoints else { return Ok(page(&self.0, None, &[])) };
+        let waypoints = points(waypoints.as_slice()?);
+        let engine = engine_of(self, "gjk", interference)?;
+        let violations = check_path(&engine, &waypoints).violations;
+        let shown = ShownPath { status, waypoints, cost, raw_waypoints: list(raw_waypoints)?, raw_cost, planner };
+        Ok(page(&self.0, Some(&shown), &violations))
+    }
+}
+
+fn seconds(budget: f64) -> PyResult<std::time::Duration> {
+    std::time::Duration::try_from_secs_f64(budget)
+        .ok()
+        .filter(|b| !b.is_zero())
+        .ok_or_else(|| raised(Error::invalid("budget", format!("found {budget} s, expected a positive number"))))
+}
+
+/// Checks a robot given as JSON text.
+#[pyfunction]
+fn check_robot(text: &str) -> PyResult<()> {
+    let spec: cdpr_core::model::RobotSpec = io::text::parse(text, Notation::Json).map_err(raised)?;
+    Robot::try_from(spec).map(drop).map_err(raised)
+}
+
+/// The robot of a robot file as JSON text.
+#[pyfunction]
+fn load_robot(path: std::path::PathBuf) -> PyResult<String> {
+    io::load_robot(&path).map(|robot| serialized(robot.spec())).map_err(raised)
+}
+
+/// Distance of the convex hulls of two vertex lists, with nearest points and overlap depth.
+#[pyfunction]
+fn polytope_distance(
+    a: PyReadonlyArray2<'_, f64>,
+    b: PyReadonlyArray2<'_, f64>,
+) -> PyResult<(f64, [f64; 3], [f64; 3], f64)> {
+    let hull = |place: &str, rows: &[f64]| {
+        Polytope::hull_of(&points(rows)).map_err(|problem| raised(Error::invalid(place, problem.to_string())))
+    };
+    let found = distance(&hull("a", a.as_slice()?)?, &hull("b", b.as_slice()?)?);
+    Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
+}
+
+/// The waypoints of a path file as rows; refused if it says it belongs to another scene.
+#[pyfunction]
+fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<Vec<[f64; 3]>> {
+    let loaded = io::load_waypoints(&path, scene.map(|s| &s.0)).map_err(raised)?;
+    Ok(loaded.waypoints.into_iter().map(Into::into).collect())
+}
+
+/// Writes the JSON of a result as a path file, or its waypoints as CSV.
+#[pyfunction]
+fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
+    let value = io::text::parse(json, Notation::Json).map_err(raised)?;
+    io::save_path(&path, &value).map_err(raised)
+}
+
+/// Writes a text file whole or not at all.
+#[pyfunction]
+fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
+    io::write_atomically(&path, text.as_bytes()).map_err(raised)
+}
+
+#[pymodule(gil_used = false)]
+mod _core {
+    use super::*;
+    #[pymodule_export]
+    use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

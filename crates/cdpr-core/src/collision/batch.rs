@@ -1,31 +1,98 @@
-//! Many questions at once, on one thread or several, with the same answers.
+//! Many questions at once, on one thread or several, with the same answers, and soon ended when the caller asks.
+
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
 use super::validity::Validity;
+use crate::error::Error;
 use crate::geometry::Point;
 
 /// Questions handed to a thread at a time: enough to forget the cost of handing over.
-const CHUNK: usize = 256;
+const CHUNK: usize = 64;
+/// Questions between the first two looks at whether the caller wants to stop.
+const FIRST_BLOCK: usize = 1024;
+/// Time between two such looks: a tenth of what a person notices.
+const BLOCK_TIME: Duration = Duration::from_millis(10);
 
-/// Answers `question(k)` into `answers[k]`. Runs on the rayon pool it is called in; serially where that has one thread.
-fn answer_all(answers: &mut [bool], question: impl Fn(usize) -> bool + Sync) {
-    answers.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, answers)| {
-        for (k, answer) in answers.iter_mut().enumerate() {
-            *answer = question(chunk * CHUNK + k);
-        }
-    });
+/// How a batch runs.
+#[derive(Clone, Copy)]
+pub struct BatchOptions<'a> {
+    /// Threads; none means all of the pool it is called in.
+    pub threads: Option<usize>,
+    /// Asked about every 10 ms; true ends the batch with [`Error::interrupted`].
+    pub interrupted: &'a dyn Fn() -> bool,
 }
 
-/// Whether each position is valid. `position(k)` gives the k-th one.
-pub fn states_valid(validity: &dyn Validity, position: impl Fn(usize) -> Point + Sync, answers: &mut [bool]) {
-    answer_all(answers, |k| validity.state_valid(&position(k)));
+/// Whether each position is valid; `position(k)` gives the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or zero threads asked for.
+pub fn states_valid(
+    validity: &dyn Validity,
+    position: impl Fn(usize) -> Point + Sync,
+    answers: &mut [bool],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    answer_all(answers, |k| validity.state_valid(&position(k)), options)
 }
 
-/// Whether each motion is valid. `motion(k)` gives both ends of the k-th one.
-pub fn motions_valid(validity: &dyn Validity, motion: impl Fn(usize) -> (Point, Point) + Sync, answers: &mut [bool]) {
-    answer_all(answers, |k| {
+/// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or zero threads asked for.
+pub fn motions_valid(
+    validity: &dyn Validity,
+    motion: impl Fn(usize) -> (Point, Point) + Sync,
+    answers: &mut [bool],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let question = |k| {
         let (from, to) = motion(k);
         validity.motion_valid(&from, &to)
-    });
+    };
+    answer_all(answers, question, options)
+}
+
+fn answer_all(
+    answers: &mut [bool],
+    question: impl Fn(usize) -> bool + Sync,
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let serially = |first: usize, answers: &mut [bool]| {
+        answers.iter_mut().enumerate().for_each(|(k, answer)| *answer = question(first + k));
+    };
+    let in_parallel = |first: usize, answers: &mut [bool]| {
+        answers.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, answers)| serially(first + chunk * CHUNK, answers));
+    };
+    match options.threads {
+        Some(0) => Err(Error::invalid("threads", "found 0, expected at least 1")),
+        Some(1) => in_blocks(answers, serially, options.interrupted),
+        None => in_blocks(answers, in_parallel, options.interrupted),
+        Some(threads) => {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let pool = pool.map_err(|e| Error::invalid("threads", format!("{threads} threads cannot be had: {e}")))?;
+            in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), options.interrupted)
+        }
+    }
+}
+
+/// Works through the answers in blocks that take about [`BLOCK_TIME`] each.
+fn in_blocks(
+    answers: &mut [bool],
+    work: impl Fn(usize, &mut [bool]),
+    interrupted: &dyn Fn() -> bool,
+) -> Result<(), Error> {
+    let (mut done, mut block) = (0, FIRST_BLOCK);
+    while done < answers.len() {
+        let clock = Instant::now();
+        let end = answers.len().min(done + block);
+        work(done, &mut answers[done..end]);
+        done = end;
+        if interrupted() {
+            return Err(Error::interrupted());
+        }
+        block = if clock.elapsed() < BLOCK_TIME { block * 2 } else { (block / 2).max(CHUNK) };
+    }
+    Ok(())
 }

@@ -181,7 +181,8 @@ impl Validity for GjkEngine {
     }
 
     fn motion_valid(&self, from: &Point, to: &Point) -> bool {
-        !self.constraints.list.iter().any(|constraint| self.breaks(constraint, from, to))
+        let finite = from.iter().chain(to.iter()).all(|x| x.is_finite());
+        finite && !self.constraints.list.iter().any(|constraint| self.breaks(constraint, from, to))
     }
 
     fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {

@@ -1,0 +1,45 @@
+"""Collision-free path planning of cable-driven parallel robots in cluttered places.
+
+A platform hangs on cables that leave fixed outlets. A path of the platform is free when platform and cables keep away
+from obstacles and from each other, all along.
+
+>>> import cdpr
+>>> cube = [[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)]
+>>> robot = cdpr.Robot(
+...     outlets=[[x, y, z] for x in (0, 2) for y in (0, 2) for z in (0, 2)], attachments=cube, platform=[cube]
+... )
+>>> pillar = [[x, y, z] for x in (0.9, 1.1) for y in (0.9, 1.1) for z in (0, 1.2)]
+>>> scene = cdpr.Scene(robot, {"pillar": pillar}, workspace=[[0, 0, 0], [2, 2, 2]])
+>>> result = cdpr.plan(scene, start=[0.3, 1, 0.3], goal=[1.7, 1, 1.7])
+>>> result.status
+'solved'
+>>> bool(scene.motions_valid(result.waypoints[:-1], result.waypoints[1:]).all())
+True
+"""
+
+from ._core import __version__
+from ._geometry import Distance, distance
+from ._model import Robot, Scene, Violation
+from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view
+from .exceptions import CdprError, CdprWarning, FileError, InputError
+
+__all__ = [
+    "CdprError",
+    "CdprWarning",
+    "Distance",
+    "FileError",
+    "InputError",
+    "Path",
+    "Report",
+    "Result",
+    "Robot",
+    "Scene",
+    "Violation",
+    "__version__",
+    "check",
+    "distance",
+    "load_path",
+    "plan",
+    "rewind",
+    "save_view",
+]

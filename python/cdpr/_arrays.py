@@ -1,0 +1,52 @@
+"""Arrays as the core takes them: float64, C-contiguous, checked for shape and finite numbers."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .exceptions import InputError
+
+Floats: TypeAlias = NDArray[np.float64]
+
+#: Largest coordinate accepted, m; the core has the same limit.
+MAX_COORDINATE = 1e6
+
+
+def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
+    """An (n, columns) array, copied only if it is not C-contiguous float64 already."""
+    array = _numbers(name, values)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, {columns})")
+    _finite(name, array)
+    return array
+
+
+def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
+    """Three numbers."""
+    array = _numbers(name, values)
+    if array.shape != (3,):
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (3,)")
+    _finite(name, array)
+    x, y, z = array.tolist()
+    return x, y, z
+
+
+def _numbers(name: str, values: ArrayLike) -> Floats:
+    try:
+        array = np.asarray(values)
+        if np.iscomplexobj(array):
+            raise TypeError("complex numbers")
+        return np.ascontiguousarray(array, dtype=np.float64) if array.ndim else array.astype(np.float64)
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{name}: found {problem}, expected numbers") from None
+
+
+def _finite(name: str, array: Floats) -> None:
+    good = np.abs(array) <= MAX_COORDINATE
+    if not good.all():
+        index = tuple(int(i) for i in np.argwhere(~good)[0])
+        place = name + "".join(f"[{i}]" for i in index)
+        raise InputError(f"{place}: found {array[index]}, expected finite coordinates up to {MAX_COORDINATE:g} m")

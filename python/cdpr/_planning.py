@@ -1,0 +1,305 @@
+"""Planning, rewinding and checking of paths, and their files."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, point, rows
+from ._model import Engine, Interference, Scene, Violation, violation_from
+from .exceptions import InputError
+
+Planner: TypeAlias = Literal["modified-rrt"]
+Order: TypeAlias = Literal["both", "backward", "forward"]
+Post: TypeAlias = Literal["both", "backward", "forward", "none"]
+
+
+def _array(waypoints: list[list[float]]) -> Floats:
+    return np.array(waypoints, dtype=np.float64).reshape(-1, 3)
+
+
+def _number(value: float | None) -> float:
+    return float("nan") if value is None else value
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A path of straight segments.
+
+    Attributes
+    ----------
+    waypoints : ndarray (k, 3)
+        Positions of the platform's origin, world, m.
+    cost : float
+        Length, m.
+    """
+
+    waypoints: Floats
+    cost: float
+    _json: str = field(repr=False, default="")
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a path file: .json, or .csv for the waypoints alone."""
+        _core.save_path(os.fspath(path), self._json)
+
+
+@dataclass(frozen=True, eq=False)
+class Result(Path):
+    """What planning found.
+
+    Attributes
+    ----------
+    status : str
+        "solved", "budget_spent", "start_invalid" or "goal_invalid".
+    waypoints : ndarray (k, 3)
+        The final path, m; (0, 3) unless solved.
+    cost : float
+        Its length, m; NaN unless solved.
+    raw_waypoints : ndarray (k, 3)
+        The planner's path before rewinding, m.
+    raw_cost : float
+        Its length, m; NaN unless solved.
+    reason : Violation or None
+        Why the start or goal is invalid.
+    stats : dict
+        ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
+    """
+
+    status: str = ""
+    raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    raw_cost: float = float("nan")
+    reason: Violation | None = None
+    stats: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def solved(self) -> bool:
+        """Whether a path was found."""
+        return self.status == "solved"
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found about a path.
+
+    Attributes
+    ----------
+    valid : bool
+    length : float
+        m
+    violations : tuple of Violation
+        In order along the path.
+    min_clearance : dict or None
+        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``.
+    """
+
+    valid: bool
+    length: float
+    violations: tuple[Violation, ...]
+    min_clearance: Mapping[str, Any] | None
+
+
+def plan(
+    scene: Scene,
+    planner: Planner = "modified-rrt",
+    *,
+    seed: int = 0,
+    start: ArrayLike | None = None,
+    goal: ArrayLike | None = None,
+    step: float = 0.1,
+    post: Post = "both",
+    budget: float | None = None,
+    repeats: int = 1,
+    max_samples: int = 20_000,
+    engine: Engine = "gjk",
+    interference: Interference = "exact",
+) -> Result:
+    """Plan a path from start to goal.
+
+    Parameters
+    ----------
+    scene : Scene
+    planner : {"modified-rrt"}
+        The paper's Algorithm 3.
+    seed : int
+        Everything random flows from it: the same seed gives the same path.
+    start, goal : array_like (3,), optional
+        Instead of the scene's, m.
+    step : float
+        Distance of the points that rewinding tries, m.
+    post : {"both", "backward", "forward", "none"}
+        Rewinding (Algorithms 4 and 5), by which direction comes first; "both" keeps the shorter of the two orders.
+    budget : float, optional
+        Time after which the search gives up, s.
+    repeats : int
+        How often rewinding runs.
+    max_samples : int
+        Random samples after which the search gives up.
+    engine : {"gjk"}
+    interference : {"exact", "swept"}
+
+    Returns
+    -------
+    Result
+        Every returned path has been checked once more, whole.
+
+    Raises
+    ------
+    InputError
+        A scene without start or goal where none is given, bad options.
+    KeyboardInterrupt
+        On Ctrl-C, at once.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> result = plan(scene, seed=3)
+    >>> result.solved, result.cost <= result.raw_cost
+    (True, True)
+    """
+    text = scene._core.plan(
+        planner,
+        engine,
+        interference,
+        _whole("seed", seed),
+        None if start is None else point("start", start),
+        None if goal is None else point("goal", goal),
+        float(step),
+        post,
+        _whole("repeats", repeats),
+        _whole("max_samples", max_samples),
+        None if budget is None else float(budget),
+    )
+    found = json.loads(text)
+    return Result(
+        waypoints=_array(found["waypoints"]),
+        cost=_number(found["cost"]),
+        status=found["status"],
+        raw_waypoints=_array(found["raw_waypoints"]),
+        raw_cost=_number(found["raw_cost"]),
+        reason=None if found["reason"] is None else violation_from(found["reason"]),
+        stats=found["stats"],
+        _json=text,
+    )
+
+
+def _whole(name: str, value: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
+        raise InputError(f"{name}: found {value!r}, expected a whole number from 0 to 2**64 - 1")
+    return int(value)
+
+
+def _path(name: str, waypoints: ArrayLike | Path) -> Floats:
+    array = rows(name, waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
+    if len(array) < 2:
+        raise InputError(f"{name}: found {len(array)} waypoints, expected at least two")
+    return array
+
+
+def rewind(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    *,
+    step: float = 0.1,
+    order: Order = "both",
+    repeats: int = 1,
+    engine: Engine = "gjk",
+    interference: Interference = "exact",
+) -> Path:
+    """Shorten anyone's path by backward and forward rewinding; the result is valid and never longer.
+
+    Parameters
+    ----------
+    scene : Scene
+    waypoints : array_like (k, 3), k >= 2
+        Positions of the platform's origin, world, m; every segment must be valid.
+    step : float
+        Distance of the points tried along each segment, m.
+    order : {"both", "backward", "forward"}
+        Which direction comes first; "both" keeps the shorter of the two.
+    repeats : int
+        How often the pair of rewindings runs.
+
+    Returns
+    -------
+    Path
+        First and last waypoint as given.
+
+    Raises
+    ------
+    InputError
+        Wrong shape, a step that is not positive, or a segment that is not valid, named with the reason.
+
+    Notes
+    -----
+    The paper's Algorithms 4 and 5.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
+    (2, 3)
+    """
+    array = _path("waypoints", waypoints)
+    text = scene._core.rewind(array, float(step), order, _whole("repeats", repeats), engine, interference)
+    found = json.loads(text)
+    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
+
+
+def check(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    *,
+    engine: Engine = "gjk",
+    interference: Interference = "exact",
+) -> Report:
+    """Check a path: every violation with culprits, place and margin, and the nearest approach.
+
+    Parameters
+    ----------
+    scene : Scene
+    waypoints : array_like (k, 3), k >= 2
+        Positions of the platform's origin, world, m.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
+    False
+    """
+    found = json.loads(scene._core.check(_path("waypoints", waypoints), engine, interference))
+    violations = tuple(violation_from(values) for values in found["violations"])
+    return Report(found["valid"], found["length"], violations, found["min_clearance"])
+
+
+def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Floats:
+    """Load the waypoints of a path file (.json or .csv), (k, 3), m.
+
+    With ``scene``, a file that says it was planned for another scene is refused.
+    """
+    return _array(_core.load_path(os.fspath(path), None if scene is None else scene._core))
+
+
+def save_view(
+    path: str | os.PathLike[str],
+    scene: Scene,
+    waypoints: ArrayLike | Path | None = None,
+    *,
+    interference: Interference = "exact",
+) -> None:
+    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline."""
+    result = waypoints if isinstance(waypoints, Result) else None
+    array = None if waypoints is None else rows("waypoints", waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
+    cost = None if array is None else float(np.linalg.norm(np.diff(array, axis=0), axis=1).sum())
+    raw = None if result is None else np.ascontiguousarray(result.raw_waypoints)
+    raw_cost = None if result is None or not result.solved else result.raw_cost
+    status = None if result is None else result.status
+    planner = None if result is None else str(json.loads(result._json)["planner"])
+    page = scene._core.page(status, array, cost, raw, raw_cost, planner, interference)
+    _core.save_text(os.fspath(path), page)
