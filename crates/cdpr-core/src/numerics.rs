@@ -50,6 +50,9 @@ pub const MARCH_STEPS: usize = 100_000;
 /// below, and with [`TOUCH_DEPTH`] stays inside [`GAP_TOLERANCE`].
 pub const MARCH_SLACK: f64 = 2.5e-8;
 
+/// Accuracy of the least distance of two moving cables, m.
+pub const LEAST_DISTANCE: f64 = 1e-8;
+
 /// Bisection steps when a first contact is located: 2^-45 of a motion.
 pub const BISECTION_STEPS: usize = 45;
 

@@ -8,7 +8,7 @@
 use super::constraint::CableAt;
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{Point, Vector};
-use crate::numerics::{MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::numerics::{LEAST_DISTANCE, MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// Two cables that share neither outlet nor attachment.
 #[derive(Debug, Clone, PartialEq)]
@@ -169,7 +169,7 @@ impl CablePair {
         pieces.into_iter().map(root).fold(f64::INFINITY, f64::min)
     }
 
-    /// Least distance of the cables' lines during a motion, m, to 1e-8, with an instant where it is reached.
+    /// Least distance of the cables' lines during a motion, m, to [`LEAST_DISTANCE`], with an instant where it is reached.
     pub fn least_distance(&self, from: &Point, to: &Point) -> (f64, f64) {
         if self.crosses(from, to) {
             return (0.0, 0.0);
@@ -186,7 +186,7 @@ impl CablePair {
             }
             let floor = self.gap_floor(&a, &u0, &step, t0, t1).max(self.gap_floor(&b, &u0, &step, t0, t1));
             let lipschitz = 0.5 * (a.distance + b.distance - (t1 - t0) * step.norm());
-            if floor.max(lipschitz) < best.0 - 1e-8 && (t1 - t0) * step.norm() > 1e-9 {
+            if floor.max(lipschitz) < best.0 - LEAST_DISTANCE && (t1 - t0) * step.norm() > TOUCH_DEPTH {
                 let middle = 0.5 * (t0 + t1);
                 open.push((middle, at(middle), t1, b));
                 open.push((t0, a, middle, at(middle)));

@@ -104,15 +104,23 @@ impl CableAt {
     }
 }
 
-/// An obstacle body with the obstacle it belongs to.
+/// A convex obstacle body with the obstacle it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObstacleBody {
     /// Convex body, world, m.
     pub body: Polytope,
-    /// Index into [`Scene::obstacles`].
-    pub obstacle: usize,
+    /// Index into [`Scene::obstacles`]; two, maybe equal, for the seam between parts.
+    pub between: [usize; 2],
+    /// Whether it closes a seam: then its inside is forbidden, but distances are those of the parts around it.
+    pub seam: bool,
     /// Name of the obstacle.
     pub name: String,
+}
+
+impl ObstacleBody {
+    fn ignored(&self, scene: &Scene, member: Member) -> bool {
+        self.between.iter().any(|j| scene.ignores(member, Member::Obstacle(*j)))
+    }
 }
 
 /// All constraints of a scene at one orientation; see the module.
@@ -148,7 +156,7 @@ impl Constraints {
         let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
         let mut constraints = Constraints {
             cables: cables_at(scene, rotation),
-            platform: robot.parts().iter().chain(robot.seams()).map(turned).collect(),
+            platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
             obstacles: obstacle_bodies(scene),
             list: Vec::new(),
             notes: Vec::new(),
@@ -269,17 +277,16 @@ impl Constraints {
     }
 
     fn platform_obstacle(&mut self, scene: &Scene) {
-        for body in 0..self.obstacles.len() {
-            let obstacle = self.obstacles[body].obstacle;
-            if scene.ignores(Member::Platform, Member::Obstacle(obstacle)) {
+        for (body, obstacle) in self.obstacles.iter().enumerate() {
+            if obstacle.ignored(scene, Member::Platform) {
                 continue;
             }
             for part in 0..scene.robot().parts().len() {
                 // A part with volume that reaches into a seam reaches into the parts on both sides of it.
-                if self.is_seam(scene, body) && self.platform[part].has_volume() {
+                if obstacle.seam && self.platform[part].has_volume() {
                     continue;
                 }
-                let gap = if self.is_seam(scene, body) { 0.0 } else { scene.clearance() };
+                let gap = if obstacle.seam { 0.0 } else { scene.clearance() };
                 self.list.push(Constraint::PlatformObstacle { part, body, gap });
             }
         }
@@ -288,12 +295,13 @@ impl Constraints {
     fn cable_obstacle(&mut self, scene: &Scene) {
         for cable in 0..self.cables.len() {
             for body in 0..self.obstacles.len() {
-                let ObstacleBody { body: polytope, obstacle, name } = &self.obstacles[body];
-                if scene.ignores(Member::Cable(cable), Member::Obstacle(*obstacle)) {
+                let obstacle = &self.obstacles[body];
+                if obstacle.ignored(scene, Member::Cable(cable)) {
                     continue;
                 }
+                let ObstacleBody { body: polytope, name, .. } = obstacle;
                 let CableAt { outlet, radius, name: cable_name, .. } = &self.cables[cable];
-                let gap = if self.is_seam(scene, body) { 0.0 } else { scene.clearance() + radius };
+                let gap = if obstacle.seam { 0.0 } else { scene.clearance() + radius };
                 let normals = polytope.active_normals(outlet);
                 let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), polytope).distance;
                 if normals.is_empty() && distance < gap {
@@ -306,12 +314,6 @@ impl Constraints {
                 self.list.push(Constraint::CableObstacle { cable, body, demand });
             }
         }
-    }
-
-    fn is_seam(&self, scene: &Scene, body: usize) -> bool {
-        let obstacle = self.obstacles[body].obstacle;
-        let first = self.obstacles.iter().position(|b| b.obstacle == obstacle).expect("it is one of them");
-        body - first >= scene.obstacles()[obstacle].parts.len()
     }
 }
 
@@ -326,10 +328,11 @@ fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
 }
 
 fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {
-    let of = |(obstacle, model): (usize, &crate::model::Obstacle)| {
-        let name = model.name.clone();
-        let body = move |body: &Polytope| ObstacleBody { body: body.clone(), obstacle, name: name.clone() };
-        model.bodies().map(body).collect::<Vec<_>>()
+    let body = |body: &Polytope, between: [usize; 2], seam| {
+        let name = scene.obstacles()[between[0]].name.clone();
+        ObstacleBody { body: body.clone(), between, seam, name }
     };
-    scene.obstacles().iter().enumerate().flat_map(of).collect()
+    let parts = scene.obstacles().iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part)));
+    let parts = parts.map(|(j, part)| body(part, [j, j], false));
+    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between, true))).collect()
 }

@@ -9,12 +9,22 @@ use super::polytope::Facet;
 use super::{Point, Polytope, Vector};
 use crate::numerics::{FLAT, ON_SURFACE};
 
-/// The seams between all pairs of parts that share a face; empty for bodies whose parts overlap or are apart.
-pub fn seams(parts: &[Polytope]) -> Vec<Polytope> {
+/// A body that closes the seam between two parts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seam {
+    /// Inside the union of the two parts, around the face they share.
+    pub body: Polytope,
+    /// Which two parts.
+    pub between: [usize; 2],
+}
+
+/// The seams between all pairs of parts that share a face; none for parts that overlap or are apart.
+pub fn seams(parts: &[&Polytope]) -> Vec<Seam> {
     let mut found = Vec::new();
-    for (k, a) in parts.iter().enumerate() {
-        for b in &parts[k + 1..] {
-            found.extend(shared_face(a, b).and_then(|face| bipyramid(&face, a, b)));
+    for (i, a) in parts.iter().enumerate() {
+        for (j, b) in parts.iter().enumerate().skip(i + 1) {
+            let body = shared_face(a, b).and_then(|face| bipyramid(&face, a, b));
+            found.extend(body.map(|body| Seam { body, between: [i, j] }));
         }
     }
     found
@@ -91,11 +101,11 @@ mod tests {
     #[test]
     fn abutting_boxes_have_one_seam_inside_their_union() {
         let parts = [cuboid([1.0, 1.0, 1.0], [0.0; 3]), cuboid([1.0, 0.5, 3.0], [1.0, 0.1, 0.0])];
-        let seams = seams(&parts);
-        assert_eq!(seams.len(), 1);
-        let middle = Point::new(0.5, 0.1, 0.0);
-        assert!(seams[0].depth_of(&middle) > 0.05, "{}", seams[0].depth_of(&middle));
-        for v in seams[0].vertices() {
+        let seams = seams(&parts.each_ref());
+        assert_eq!((seams.len(), seams[0].between), (1, [0, 1]));
+        let body = &seams[0].body;
+        assert!(body.depth_of(&Point::new(0.5, 0.1, 0.0)) > 0.05);
+        for v in body.vertices() {
             assert!(parts.iter().any(|part| part.depth_of(v) > -1e-9), "{v} outside the union");
         }
     }
@@ -104,7 +114,7 @@ mod tests {
     fn boxes_that_share_an_edge_overlap_or_stand_apart_have_none() {
         let first = cuboid([1.0; 3], [0.0; 3]);
         for at in [[1.0, 1.0, 0.0], [0.5, 0.0, 0.0], [1.5, 0.0, 0.0]] {
-            assert!(seams(&[first.clone(), cuboid([1.0; 3], at)]).is_empty(), "{at:?}");
+            assert!(seams(&[&first, &cuboid([1.0; 3], at)]).is_empty(), "{at:?}");
         }
     }
 }

@@ -3,7 +3,8 @@
 use super::body;
 use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
 use crate::error::Error;
-use crate::geometry::{Point, Polytope, seam};
+use crate::geometry::seam::{Seam, seams};
+use crate::geometry::{Point, Polytope};
 use crate::numerics::ON_SURFACE;
 
 /// A straight cable from a fixed outlet to the platform.
@@ -29,7 +30,7 @@ pub struct Robot {
     spec: RobotSpec,
     cables: Vec<Cable>,
     parts: Vec<Polytope>,
-    seams: Vec<Polytope>,
+    seams: Vec<Seam>,
     center_of_mass: Point,
 }
 
@@ -57,7 +58,7 @@ impl TryFrom<RobotSpec> for Robot {
         let cables = (spec.cables.iter().enumerate())
             .map(|(k, cable)| checked_cable(k, cable).map_err(|e| e.under(&format!("cables[{k}]"))))
             .collect::<Result<Vec<_>, _>>()?;
-        let seams = seam::seams(&parts);
+        let seams = seams(&parts.iter().collect::<Vec<_>>());
         unique_names(&cables)?;
         attachments_outside(&cables, &parts, &seams)?;
         Ok(Robot { spec, cables, parts, seams, center_of_mass })
@@ -86,7 +87,7 @@ impl Robot {
     }
 
     /// Bodies that close the seams between abutting parts, platform frame; see [`crate::geometry::seam`].
-    pub fn seams(&self) -> &[Polytope] {
+    pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
 
@@ -128,9 +129,9 @@ fn unique_names(cables: &[Cable]) -> Result<(), Error> {
     Ok(())
 }
 
-fn attachments_outside(cables: &[Cable], parts: &[Polytope], seams: &[Polytope]) -> Result<(), Error> {
+fn attachments_outside(cables: &[Cable], parts: &[Polytope], seams: &[Seam]) -> Result<(), Error> {
     for (i, cable) in cables.iter().enumerate() {
-        let depths = parts.iter().chain(seams).map(|part| part.depth_of(&cable.attachment));
+        let depths = parts.iter().chain(seams.iter().map(|s| &s.body)).map(|part| part.depth_of(&cable.attachment));
         if let Some((k, depth)) = depths.enumerate().find(|(_, depth)| *depth > ON_SURFACE) {
             let place = if k < parts.len() { format!("platform[{k}]") } else { "two abutting parts".to_string() };
             let problem = format!(

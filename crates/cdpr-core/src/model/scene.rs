@@ -6,7 +6,8 @@ use super::body;
 use super::robot::Robot;
 use super::spec::{BodySpec, FORMAT_VERSION, RobotSource, SceneSpec, WrenchSpec};
 use crate::error::{Error, nearest_name};
-use crate::geometry::{Aabb, Point, Polytope, Rotation, seam};
+use crate::geometry::seam::{Seam, seams};
+use crate::geometry::{Aabb, Point, Polytope, Rotation};
 use crate::numerics::ON_SURFACE;
 
 /// The name that stands for the platform in messages and in `ignore`.
@@ -19,15 +20,6 @@ pub struct Obstacle {
     pub name: String,
     /// Convex parts.
     pub parts: Vec<Polytope>,
-    /// Bodies that close the seams between abutting parts; see [`crate::geometry::seam`].
-    pub seams: Vec<Polytope>,
-}
-
-impl Obstacle {
-    /// Parts and seams: all convex bodies whose union's interior is forbidden.
-    pub fn bodies(&self) -> impl Iterator<Item = &Polytope> {
-        self.parts.iter().chain(&self.seams)
-    }
 }
 
 /// Something that can be in contact: named in `ignore` and in messages.
@@ -47,6 +39,7 @@ pub struct Scene {
     spec: SceneSpec,
     robot: Robot,
     obstacles: Vec<Obstacle>,
+    seams: Vec<Seam>,
     workspace: Aabb,
     orientation: Rotation,
     clearance: f64,
@@ -76,7 +69,8 @@ impl Scene {
         let clearance = body::not_negative("clearance", spec.clearance.unwrap_or(0.0))?;
         let workspace = workspace(&spec)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
-        outlets_outside(&robot, &obstacles)?;
+        let seams = obstacle_seams(&obstacles);
+        outlets_outside(&robot, &obstacles, &seams)?;
         let ignored = (spec.ignore.iter().enumerate())
             .map(|(k, pair)| ignored_pair(&format!("ignore[{k}]"), pair, &robot, &obstacles))
             .collect::<Result<_, _>>()?;
@@ -85,7 +79,7 @@ impl Scene {
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
         let orientation =
             body::unit_quaternion("query.orientation", query.orientation.unwrap_or([1.0, 0.0, 0.0, 0.0]))?;
-        Ok(Scene { spec, robot, obstacles, workspace, orientation, clearance, ignored, start, goal })
+        Ok(Scene { spec, robot, obstacles, seams, workspace, orientation, clearance, ignored, start, goal })
     }
 
     /// The scene as plain data, the robot in place.
@@ -106,6 +100,12 @@ impl Scene {
     /// Obstacles by name, in order of first appearance.
     pub fn obstacles(&self) -> &[Obstacle] {
         &self.obstacles
+    }
+
+    /// Bodies that close the seams between abutting obstacle parts, of one obstacle or of two; `between` names the
+    /// obstacles.
+    pub fn seams(&self) -> &[Seam] {
+        &self.seams
     }
 
     /// The box that every platform vertex must stay in.
@@ -200,23 +200,30 @@ fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> 
         }
         match obstacles.iter_mut().find(|o| o.name == name) {
             Some(body) => body.parts.push(part),
-            None => obstacles.push(Obstacle { name, parts: vec![part], seams: Vec::new() }),
+            None => obstacles.push(Obstacle { name, parts: vec![part] }),
         }
-    }
-    for obstacle in &mut obstacles {
-        obstacle.seams = seam::seams(&obstacle.parts);
     }
     Ok(obstacles)
 }
 
-fn outlets_outside(robot: &Robot, obstacles: &[Obstacle]) -> Result<(), Error> {
+fn obstacle_seams(obstacles: &[Obstacle]) -> Vec<Seam> {
+    let parts: Vec<(usize, &Polytope)> =
+        obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();
+    let mut seams = seams(&parts.iter().map(|(_, part)| *part).collect::<Vec<_>>());
+    seams.iter_mut().for_each(|seam| seam.between = seam.between.map(|k| parts[k].0));
+    seams
+}
+
+fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Result<(), Error> {
+    let parts = || obstacles.iter().flat_map(|o| o.parts.iter().map(|part| (&o.name, part)));
+    let seams = || seams.iter().map(|s| (&obstacles[s.between[0]].name, &s.body));
     for (i, cable) in robot.cables().iter().enumerate() {
-        for obstacle in obstacles {
-            let depth = obstacle.bodies().map(|b| b.depth_of(&cable.outlet)).fold(f64::NEG_INFINITY, f64::max);
+        for (name, body) in parts().chain(seams()) {
+            let depth = body.depth_of(&cable.outlet);
             if depth > ON_SURFACE {
                 let problem = format!(
-                    "found a point {depth:.3e} m inside obstacle \"{}\", expected one outside or on its surface; move one of them",
-                    obstacle.name
+                    "found a point {depth:.3e} m inside obstacle \"{name}\", expected one outside or on its surface; \
+                     move one of them"
                 );
                 return Err(Error::invalid(format!("robot.cables[{i}].outlet"), problem));
             }
