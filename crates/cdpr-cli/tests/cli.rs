@@ -1,0 +1,274 @@
+//! The command line from outside: outputs, exit statuses, files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use assert_cmd::Command;
+use serde::Deserialize;
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn testdata(name: &str) -> String {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../testdata").join(name).display().to_string()
+}
+
+fn cdpr(arguments: &[&str]) -> Output {
+    cdpr_in(Path::new("."), arguments)
+}
+
+fn cdpr_in(folder: &Path, arguments: &[&str]) -> Output {
+    Command::cargo_bin("cdpr").unwrap().current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().expect("not killed")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}{}", stdout(output), stderr(output)))
+}
+
+fn folder() -> TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+#[test]
+fn plan_writes_a_path_that_check_accepts_and_a_page() {
+    let folder = folder();
+    let hard1 = testdata("scenes/hard1.toml");
+    let planned = cdpr_in(folder.path(), &["plan", &hard1, "-o", "path.json", "--html", "view.html"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    for word in ["hard1", "8 cables, 1 obstacle", "solved", "before rewinding", "nearest approach"] {
+        assert!(stdout(&planned).contains(word), "no \"{word}\" in {}", stdout(&planned));
+    }
+    assert!(stderr(&planned).contains("wrote path.json") && stderr(&planned).contains("next: cdpr check"));
+    let file: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("path.json")).unwrap()).unwrap();
+    assert_eq!(
+        (&file["version"], &file["status"], &file["planner"]),
+        (&1.into(), &"solved".into(), &"modified-rrt".into())
+    );
+    for key in ["cost", "waypoints", "raw_cost", "raw_waypoints", "engine", "interference", "seed", "options"] {
+        assert!(!file[key].is_null(), "no {key}");
+    }
+    for key in ["nodes", "motion_checks", "planning_seconds", "post_seconds"] {
+        assert!(file["stats"][key].is_number(), "no stats.{key}");
+    }
+    let page = fs::read_to_string(folder.path().join("view.html")).unwrap();
+    assert!(page.starts_with("<!doctype html>") && page.contains("\"waypoints\""));
+    let checked = cdpr_in(folder.path(), &["check", &hard1, "path.json", "--format", "json"]);
+    assert_eq!((status(&checked), &json(&checked)["valid"]), (0, &true.into()));
+    assert!(json(&checked)["min_clearance"]["value"].as_f64().unwrap() > 0.0);
+    let swept = cdpr_in(folder.path(), &["check", &hard1, "path.json", "--interference", "swept", "--engine", "gjk"]);
+    assert!([0, 1].contains(&status(&swept)));
+}
+
+#[test]
+fn json_results_are_the_same_for_the_same_seed() {
+    let run = || {
+        let mut result = json(&cdpr(&["plan", &testdata("scenes/hard3.toml"), "--seed", "4", "--format", "json"]));
+        result["stats"] = Value::Null;
+        result
+    };
+    assert_eq!(run(), run());
+}
+
+#[derive(Deserialize)]
+struct Cases {
+    motion: Vec<Case>,
+}
+
+#[derive(Deserialize)]
+struct Case {
+    name: String,
+    scene: String,
+    from: [f64; 3],
+    to: [f64; 3],
+    interference: Option<String>,
+    valid: bool,
+    kind: Option<String>,
+    culprits: Option<Vec<String>>,
+    at: Option<f64>,
+    margin: Option<f64>,
+}
+
+#[test]
+fn check_gives_every_known_answer() {
+    let folder = folder();
+    let cases: Cases = toml::from_str(&fs::read_to_string(testdata("cases/cases.toml")).unwrap()).unwrap();
+    for case in cases.motion {
+        let row = |p: [f64; 3]| format!("{},{},{}\n", p[0], p[1], p[2]);
+        fs::write(folder.path().join("m.csv"), format!("x,y,z\n{}{}", row(case.from), row(case.to))).unwrap();
+        let rule = case.interference.unwrap_or("exact".to_string());
+        let scene = testdata(&format!("cases/{}", case.scene));
+        let output = cdpr_in(folder.path(), &["check", &scene, "m.csv", "--format", "json", "--interference", &rule]);
+        let report = json(&output);
+        assert_eq!((status(&output), &report["valid"]), (i32::from(!case.valid), &case.valid.into()), "{}", case.name);
+        let first = &report["violations"][0];
+        let near =
+            |expected: Option<f64>, key: &str| expected.is_none_or(|e| (e - first[key].as_f64().unwrap()).abs() < 1e-6);
+        assert_eq!(first["kind"].as_str(), case.kind.as_deref(), "{}", case.name);
+        assert!(case.culprits.is_none_or(|names| first["culprits"] == Value::from(names)), "{}: {first}", case.name);
+        assert!(near(case.at, "at") && near(case.margin, "margin"), "{}: {first}", case.name);
+    }
+}
+
+#[test]
+fn an_invalid_start_or_goal_is_the_answer_no_and_still_written() {
+    let folder = folder();
+    let hard1 = testdata("scenes/hard1.toml");
+    for (option, expected) in [("--start", "start_invalid"), ("--goal", "goal_invalid")] {
+        for place in [["1", "1", "0.5"], ["-5", "1", "0.5"]] {
+            let [x, y, z] = place;
+            let output =
+                cdpr_in(folder.path(), &["plan", &hard1, option, x, y, z, "-o", "no.json", "--format", "json"]);
+            assert_eq!(status(&output), 1, "{}", stderr(&output));
+            let file: Value =
+                serde_json::from_str(&fs::read_to_string(folder.path().join("no.json")).unwrap()).unwrap();
+            assert_eq!(
+                (&file["status"], &file["cost"], &file["waypoints"]),
+                (&expected.into(), &Value::Null, &Value::Array(vec![]))
+            );
+            assert!(file["reason"]["kind"].is_string());
+            assert_eq!(json(&output), file);
+        }
+    }
+    let output = cdpr(&["plan", &hard1, "--start", "1", "1", "0.5"]);
+    assert!(stdout(&output).contains("no: the start of hard1 is not valid: ") && stderr(&output).contains("next:"));
+    let empty = cdpr_in(folder.path(), &["check", &hard1, "no.json"]);
+    assert_eq!(status(&empty), 2);
+    assert!(stderr(&empty).contains("goal_invalid"), "{}", stderr(&empty));
+}
+
+#[test]
+fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    fs::write(at("typo.toml"), hard1.replace("outlet = [2.0, 0.0, 0.0]", "outlett = [2.0, 0.0, 0.0]")).unwrap();
+    fs::write(at("nan.toml"), hard1.replace("outlet = [2.0, 0.0, 0.0]", "outlet = [nan, 0.0, 0.0]")).unwrap();
+    fs::write(at("wrench.toml"), format!("{hard1}\n[wrench]\nforce = 1.0\n")).unwrap();
+    fs::write(at("hard1.toml"), &hard1).unwrap();
+    fs::write(at("empty.json"), "{\"waypoints\": []}").unwrap();
+    fs::write(at("other.json"), stdout(&cdpr(&["plan", &testdata("scenes/empty.toml"), "--format", "json"]))).unwrap();
+    for (arguments, words) in [
+        (vec!["plan", "nowhere.toml", "-o", "out.json"], vec!["nowhere.toml", "cannot be read"]),
+        (
+            vec!["plan", "typo.toml", "-o", "out.json"],
+            vec!["typo.toml", "robot.cables[1]", "outlett", "did you mean `outlet`"],
+        ),
+        (vec!["plan", "nan.toml", "-o", "out.json"], vec!["nan.toml", "robot.cables[1].outlet", "NaN"]),
+        (vec!["plan", "wrench.toml", "-o", "out.json"], vec!["wrench.toml", "wrench", "remove"]),
+        (vec!["plan", "hard1.toml", "-o", "out.yaml"], vec!["out.yaml", ".json or .csv"]),
+        (vec!["plan", "hard1.toml", "--html", "out.pdf"], vec!["out.pdf", ".html"]),
+        (vec!["plan", "hard1.toml", "--step", "-0.1", "-o", "out.json"], vec!["--step", "-0.1", "positive"]),
+        (vec!["plan", "hard1.toml", "--step", "nan", "-o", "out.json"], vec!["--step", "positive"]),
+        (vec!["plan", "hard1.toml", "--start", "nan", "0", "0", "-o", "out.json"], vec!["start", "NaN"]),
+        (vec!["plan", "hard1.toml", "--planner", "magic", "-o", "out.json"], vec!["magic", "modified-rrt"]),
+        (vec!["plan", "hard1.toml", "-o", "nofolder/out.json"], vec!["nofolder", "cannot be written"]),
+        (vec!["check", "hard1.toml", "empty.json"], vec!["empty.json", "waypoints", "at least two"]),
+        (vec!["check", "hard1.toml", "other.json"], vec!["other.json", "another scene", "empty", "hard1"]),
+        (vec!["post", "hard1.toml", "other.json", "-o", "out.json"], vec!["other.json", "another scene"]),
+        (vec!["view", "hard1.toml", "other.json", "-o", "out.html"], vec!["other.json", "another scene"]),
+        (vec!["frobnicate"], vec!["frobnicate"]),
+    ] {
+        let output = cdpr_in(folder.path(), &arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}: {}", stderr(&output));
+        for word in words {
+            assert!(stderr(&output).contains(word), "{arguments:?}: no \"{word}\" in {}", stderr(&output));
+        }
+        assert!(stdout(&output).is_empty() || arguments[0] == "plan", "{arguments:?}: {}", stdout(&output));
+    }
+    let left: Vec<String> =
+        fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    assert!(!left.iter().any(|name| name.starts_with("out") || name.starts_with('.')), "{left:?}");
+}
+
+#[test]
+fn a_spent_budget_exits_1() {
+    let folder = folder();
+    let scene = fs::read_to_string(testdata("scenes/hard1.toml"))
+        .unwrap()
+        .replace("box = [0.3, 0.3, 1.5]", "box = [0.05, 2.0, 1.5]");
+    let ignore: Vec<String> = (0..8).map(|k| format!("[\"cable {k}\", \"pillar\"]")).collect();
+    let scene = scene.replace("version = 1\n", &format!("version = 1\nignore = [{}]\n", ignore.join(", ")));
+    fs::write(
+        folder.path().join("walled.toml"),
+        scene.replace("0.05, 2.0, 1.5", "0.05, 2.0, 2.0").replace("0.75]", "1.0]"),
+    )
+    .unwrap();
+    let output = cdpr_in(folder.path(), &["plan", "walled.toml", "--max-samples", "50"]);
+    assert_eq!(status(&output), 1, "{}{}", stdout(&output), stderr(&output));
+    assert!(stdout(&output).contains("no path found after 50 samples"));
+}
+
+#[test]
+fn post_shortens_a_csv_path() {
+    let folder = folder();
+    fs::write(folder.path().join("long.csv"), "x,y,z\n0.3,1,0.3\n0.5,0.4,1.0\n1.0,1.0,1.8\n1.7,1,1.7\n").unwrap();
+    let scene = testdata("scenes/empty.toml");
+    let output = cdpr_in(folder.path(), &["post", &scene, "long.csv", "-o", "short.csv", "--format", "json"]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    assert!((json(&output)["cost"].as_f64().unwrap() - 1.4 * 2f64.sqrt()).abs() < 1e-9);
+    let written = fs::read_to_string(folder.path().join("short.csv")).unwrap();
+    assert_eq!(written, "x,y,z\n0.3,1,0.3\n1.7,1,1.7\n");
+}
+
+#[test]
+fn a_new_scene_plans_and_is_not_overwritten() {
+    let folder = folder();
+    for name in ["hall.toml", "hall.json"] {
+        assert_eq!(status(&cdpr_in(folder.path(), &["new", name])), 0);
+        let planned = cdpr_in(folder.path(), &["plan", name]);
+        assert_eq!(status(&planned), 0, "{}{}", stdout(&planned), stderr(&planned));
+        let again = cdpr_in(folder.path(), &["new", name]);
+        assert_eq!(status(&again), 2);
+        assert!(stderr(&again).contains("--force"));
+        assert_eq!(status(&cdpr_in(folder.path(), &["new", name, "--force"])), 0);
+    }
+    assert!(stdout(&cdpr(&["new"])).starts_with("# A scene for cdpr"));
+}
+
+#[test]
+fn info_counts_and_judges() {
+    let output = cdpr(&["info", &testdata("scenes/hard1.toml"), "--format", "json"]);
+    let survey = json(&output);
+    assert_eq!(
+        (&survey["cables"], &survey["obstacles"], &survey["wrench_rank"]),
+        (&8.into(), &1.into(), &vec![5, 5].into())
+    );
+    assert_eq!((&survey["interference_free"], &survey["start"]), (&1.0.into(), &Value::Null));
+    let crossing = json(&cdpr(&["info", &testdata("cases/always_crossing.toml"), "--format", "json"]));
+    assert_eq!(crossing["always_crossing_pairs"], serde_json::json!([["cable 0", "cable 1"]]));
+    let shared = json(&cdpr(&["info", &testdata("cases/shared_ends.toml"), "--format", "json"]));
+    assert_eq!(shared["sharing_pairs"], serde_json::json!([["cable 0", "cable 1"], ["cable 1", "cable 2"]]));
+    let column = cdpr(&["info", &testdata("cases/outlet_on_column.toml")]);
+    assert!(stdout(&column).contains("outlets on obstacles: cable 0 and column"), "{}", stdout(&column));
+}
+
+#[test]
+fn view_and_schema_and_completions_and_help() {
+    let folder = folder();
+    let hard1 = testdata("scenes/hard1.toml");
+    fs::write(folder.path().join("bad.csv"), "x,y,z\n0.3,1,0.3\n1.7,1,1.7\n").unwrap();
+    let viewed = cdpr_in(folder.path(), &["view", &hard1, "bad.csv", "-o", "bad.html"]);
+    assert_eq!(status(&viewed), 0, "{}", stderr(&viewed));
+    assert!(fs::read_to_string(folder.path().join("bad.html")).unwrap().contains("\"platform-obstacle\""));
+    for of in ["scene", "robot", "path"] {
+        let schema = json(&cdpr(&["schema", of]));
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    }
+    assert!(json(&cdpr(&["schema"]))["properties"]["workspace"].is_object());
+    assert!(stdout(&cdpr(&["completions", "bash"])).contains("_cdpr"));
+    for command in ["plan", "check", "info", "post", "new", "schema", "view", "completions"] {
+        assert!(stdout(&cdpr(&[command, "--help"])).contains("Example"), "{command}");
+    }
+}
