@@ -27,7 +27,7 @@ pub fn direction(rng: &mut impl Rng) -> Vector {
 }
 
 pub fn rotation(rng: &mut impl Rng) -> Rotation {
-    Rotation::from_scaled_axis(direction(rng) * uniform(rng, 0.0, 3.14))
+    Rotation::from_scaled_axis(direction(rng) * uniform(rng, 0.0, std::f64::consts::PI))
 }
 
 /// A convex body with volume around the origin: boxes, prisms, hulls of points, slabs, needles, some of them rotated.

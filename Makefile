@@ -1,0 +1,53 @@
+# `make test` sets up everything it needs (Rust and Python 3.11 or later must be there) and passes every test.
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+VENV := .venv
+BIN := $(VENV)/bin
+WHEELS := target/wheels
+
+.PHONY: test lint rust-test release-test wheel python-test demo bench viewer clean
+
+test: lint rust-test release-test python-test
+
+# Formatting, lints, and documentation without broken links: warnings are errors.
+lint:
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+
+# Unit, property and integration tests and the examples in the documentation.
+rust-test:
+	cargo test --workspace --locked
+
+# The oracles once more on the code that people use: release, without debug assertions.
+release-test:
+	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle
+
+$(VENV)/ready: requirements-dev.txt
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt
+	touch $@
+
+# The wheel as people install it, in an environment of its own.
+wheel: $(VENV)/ready
+	rm -rf $(WHEELS)
+	$(BIN)/maturin build --release --locked --out $(WHEELS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
+
+python-test: wheel
+	$(BIN)/python -m mypy python/cdpr
+	$(BIN)/python -m pytest python/tests
+	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
+
+# Plan the paper's scene; writes path.json and view.html.
+demo:
+	cargo run --release --locked -p cdpr-cli -- plan testdata/scenes/hard1.toml -o path.json --html view.html
+
+bench:
+	cargo bench --locked -p cdpr-benches
+
+# Rebuilds the page's script from viewer/src; needs Node. The result is under version control.
+viewer:
+	cd viewer && npm ci && npm run build
+
+clean:
+	rm -rf target $(VENV) viewer/node_modules path.json view.html

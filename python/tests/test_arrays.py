@@ -1,0 +1,111 @@
+"""Arrays in, arrays out: layouts, types, shapes, threads."""
+
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import cdpr
+
+
+@pytest.fixture
+def motions():
+    rng = np.random.default_rng(1)
+    return rng.uniform(0.1, 1.9, (5000, 3)), rng.uniform(0.1, 1.9, (5000, 3))
+
+
+def test_any_layout_type_and_thread_count_gives_the_same_answers(hard1, motions):
+    starts, ends = motions
+    expected = hard1.motions_valid(starts, ends)
+    assert expected.dtype == np.bool_ and expected.shape == (5000,)
+    assert 0.02 < expected.mean() < 0.98
+    for threads in (1, 2, 3):
+        assert (hard1.motions_valid(starts, ends, threads=threads) == expected).all()
+    assert (hard1.motions_valid(np.asfortranarray(starts), ends[::-1][::-1]) == expected).all()
+    assert (hard1.motions_valid(starts.tolist(), ends.tolist()) == expected).all()
+    wide = np.zeros((5000, 5))
+    wide[:, 1:4] = starts
+    assert (hard1.motions_valid(wide[:, 1:4], ends) == expected).all()
+    single = [hard1.explain_motion(p, q) is None for p, q in zip(starts[:50], ends[:50], strict=True)]
+    assert (expected[:50] == single).all()
+
+
+def test_integers_and_single_precision_are_converted(hard1):
+    assert hard1.states_valid(np.array([[1, 1, 1]])).tolist() == [False]
+    assert hard1.states_valid(np.array([[0.3, 1.0, 0.3]], dtype=np.float32)).tolist() == [True]
+
+
+def test_no_rows_give_no_answers(hard1):
+    assert hard1.states_valid(np.empty((0, 3))).shape == (0,)
+    assert hard1.motions_valid(np.empty((0, 3)), np.empty((0, 3))).shape == (0,)
+
+
+@pytest.mark.parametrize("shape", [(3,), (4, 2), (2, 3, 1), ()])
+def test_wrong_shapes_are_value_errors_of_our_tree(hard1, shape):
+    with pytest.raises(cdpr.InputError, match=r"points: found an array of shape .* expected \(n, 3\)") as caught:
+        hard1.states_valid(np.zeros(shape))
+    assert isinstance(caught.value, ValueError) and isinstance(caught.value, cdpr.CdprError)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 2e6])
+def test_numbers_that_make_no_sense_are_named_by_index(hard1, bad):
+    points = np.ones((4, 3))
+    points[2, 1] = bad
+    with pytest.raises(cdpr.InputError, match=r"points\[2\]\[1\]"):
+        hard1.states_valid(points)
+    with pytest.raises(cdpr.InputError, match=r"ends\[2\]\[1\]"):
+        hard1.motions_valid(np.ones((4, 3)), points)
+
+
+def test_other_nonsense_is_refused(hard1):
+    with pytest.raises(cdpr.InputError, match="ends: found 2 rows, expected 1"):
+        hard1.motions_valid(np.ones((1, 3)), np.ones((2, 3)))
+    with pytest.raises(cdpr.InputError, match="points"):
+        hard1.states_valid([["a", "b", "c"]])
+    with pytest.raises(cdpr.InputError, match="points"):
+        hard1.states_valid([[1, 2, 3], [1, 2]])
+    with pytest.raises(cdpr.InputError, match="points"):
+        hard1.states_valid(np.ones((2, 3)) * 1j)
+    with pytest.raises(cdpr.InputError, match="engine: found \"magic\", expected one of gjk"):
+        hard1.states_valid([[1, 1, 1]], engine="magic")
+    with pytest.raises(cdpr.InputError, match="interference"):
+        hard1.states_valid([[1, 1, 1]], interference="none")
+    with pytest.raises(cdpr.InputError, match="threads"):
+        hard1.states_valid([[1, 1, 1]], threads=0)
+
+
+def test_the_interpreter_is_released_during_long_calls(hard1):
+    points = np.random.default_rng(2).uniform(0.1, 1.9, (200_000, 3))
+    ticks = []
+
+    def count():
+        while not done.is_set():
+            ticks.append(time.perf_counter())
+            time.sleep(0.001)
+
+    done = threading.Event()
+    thread = threading.Thread(target=count)
+    thread.start()
+    begin = time.perf_counter()
+    hard1.motions_valid(points, points[::-1], threads=1)
+    end = time.perf_counter()
+    done.set()
+    thread.join()
+    assert sum(begin < tick < end for tick in ticks) >= 5
+
+
+def test_threads_may_share_a_scene(hard1, motions):
+    starts, ends = motions
+    expected = hard1.motions_valid(starts, ends)
+    results = [None] * 4
+
+    def work(k):
+        results[k] = hard1.motions_valid(starts, ends, threads=1)
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all((result == expected).all() for result in results)

@@ -1,0 +1,112 @@
+"""Robots and scenes from arrays and files."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+from conftest import TESTDATA
+
+import cdpr
+
+CUBE = np.array([[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)])
+CORNERS = np.array([[x, y, z] for x in (0.0, 2.0) for y in (0.0, 2.0) for z in (0.0, 2.0)])
+PILLAR = np.array([[x, y, z] for x in (0.9, 1.1) for y in (0.9, 1.1) for z in (0.0, 1.2)])
+BOX = [[0, 0, 0], [2, 2, 2]]
+
+
+def robot(**options):
+    return cdpr.Robot(CORNERS, CUBE, [CUBE], **options)
+
+
+def test_a_robot_from_arrays_has_what_it_was_given():
+    made = robot(tensions=[1, 100], mass=5, center_of_mass=[0, 0, 0.01], name="cube")
+    assert (made.outlets == CORNERS).all() and (made.attachments == CUBE).all()
+    assert made.mass == 5.0 and made.name == "cube" and repr(made) == "Robot('cube', 8 cables)"
+    assert made.to_dict()["cables"][3]["tension"] == [1.0, 100.0]
+    assert made == robot(tensions=np.tile([1, 100], (8, 1)), mass=5, center_of_mass=[0, 0, 0.01], name="cube")
+    assert made != robot()
+    assert cdpr.Robot.from_dict(made.to_dict()) == made
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: cdpr.Robot(CORNERS, CUBE[:7], [CUBE]), "attachments: found 7 rows, expected 8"),
+        (lambda: cdpr.Robot(CORNERS[:, :2], CUBE, [CUBE]), r"outlets: found an array of shape \(8, 2\)"),
+        (lambda: cdpr.Robot(CORNERS, CUBE * 0.5, [CUBE]), r"cables\[0\].attachment: found a point .* inside platform\[0\]"),
+        (lambda: cdpr.Robot(CORNERS, CUBE, []), "platform: found no parts"),
+        (lambda: cdpr.Robot(CORNERS, CUBE, [[]]), r"platform\[0\]"),
+        (lambda: robot(tensions=[5, 1]), r"cables\[0\].tension: found \[5, 1\]"),
+        (lambda: robot(tensions=[1, 2, 3]), r"tensions: found an array of shape \(3,\)"),
+        (lambda: robot(mass=-1), "mass: found -1"),
+        (lambda: robot(mass=float("nan")), "robot: "),
+        (lambda: robot(center_of_mass=[0, 0]), "center_of_mass"),
+        (lambda: cdpr.Scene(robot(), {"p": PILLAR[:4]}, workspace=BOX), r"obstacles\[0\]: found a body without volume"),
+        (lambda: cdpr.Scene(robot(), {"p": np.vstack([PILLAR, [1, 1, 1]])}, workspace=BOX), "vertex 8 lies .* inside the hull"),
+        (lambda: cdpr.Scene(robot(), {"p": []}, workspace=BOX), "obstacles.*found"),
+        (lambda: cdpr.Scene(robot(), {"p": PILLAR - 0.95}, workspace=BOX), "outlet: found a point .* inside obstacle"),
+        (lambda: cdpr.Scene(robot(), {}, workspace=[[0, 0, 0], [0, 2, 2]]), "workspace: found min 0 and max 0 along x"),
+        (lambda: cdpr.Scene(robot(), {}, workspace=[0, 2]), "workspace"),
+        (lambda: cdpr.Scene(robot(), {}, workspace=BOX, clearance=-1), "clearance: found -1"),
+        (lambda: cdpr.Scene(robot(), {}, workspace=BOX, start=[0, np.nan, 0]), r"start\[1\]: found nan"),
+        (lambda: cdpr.Scene(robot(), {}, workspace=BOX, orientation=[1, 1, 0, 0]), "orientation: found a quaternion of length 1.41"),
+        (lambda: cdpr.Scene.from_dict({"version": 1, "wrkspace": {}}), "unknown field `wrkspace`.*did you mean `workspace`"),
+    ],
+)
+def test_models_that_make_no_sense_are_refused(make, message):
+    with pytest.raises(cdpr.InputError, match=message):
+        make()
+
+
+def test_a_scene_from_arrays_answers_like_the_same_scene_from_a_file():
+    loaded = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    boxes = {}
+    for part in loaded.to_dict()["obstacles"]:
+        half, middle = np.array(part["box"]) / 2, np.array(part["position"])
+        boxes[part["name"]] = middle + half * np.sign(CUBE)
+    made = cdpr.Scene(loaded.robot, boxes, workspace=BOX, start=loaded.start, goal=loaded.goal)
+    points = np.random.default_rng(3).uniform(0.1, 1.9, (2000, 3))
+    assert (made.states_valid(points) == loaded.states_valid(points)).all()
+    assert cdpr.plan(made).cost == pytest.approx(cdpr.plan(loaded).cost)
+
+
+def test_concave_bodies_and_clearance_and_orientation_reach_the_core():
+    scene = cdpr.Scene(robot(), {"two": [PILLAR, PILLAR + [0.4, 0, 0]]}, workspace=BOX, clearance=0.05)
+    assert repr(scene) == "Scene('scene', 8 cables, 1 obstacle)"
+    near = [[0.76, 1.0, 0.5]]
+    assert scene.explain_motion(near[0], near[0]) is not None
+    half = np.sqrt(0.5)
+    turned = cdpr.Scene(robot(), {}, workspace=BOX, orientation=[half, 0, 0, half])
+    assert turned.to_dict()["query"]["orientation"] == pytest.approx([half, 0, 0, half])
+
+
+def test_scenes_survive_dict_json_and_pickle(hard1):
+    again = cdpr.Scene.from_dict(json.loads(json.dumps(hard1.to_dict())))
+    assert again == hard1 and pickle.loads(pickle.dumps(hard1)) == hard1
+    assert again != cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    assert hard1.start.tolist() == [0.3, 1.0, 0.3] and hard1.name == "hard1"
+
+
+def test_files_that_are_not_there(tmp_path):
+    with pytest.raises(cdpr.FileError, match="nowhere.toml: cannot be read") as caught:
+        cdpr.Scene.load(tmp_path / "nowhere.toml")
+    assert isinstance(caught.value, OSError) and isinstance(caught.value, cdpr.CdprError)
+    with pytest.raises(cdpr.FileError, match="expected .toml or .json"):
+        cdpr.Scene.load(tmp_path / "scene.yaml")
+    with pytest.raises(cdpr.FileError):
+        cdpr.Robot.load(tmp_path / "robot.toml")
+
+
+def test_built_robots_load():
+    for path in sorted((TESTDATA / "robots").glob("*.toml")):
+        assert len(cdpr.Robot.load(path).outlets) == 8
+
+
+def test_a_scene_with_wrench_is_refused_until_it_can_be_checked(hard1):
+    spec = hard1.to_dict() | {"wrench": {"force": 1.0}}
+    scene = cdpr.Scene.from_dict(spec)
+    with pytest.raises(cdpr.InputError, match="wrench feasibility"):
+        cdpr.plan(scene)
+    with pytest.raises(cdpr.InputError, match="wrench feasibility"):
+        scene.states_valid([[1, 1, 1]])

@@ -1,0 +1,192 @@
+"""Planning, rewinding, checking, files, distances, Ctrl-C."""
+
+import json
+import math
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import TESTDATA
+
+import cdpr
+
+
+def test_a_plan_is_solved_reproducible_and_valid(hard1):
+    result = cdpr.plan(hard1, "modified-rrt", seed=3)
+    assert result.solved and result.status == "solved" and result.reason is None
+    assert result.waypoints.shape[1] == 3 and result.waypoints.dtype == np.float64
+    assert result.waypoints[0].tolist() == [0.3, 1.0, 0.3] and result.waypoints[-1].tolist() == [1.7, 1.0, 1.7]
+    length = np.linalg.norm(np.diff(result.waypoints, axis=0), axis=1).sum()
+    assert length == pytest.approx(result.cost) and result.cost <= result.raw_cost
+    assert hard1.motions_valid(result.waypoints[:-1], result.waypoints[1:]).all()
+    assert set(result.stats) >= {"nodes", "motion_checks", "planning_seconds", "post_seconds"}
+    assert (cdpr.plan(hard1, seed=3).waypoints == result.waypoints).all()
+    assert cdpr.plan(hard1, seed=4).cost != result.cost
+    raw = cdpr.plan(hard1, seed=3, post="none")
+    assert raw.cost == raw.raw_cost == result.raw_cost
+
+
+def test_rewinding_by_hand_is_what_the_plan_does(hard1):
+    raw = cdpr.plan(hard1, seed=8, post="none")
+    both = cdpr.rewind(hard1, raw, step=0.1)
+    assert (both.waypoints == cdpr.plan(hard1, seed=8).waypoints).all()
+    backward = cdpr.rewind(hard1, raw.waypoints, order="backward").cost
+    forward = cdpr.rewind(hard1, raw.waypoints, order="forward").cost
+    assert both.cost == min(backward, forward)
+    assert cdpr.rewind(hard1, raw, step=0.02, repeats=3).cost <= raw.cost
+
+
+def test_invalid_ends_are_answers(hard1):
+    result = cdpr.plan(hard1, start=[1, 1, 0.5])
+    assert not result.solved and result.status == "start_invalid"
+    assert result.waypoints.shape == (0, 3) and math.isnan(result.cost) and math.isnan(result.raw_cost)
+    assert result.reason.kind in ("platform-obstacle", "cable-obstacle") and "pillar" in result.reason.culprits
+    assert cdpr.plan(hard1, goal=[9, 1, 0.5]).status == "goal_invalid"
+    assert cdpr.plan(hard1, max_samples=0).status == "budget_spent"
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"step": -0.1}, "step: found -0.1"),
+        ({"step": float("nan")}, "step"),
+        ({"budget": 0.0}, "budget"),
+        ({"budget": -1.0}, "budget"),
+        ({"seed": -1}, "seed"),
+        ({"seed": 1.5}, "seed"),
+        ({"planner": "magic"}, "planner: found \"magic\""),
+        ({"post": "sideways"}, "order: found \"sideways\""),
+        ({"start": [0, 0]}, "start: found an array of shape"),
+        ({"goal": [0, 0, math.inf]}, r"goal\[2\]"),
+    ],
+)
+def test_bad_options_are_refused(hard1, options, message):
+    with pytest.raises(cdpr.InputError, match=message):
+        cdpr.plan(hard1, **options)
+
+
+def test_a_scene_without_a_query_needs_its_ends(hard1):
+    spec = hard1.to_dict()
+    del spec["query"]
+    with pytest.raises(cdpr.InputError, match="query.start"):
+        cdpr.plan(cdpr.Scene.from_dict(spec))
+
+
+def test_check_reports_violations_and_nearest_approach(hard1):
+    report = cdpr.check(hard1, [[0.3, 1, 0.3], [0.3, 1, 0.4], [1.7, 1, 1.7]])
+    assert not report.valid and report.length == pytest.approx(0.1 + math.hypot(1.4, 1.3))
+    assert all(violation.segment == 1 for violation in report.violations)
+    platform = next(v for v in report.violations if v.kind == "platform-obstacle")
+    assert platform.at == pytest.approx(0.475 / 1.4) and platform.culprits == ("platform", "pillar")
+    good = cdpr.check(hard1, cdpr.plan(hard1))
+    assert good.valid and good.violations == () and good.min_clearance["value"] > 0
+
+
+def test_path_files_round_trip_and_belong_to_their_scene(hard1, empty, tmp_path):
+    result = cdpr.plan(hard1)
+    for name in ("path.json", "path.csv"):
+        result.save(tmp_path / name)
+        assert (cdpr.load_path(tmp_path / name, hard1) == result.waypoints).all()
+    assert json.loads((tmp_path / "path.json").read_text())["status"] == "solved"
+    with pytest.raises(cdpr.InputError, match="another scene"):
+        cdpr.load_path(tmp_path / "path.json", empty)
+    with pytest.raises(cdpr.FileError, match="expected .json or .csv"):
+        result.save(tmp_path / "path.txt")
+    with pytest.raises(cdpr.FileError, match="cannot be written"):
+        result.save(tmp_path / "nofolder" / "path.json")
+    cdpr.rewind(hard1, result).save(tmp_path / "rewound.json")
+    assert sorted(os.listdir(tmp_path)) == ["path.csv", "path.json", "rewound.json"]
+
+
+@pytest.mark.parametrize("waypoints", [[], np.empty((0, 3)), [[0.3, 1, 0.3]], [[0, 0], [1, 1]]])
+def test_paths_that_are_none_are_refused(hard1, waypoints):
+    for ask in (cdpr.rewind, cdpr.check):
+        with pytest.raises(cdpr.InputError, match="waypoints"):
+            ask(hard1, waypoints)
+
+
+def test_rewinding_a_path_in_collision_says_where(hard1):
+    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment from here is not valid: .* pillar"):
+        cdpr.rewind(hard1, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
+
+
+def test_a_page_is_written(hard1, tmp_path):
+    for name, what in (("plain", None), ("planned", cdpr.plan(hard1)), ("bad", [[0.3, 1, 0.3], [1.7, 1, 1.7]])):
+        cdpr.save_view(tmp_path / f"{name}.html", hard1, what)
+        page = (tmp_path / f"{name}.html").read_text()
+        assert page.startswith("<!doctype html>") and "https://" not in page.split('id="cdpr-data">')[1].split("</script>")[0]
+
+
+def test_distances_of_any_two_dimensions():
+    point, segment = [[0, 0, 3]], [[-1, 0, 2], [1, 0, 2]]
+    triangle = [[-1, -1, 0], [1, -1, 0], [0, 2, 0]]
+    square = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+    cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * 0.5
+    assert cdpr.distance(point, segment) == pytest.approx(1.0)
+    assert cdpr.distance(point, triangle) == pytest.approx(3.0)
+    assert cdpr.distance(segment, square) == pytest.approx(2.0)
+    found = cdpr.distance(segment, cube)
+    assert found == pytest.approx(1.5) and not found.intersects and found.depth == 0
+    assert found.points[:, 2] == pytest.approx([2.0, 0.5])
+    inside = cdpr.distance(square, cube)
+    assert inside == 0.0 and inside.intersects and inside.depth == pytest.approx(0.5)
+    touching = cdpr.distance(cube, cube + [1.0, 0, 0])
+    assert touching == 0.0 and touching.intersects and touching.depth == pytest.approx(0, abs=1e-12)
+    again = pickle.loads(pickle.dumps(found))
+    assert again == found and (again.points == found.points).all()
+    with pytest.raises(cdpr.InputError, match="a: found"):
+        cdpr.distance([], cube)
+    with pytest.raises(cdpr.InputError, match=r"b\[0\]\[0\]"):
+        cdpr.distance(cube, [[math.nan, 0, 0]])
+
+
+def walled():
+    """A scene without a way through, but for the cables."""
+    spec = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml").to_dict()
+    spec["obstacles"] = [{"name": "wall", "box": [0.05, 2.0, 2.0], "position": [1, 1, 1]}]
+    spec["ignore"] = [[f"cable {k}", "wall"] for k in range(8)]
+    return cdpr.Scene.from_dict(spec)
+
+
+def interrupted_after(seconds, call):
+    """Run a call, send Ctrl-C after a while, and return how long the answer took."""
+    sent = []
+
+    def send():
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, send)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        call()
+    answered = time.perf_counter()
+    timer.join()
+    return answered - sent[0]
+
+
+def test_ctrl_c_is_answered_at_once():
+    scene = walled()
+    points = np.random.default_rng(0).uniform(0.1, 1.9, (3_000_000, 3))
+    calls = (
+        lambda: cdpr.plan(scene, max_samples=10**12),
+        lambda: scene.motions_valid(points, points[::-1].copy(), threads=1),
+        lambda: scene.states_valid(np.vstack([points] * 4)),
+    )
+    for call in calls:
+        assert interrupted_after(0.2, call) < 1.0  # far above the tenth of a second meant: the machine may be busy
+
+
+def test_a_time_budget_ends_the_search():
+    assert cdpr.plan(walled(), max_samples=10**12, budget=0.05).status == "budget_spent"
+
+
+def test_import_needs_numpy_alone():
+    code = "import sys, cdpr; print([m for m in sys.modules if m.split('.')[0] in ('matplotlib', 'pandas', 'scipy', 'dask')])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
