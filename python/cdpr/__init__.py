@@ -20,7 +20,7 @@ True
 from ._core import __version__
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
-from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view
+from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
@@ -42,4 +42,5 @@ __all__ = [
     "plan",
     "rewind",
     "save_view",
+    "schema",
 ]

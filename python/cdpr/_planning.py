@@ -303,3 +303,14 @@ def save_view(
     planner = None if result is None else str(json.loads(result._json)["planner"])
     page = scene._core.page(status, array, cost, raw, raw_cost, planner, interference)
     _core.save_text(os.fspath(path), page)
+
+
+def schema(of: Literal["scene", "robot", "path"] = "scene") -> dict[str, Any]:
+    """Return the JSON Schema of a file format.
+
+    Examples
+    --------
+    >>> sorted(schema("robot")["required"])
+    ['cables', 'platform']
+    """
+    return dict(json.loads(_core.schema(of)))

@@ -2,7 +2,9 @@
 
 import json
 import pickle
+import tomllib
 
+import jsonschema
 import numpy as np
 import pytest
 from conftest import TESTDATA
@@ -110,3 +112,18 @@ def test_a_scene_with_wrench_is_refused_until_it_can_be_checked(hard1):
         cdpr.plan(scene)
     with pytest.raises(cdpr.InputError, match="wrench feasibility"):
         scene.states_valid([[1, 1, 1]])
+
+
+def test_the_schema_accepts_every_shipped_file_and_refuses_what_the_program_refuses():
+    scene, robot = cdpr.schema("scene"), cdpr.schema("robot")
+    files = [path for path in TESTDATA.glob("*/*.toml") if path.name != "cases.toml"]
+    for path in files:
+        jsonschema.validate(tomllib.loads(path.read_text()), robot if path.parent.name == "robots" else scene)
+    assert len(files) > 15
+    spec = tomllib.loads((TESTDATA / "scenes/hard1.toml").read_text())
+    for slip in ({"clearence": 0.1}, {"workspace": {"min": [0, 0], "max": [1, 1, 1]}}, {"robot": 5}, {"version": "one"}):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(spec | slip, scene)
+        with pytest.raises(cdpr.InputError):
+            cdpr.Scene.from_dict(spec | slip)
+    jsonschema.validate({"waypoints": [[0, 0, 0], [1, 1, 1]]}, cdpr.schema("path"))

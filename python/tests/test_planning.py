@@ -12,7 +12,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import TESTDATA
+from conftest import ROOT, TESTDATA
 
 import cdpr
 
@@ -190,3 +190,10 @@ def test_a_time_budget_ends_the_search():
 def test_import_needs_numpy_alone():
     code = "import sys, cdpr; print([m for m in sys.modules if m.split('.')[0] in ('matplotlib', 'pandas', 'scipy', 'dask')])"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+def test_the_example_runs(tmp_path):
+    example = ROOT / "python/examples/plan_one.py"
+    run = subprocess.run([sys.executable, example], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "valid: True" in run.stdout
+    assert (tmp_path / "path.json").exists() and (tmp_path / "view.html").exists()

@@ -18,7 +18,7 @@ function element(tag, className, text) {
 export function showSummary(model, length) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
-  byId('status').textContent = describeOutcome(model.path, length);
+  byId('status').textContent = describeOutcome(model.path, length, model.violations.length);
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
   byId('details').open = !window.matchMedia(NARROW).matches;
 }

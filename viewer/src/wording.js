@@ -34,13 +34,25 @@ export function formatGap(metres) {
   return `${Number((metres * 1e6).toPrecision(3))} µm`;
 }
 
-/** The outcome of planning in one line. */
-export function describeOutcome(path, length) {
+const NO_PATH = {
+  budget_spent: 'no path found within the budget',
+  start_invalid: 'no path: the start is not valid',
+  goal_invalid: 'no path: the goal is not valid',
+};
+
+function verdict(status, violations) {
+  if (violations > 0) return 'not valid';
+  return status === 'solved' ? 'solved' : 'valid';
+}
+
+/** The outcome of planning or checking in one line. */
+export function describeOutcome(path, length, violations) {
   if (!path) return 'no path';
-  if (path.waypoints.length === 0) return `no path (${path.status})`;
+  if (path.waypoints.length === 0) return NO_PATH[path.status] ?? 'no path';
+  const said = verdict(path.status, violations);
   const cost = formatLength(path.cost ?? length);
-  if (path.rawCost === null) return `${path.status}: ${cost}`;
-  return `${path.status}: ${cost} after rewinding, ${formatLength(path.rawCost)} raw`;
+  if (path.rawCost === null) return `${said}: ${cost}`;
+  return `${said}: ${cost} after rewinding, ${formatLength(path.rawCost)} raw`;
 }
 
 const SENTENCES = {

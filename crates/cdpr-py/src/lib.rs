@@ -262,6 +262,14 @@ fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
     io::save_path(&path, &value).map_err(raised)
 }
 
+/// The JSON Schema of the scene, robot or path format as JSON text.
+#[pyfunction]
+fn schema(of: &str) -> PyResult<String> {
+    use io::scene_file::Format;
+    let format = named("of", of, &[("scene", Format::Scene), ("robot", Format::Robot), ("path", Format::Path)])?;
+    Ok(io::schema(format).to_string())
+}
+
 /// Writes a text file whole or not at all.
 #[pyfunction]
 fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
@@ -272,7 +280,7 @@ fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
 mod _core {
     use super::*;
     #[pymodule_export]
-    use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text};
+    use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
