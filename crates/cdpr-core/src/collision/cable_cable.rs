@@ -19,6 +19,8 @@ pub struct CablePair {
     pub second: usize,
     /// Distance of the cables' lines to keep, m; 0: they must not cross.
     pub gap: f64,
+    /// Whether the pair can never keep what was demanded, so that only crossing counts.
+    pub excused: bool,
     /// Sum of the cables' radii, m.
     pub radii: f64,
     /// min over r in [0, 1] of |(1 - r) w + r q|, m: no position gives more room than this.
@@ -61,19 +63,15 @@ impl CablePair {
         };
         let origin = Point::origin();
         let best_gap = segment_segment::closest(&origin, &origin, &Point::from(w), &Point::from(q)).distance;
-        let gap = if best_gap < demanded { 0.0 } else { demanded };
+        let excused = best_gap < demanded;
+        let gap = if excused { 0.0 } else { demanded };
         let offset = i.arm - i.outlet.coords;
-        Some(CablePair { first, second, gap, radii: i.radius + j.radius, best_gap, offset, w, q, plane })
+        Some(CablePair { first, second, gap, excused, radii: i.radius + j.radius, best_gap, offset, w, q, plane })
     }
 
     /// Whether the cables cross wherever the platform is.
     pub fn always_crossing(&self) -> bool {
         self.plane == Plane::Opposite
-    }
-
-    /// Whether the pair is held to less than was demanded.
-    pub fn counts_for_clearance(&self, demanded: f64) -> bool {
-        self.gap >= demanded && !self.always_crossing()
     }
 
     fn u(&self, position: &Point) -> Vector {

@@ -19,12 +19,26 @@ pub enum Demand {
         /// Least distance, m.
         gap: f64,
     },
+    /// The body's interior is not entered; no distance is kept, because none can be, or because others keep it.
+    Outside,
     /// The cable ends on the body's surface. It enters the body iff its direction from there goes below *every* facet
     /// that is active at that end.
     Leave {
         /// Outward unit normals of the active facets.
         normals: Vec<Vector>,
     },
+}
+
+impl Demand {
+    /// The distance to keep, m, or, for a cable that ends on the body, the normals that decide.
+    #[inline]
+    pub fn gap(&self) -> Result<f64, &[Vector]> {
+        match self {
+            Demand::Apart { gap } => Ok(*gap),
+            Demand::Outside => Ok(0.0),
+            Demand::Leave { normals } => Err(normals),
+        }
+    }
 }
 
 /// One condition on the position of the platform.
@@ -227,15 +241,15 @@ impl Constraints {
             }
             for body in 0..self.platform.len() {
                 let seam = body >= scene.robot().parts().len();
-                let demanded = if seam { 0.0 } else { scene.clearance() + self.cables[cable].radius };
-                if let Some(demand) = self.demand_of_part(cable, body, demanded) {
+                let demanded = scene.clearance() + self.cables[cable].radius;
+                if let Some(demand) = self.demand_of_part(cable, body, seam, demanded) {
                     self.list.push(Constraint::CablePlatform { cable, body, demand });
                 }
             }
         }
     }
 
-    fn demand_of_part(&mut self, cable: usize, body: usize, demanded: f64) -> Option<Demand> {
+    fn demand_of_part(&mut self, cable: usize, body: usize, seam: bool, demanded: f64) -> Option<Demand> {
         let CableAt { arm, name, .. } = &self.cables[cable];
         let attachment = Point::from(*arm);
         let part = &self.platform[body];
@@ -244,12 +258,15 @@ impl Constraints {
             // A plate, a segment or a point has no interior that the cable could enter.
             return part.has_volume().then(|| Demand::Leave { normals: part.active_normals(&attachment) });
         }
+        if seam {
+            return Some(Demand::Outside);
+        }
         if distance < demanded {
             self.notes.push(format!(
                 "{name} is attached {distance:.4} m from a platform part and can never keep {demanded:.4} m from it; \
                  only entering it counts"
             ));
-            return Some(Demand::Apart { gap: 0.0 });
+            return Some(Demand::Outside);
         }
         Some(Demand::Apart { gap: demanded })
     }
@@ -265,7 +282,7 @@ impl Constraints {
                 let names = format!("{} and {}", self.cables[first].name, self.cables[second].name);
                 if pair.always_crossing() {
                     self.notes.push(format!("{names} cross at every position"));
-                } else if pair.gap < demanded {
+                } else if pair.excused {
                     self.notes.push(format!(
                         "{names} can never keep {demanded:.4} m from each other ({:.4} m at best); only crossing counts",
                         pair.best_gap
@@ -295,25 +312,38 @@ impl Constraints {
     fn cable_obstacle(&mut self, scene: &Scene) {
         for cable in 0..self.cables.len() {
             for body in 0..self.obstacles.len() {
-                let obstacle = &self.obstacles[body];
-                if obstacle.ignored(scene, Member::Cable(cable)) {
-                    continue;
+                if !self.obstacles[body].ignored(scene, Member::Cable(cable)) {
+                    let demand = self.demand_of_obstacle(cable, body, scene.clearance() + self.cables[cable].radius);
+                    self.list.push(Constraint::CableObstacle { cable, body, demand });
                 }
-                let ObstacleBody { body: polytope, name, .. } = obstacle;
-                let CableAt { outlet, radius, name: cable_name, .. } = &self.cables[cable];
-                let gap = if obstacle.seam { 0.0 } else { scene.clearance() + radius };
-                let normals = polytope.active_normals(outlet);
-                let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), polytope).distance;
-                if normals.is_empty() && distance < gap {
-                    self.notes.push(format!(
-                        "the outlet of {cable_name} is {distance:.4} m from {name} and can never keep {gap:.4} m from it: \
-                         every position is refused; allow the contact with ignore = [[\"{cable_name}\", \"{name}\"]]"
-                    ));
-                }
-                let demand = if normals.is_empty() { Demand::Apart { gap } } else { Demand::Leave { normals } };
-                self.list.push(Constraint::CableObstacle { cable, body, demand });
             }
         }
+    }
+
+    fn demand_of_obstacle(&mut self, cable: usize, body: usize, gap: f64) -> Demand {
+        let CableAt { outlet, name, .. } = &self.cables[cable];
+        let obstacle = &self.obstacles[body];
+        let normals = obstacle.body.active_normals(outlet);
+        if !normals.is_empty() {
+            return Demand::Leave { normals };
+        }
+        if obstacle.seam {
+            return Demand::Outside;
+        }
+        let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), &obstacle.body).distance;
+        if distance >= gap {
+            return Demand::Apart { gap };
+        }
+        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(outlet).is_empty();
+        if self.obstacles.iter().any(carries) {
+            return Demand::Outside; // a neighbouring part of the body that the winch is bolted to
+        }
+        self.notes.push(format!(
+            "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
+             is refused; allow the contact with ignore = [[\"{name}\", \"{other}\"]]",
+            other = obstacle.name
+        ));
+        Demand::Apart { gap }
     }
 }
 

@@ -55,15 +55,16 @@ impl GjkEngine {
             Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
                 self.room(constraint, from, to) < -TOUCH_DEPTH
             }
-            Constraint::CablePlatform { cable, body, demand } => match demand {
-                Demand::Apart { gap } => {
-                    meets(&c.cables[*cable].sweep_seen_from_platform(from, to), &c.platform[*body], *gap)
+            Constraint::CablePlatform { cable, body, demand } => {
+                let cable = &c.cables[*cable];
+                match demand.gap() {
+                    Ok(gap) => meets(&cable.sweep_seen_from_platform(from, to), &c.platform[*body], gap),
+                    Err(normals) => {
+                        let along = |p: &Point| cable.outlet - (p + cable.arm);
+                        goes_below_all(normals, along(from), along(to))
+                    }
                 }
-                Demand::Leave { normals } => {
-                    let along = |p: &Point| c.cables[*cable].outlet - (p + c.cables[*cable].arm);
-                    goes_below_all(normals, along(from), along(to))
-                }
-            },
+            }
             Constraint::CableCable(pair) => {
                 let swept = || {
                     let sweep = |cable: usize| c.cables[cable].sweep(from, to);
@@ -79,13 +80,16 @@ impl GjkEngine {
                 let swept = Swept::new(part, from.coords, to - from);
                 !bounds.apart_by(body.aabb(), *gap) && close(&swept, body, *gap)
             }
-            Constraint::CableObstacle { cable, body, demand } => match demand {
-                Demand::Apart { gap } => meets(&c.cables[*cable].sweep(from, to), &c.obstacles[*body].body, *gap),
-                Demand::Leave { normals } => {
-                    let along = |p: &Point| p + c.cables[*cable].arm - c.cables[*cable].outlet;
-                    goes_below_all(normals, along(from), along(to))
+            Constraint::CableObstacle { cable, body, demand } => {
+                let cable = &c.cables[*cable];
+                match demand.gap() {
+                    Ok(gap) => meets(&cable.sweep(from, to), &c.obstacles[*body].body, gap),
+                    Err(normals) => {
+                        let along = |p: &Point| p + cable.arm - cable.outlet;
+                        goes_below_all(normals, along(from), along(to))
+                    }
                 }
-            },
+            }
         }
     }
 
@@ -107,46 +111,39 @@ impl GjkEngine {
         }
     }
 
-    /// Gap in the world that a constraint leaves over a motion, m: distance or minus depth, of surfaces. None for
-    /// constraints that are no gap between two bodies, and for those that touch by construction.
+    /// Gap in the world that a constraint is about, over a motion, m: distance or minus depth, of surfaces. None where
+    /// no distance is to be kept: room, ends that touch by construction, pairs that can never keep what is demanded.
     fn gap(&self, constraint: &Constraint, from: &Point, to: &Point) -> Option<f64> {
+        let counts = match constraint {
+            Constraint::Workspace { .. } | Constraint::CableLength { .. } => false,
+            Constraint::CableCable(pair) => !pair.excused,
+            Constraint::PlatformObstacle { body, .. } => !self.constraints.obstacles[*body].seam,
+            Constraint::CablePlatform { demand, .. } | Constraint::CableObstacle { demand, .. } => {
+                matches!(demand, Demand::Apart { .. })
+            }
+        };
+        counts.then(|| self.distance(constraint, from, to))
+    }
+
+    /// Distance or minus depth, of surfaces, between those whom a constraint is about, over a motion; for workspace and
+    /// cable length the room left, m.
+    fn distance(&self, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
         let c = &self.constraints;
         match constraint {
-            Constraint::Workspace { .. } | Constraint::CableLength { .. } => None,
-            Constraint::CablePlatform { demand: Demand::Leave { .. }, .. } => None,
-            Constraint::CableObstacle { demand: Demand::Leave { .. }, .. } => None,
+            Constraint::Workspace { .. } | Constraint::CableLength { .. } => self.room(constraint, from, to),
             Constraint::CablePlatform { cable, body, .. } => {
                 let cable = &c.cables[*cable];
-                Some(
-                    shape_distance(&cable.sweep_seen_from_platform(from, to), &c.platform[*body]).signed()
-                        - cable.radius,
-                )
+                shape_distance(&cable.sweep_seen_from_platform(from, to), &c.platform[*body]).signed() - cable.radius
             }
-            Constraint::CableCable(pair) => Some(pair.least_distance(from, to).0 - pair.radii),
+            Constraint::CableCable(pair) => pair.least_distance(from, to).0 - pair.radii,
             Constraint::PlatformObstacle { part, body, .. } => {
                 let swept = Swept::new(&c.platform[*part], from.coords, to - from);
-                Some(shape_distance(&swept, &c.obstacles[*body].body).signed())
+                shape_distance(&swept, &c.obstacles[*body].body).signed()
             }
             Constraint::CableObstacle { cable, body, .. } => {
                 let cable = &c.cables[*cable];
-                Some(shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius)
+                shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius
             }
-        }
-    }
-
-    /// Gap of one position for a broken constraint, m: as [`GjkEngine::gap`], with the depth of cables that enter the
-    /// body they end on, and the room that is missing.
-    fn state_margin(&self, constraint: &Constraint, position: &Point) -> f64 {
-        let c = &self.constraints;
-        let depth = |cable: Triangle, body: &Polytope| shape_distance(&cable, body).signed();
-        match constraint {
-            Constraint::CablePlatform { cable, body, demand: Demand::Leave { .. } } => {
-                depth(c.cables[*cable].sweep_seen_from_platform(position, position), &c.platform[*body])
-            }
-            Constraint::CableObstacle { cable, body, demand: Demand::Leave { .. } } => {
-                depth(c.cables[*cable].sweep(position, position), &c.obstacles[*body].body)
-            }
-            _ => self.gap(constraint, position, position).unwrap_or_else(|| self.room(constraint, position, position)),
         }
     }
 
@@ -162,9 +159,9 @@ impl GjkEngine {
                 shape_distance(&sweep(pair.first), &sweep(pair.second)).distance - pair.radii
             }
             Constraint::CableCable(_) | Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
-                self.gap(constraint, from, to).unwrap_or_else(|| self.room(constraint, from, to))
+                self.distance(constraint, from, to)
             }
-            _ => least_between(first, last, |t| self.state_margin(constraint, &at(from, to, t))),
+            _ => least_between(first, last, |t| self.distance(constraint, &at(from, to, t), &at(from, to, t))),
         };
         Violation {
             at: first,
