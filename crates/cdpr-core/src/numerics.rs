@@ -53,6 +53,10 @@ pub const MARCH_SLACK: f64 = 2.5e-8;
 /// Accuracy of the least distance of two moving cables, m.
 pub const LEAST_DISTANCE: f64 = 1e-8;
 
+/// Intervals after which the search for that distance ends with the best it has. A hall needs some dozens; with cables a
+/// thousand kilometres long rounding hides the bound that would end it.
+pub const LEAST_DISTANCE_STEPS: usize = 10_000;
+
 /// Bisection steps when a first contact is located: 2^-45 of a motion.
 pub const BISECTION_STEPS: usize = 45;
 

@@ -8,7 +8,9 @@
 use super::constraint::CableAt;
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{Point, Vector};
-use crate::numerics::{LEAST_DISTANCE, MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::numerics::{
+    LEAST_DISTANCE, LEAST_DISTANCE_STEPS, MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH,
+};
 
 /// Two cables that share neither outlet nor attachment.
 #[derive(Debug, Clone, PartialEq)]
@@ -176,7 +178,8 @@ impl CablePair {
         let at = |t: f64| self.nearest(&(from + step * t));
         let mut best = (f64::INFINITY, 0.0);
         let mut open = vec![(0.0, at(0.0), 1.0, at(1.0))];
-        while let Some((t0, a, t1, b)) = open.pop() {
+        for _ in 0..LEAST_DISTANCE_STEPS {
+            let Some((t0, a, t1, b)) = open.pop() else { break };
             for (t, pair) in [(t0, &a), (t1, &b)] {
                 if pair.distance < best.0 {
                     best = (pair.distance, t);
