@@ -2,10 +2,13 @@
 
 use std::path::PathBuf;
 
-use cdpr_core::collision;
+use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
-use cdpr_core::plan;
-use cdpr_core::postprocess;
+use cdpr_core::io::scene_file::Format as FileFormat;
+use cdpr_core::plan::{NO_POST, PlanOptions, Planner, post_named};
+use cdpr_core::postprocess::{Order, RewindOptions};
+use cdpr_core::{Choice, Error};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 /// Plan, check and look at paths of cable-driven parallel robots among obstacles.
@@ -92,10 +95,10 @@ pub struct PathArgs {
 #[derive(Debug, Clone, Copy, Args)]
 pub struct CheckerArgs {
     /// Collision engine.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = choice::<Engine>(), default_value = Engine::default().name())]
     pub engine: Engine,
     /// How cables are kept from each other.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = choice::<Interference>(), default_value = Interference::default().name())]
     pub interference: Interference,
 }
 
@@ -104,13 +107,13 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Search method.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = choice::<Planner>(), default_value = Planner::default().name())]
     pub planner: Planner,
     /// Give up after this time, ms (the samples may run out first).
     #[arg(long, value_name = "T", value_parser = positive)]
     pub budget_ms: Option<f64>,
     /// Give up after this many random samples.
-    #[arg(long, value_name = "N", default_value_t = plan::PlanOptions::default().max_samples)]
+    #[arg(long, value_name = "N", default_value_t = PlanOptions::default().max_samples)]
     pub max_samples: usize,
     #[command(flatten)]
     pub checker: CheckerArgs,
@@ -120,8 +123,8 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub rewinding: RewindArgs,
     /// Rewinding of the found path, by which of its two directions comes first.
-    #[arg(long, value_enum, default_value_t)]
-    pub post: Post,
+    #[arg(long, value_parser = order_or_none(), default_value = Order::default().name())]
+    pub post: String,
     /// Start instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub start: Option<Vec<f64>>,
@@ -140,7 +143,7 @@ pub struct PlanArgs {
 #[derive(Debug, Clone, Copy, Args)]
 pub struct RewindArgs {
     /// Distance of the points that rewinding tries, m.
-    #[arg(long, value_name = "M", default_value_t = plan::PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", default_value_t = PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,
     /// How often rewinding runs.
     #[arg(long, value_name = "N", default_value_t = 1)]
@@ -154,8 +157,8 @@ pub struct PostArgs {
     #[command(flatten)]
     pub rewinding: RewindArgs,
     /// Which of the two directions comes first.
-    #[arg(long, value_enum, default_value_t)]
-    pub post: PostOrder,
+    #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
+    pub post: Order,
     /// Write the path here (.json or .csv).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
@@ -177,7 +180,7 @@ pub struct NewArgs {
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
     /// Which file format.
-    #[arg(value_enum, default_value_t)]
+    #[arg(value_parser = choice::<FileFormat>(), default_value = FileFormat::Scene.name())]
     pub of: FileFormat,
     /// Accepted for uniformity; a schema is JSON.
     #[arg(long, value_enum, default_value_t = Format::Json)]
@@ -205,110 +208,42 @@ pub struct CompletionsArgs {
     pub shell: clap_complete::Shell,
 }
 
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum FileFormat {
-    #[default]
-    Scene,
-    Robot,
-    Path,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Planner {
-    /// Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3).
-    #[default]
-    ModifiedRrt,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Engine {
-    /// GJK on swept bodies.
-    #[default]
-    Gjk,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Interference {
-    /// Cables must not meet at any instant.
-    #[default]
-    Exact,
-    /// The triangles they sweep must be disjoint: the paper's rule, stricter.
-    Swept,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Post {
-    /// Both orders; the shorter result is kept.
-    #[default]
-    Both,
-    /// Backward rewinding, then forward.
-    Backward,
-    /// Forward rewinding, then backward.
-    Forward,
-    /// The planner's path as it is.
-    None,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum PostOrder {
-    /// Both orders; the shorter result is kept.
-    #[default]
-    Both,
-    /// Backward rewinding, then forward.
-    Backward,
-    /// Forward rewinding, then backward.
-    Forward,
-}
-
-impl CheckerArgs {
-    pub fn engine(&self) -> collision::Engine {
-        match self.engine {
-            Engine::Gjk => collision::Engine::Gjk,
-        }
-    }
-
-    pub fn interference(&self) -> collision::Interference {
-        match self.interference {
-            Interference::Exact => collision::Interference::Exact,
-            Interference::Swept => collision::Interference::Swept,
-        }
-    }
-}
-
 impl PlanArgs {
-    pub fn options(&self) -> plan::PlanOptions {
-        plan::PlanOptions {
-            planner: match self.planner {
-                Planner::ModifiedRrt => plan::Planner::ModifiedRrt,
-            },
-            engine: self.checker.engine(),
-            interference: self.checker.interference(),
+    pub fn options(&self) -> Result<PlanOptions, Error> {
+        Ok(PlanOptions {
+            planner: self.planner,
+            engine: self.checker.engine,
+            interference: self.checker.interference,
             seed: self.seed,
             start: self.start.as_deref().map(Point::from_slice),
             goal: self.goal.as_deref().map(Point::from_slice),
             step: self.rewinding.step,
-            post: match self.post {
-                Post::Both => Some(postprocess::Order::Both),
-                Post::Backward => Some(postprocess::Order::Backward),
-                Post::Forward => Some(postprocess::Order::Forward),
-                Post::None => None,
-            },
+            post: post_named(&self.post)?,
             repeats: self.rewinding.repeats,
             max_samples: self.max_samples,
             budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
-        }
+        })
     }
 }
 
 impl PostArgs {
-    pub fn options(&self) -> postprocess::RewindOptions {
-        let order = match self.post {
-            PostOrder::Both => postprocess::Order::Both,
-            PostOrder::Backward => postprocess::Order::Backward,
-            PostOrder::Forward => postprocess::Order::Forward,
-        };
-        postprocess::RewindOptions { step: self.rewinding.step, order, repeats: self.rewinding.repeats }
+    pub fn options(&self) -> RewindOptions {
+        RewindOptions { step: self.rewinding.step, order: self.post, repeats: self.rewinding.repeats }
     }
+}
+
+/// Accepts the names of a choice, and shows them with their help.
+fn choice<T: Choice>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(possible::<T>()).map(|name| T::named(&name).expect("one of the possible names"))
+}
+
+fn possible<T: Choice>() -> Vec<PossibleValue> {
+    T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help)).collect()
+}
+
+fn order_or_none() -> PossibleValuesParser {
+    let none = PossibleValue::new(NO_POST).help("The planner's path as it is");
+    PossibleValuesParser::new(possible::<Order>().into_iter().chain([none]).collect::<Vec<_>>())
 }
 
 /// A positive number; a step or a time.

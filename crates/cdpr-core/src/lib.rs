@@ -5,8 +5,9 @@
 //! path planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics 12 (2019);
 //! "the paper" in these pages.
 //!
-//! Modules in reading order; each uses only those before it (`error` is apart).
+//! Modules in reading order; each uses only those before it (`error` and `choice` are apart).
 
+pub mod choice;
 pub mod error;
 pub mod numerics;
 
@@ -23,5 +24,6 @@ pub mod view;
 
 pub mod testing;
 
+pub use choice::Choice;
 pub use error::{Error, ErrorClass};
 pub use model::{Robot, Scene};

@@ -6,6 +6,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
+use crate::choice::{Choice, choices};
 use crate::collision::path_check::{first_invalid_segment, path_length};
 use crate::collision::{Engine, GjkEngine, Interference, Validity, Violation};
 use crate::error::Error;
@@ -15,12 +16,26 @@ use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationS
 use crate::postprocess::{Order, RewindOptions, rewind};
 
 /// The planners there are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planner {
     /// Algorithm 3 of the paper.
     #[default]
     ModifiedRrt,
+}
+
+choices!(Planner, "planner", [
+    ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
+]);
+
+/// The name for "leave the planner's path as it is" where an order of rewinding is chosen.
+pub const NO_POST: &str = "none";
+
+/// The order of rewinding of a name, none for [`NO_POST`].
+///
+/// # Errors
+/// An unknown name.
+pub fn post_named(name: &str) -> Result<Option<Order>, Error> {
+    if name == NO_POST { Ok(None) } else { Order::named(name).map(Some) }
 }
 
 /// How to plan; the question itself stands in the scene.

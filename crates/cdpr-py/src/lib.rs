@@ -4,13 +4,13 @@ mod convert;
 mod errors;
 
 use cdpr_core::collision::batch::{BatchOptions, motions_valid, states_valid};
-use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::collision::{GjkEngine, Validity, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
-use cdpr_core::plan::{PlanOptions, Planner, engine_for, plan, rewind_path};
-use cdpr_core::postprocess::{Order, RewindOptions};
+use cdpr_core::plan::{PlanOptions, engine_for, plan, post_named, rewind_path};
+use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::view::{ShownPath, page};
-use cdpr_core::{Error, Robot};
+use cdpr_core::{Choice, Error, Robot};
 use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -22,26 +22,11 @@ use errors::{interruptible, raised};
 struct Scene(cdpr_core::Scene);
 
 fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<GjkEngine> {
-    engine_for(&scene.0, engine_named(engine)?, interference_named(interference)?).map_err(raised)
+    engine_for(&scene.0, named(engine)?, named(interference)?).map_err(raised)
 }
 
-fn engine_named(name: &str) -> PyResult<Engine> {
-    named("engine", name, &[("gjk", Engine::Gjk)])
-}
-
-fn interference_named(name: &str) -> PyResult<Interference> {
-    named("interference", name, &[("exact", Interference::Exact), ("swept", Interference::Swept)])
-}
-
-fn order_named(name: &str) -> PyResult<Order> {
-    named("order", name, &[("both", Order::Both), ("backward", Order::Backward), ("forward", Order::Forward)])
-}
-
-fn named<T: Copy>(what: &str, name: &str, known: &[(&str, T)]) -> PyResult<T> {
-    known.iter().find(|(known, _)| *known == name).map(|(_, value)| *value).ok_or_else(|| {
-        let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-        raised(Error::invalid(what, format!("found \"{name}\", expected one of {}", names.join(", "))))
-    })
+fn named<T: Choice>(name: &str) -> PyResult<T> {
+    T::named(name).map_err(raised)
 }
 
 fn serialized(value: &impl serde::Serialize) -> String {
@@ -156,14 +141,14 @@ impl Scene {
         budget: Option<f64>,
     ) -> PyResult<String> {
         let options = PlanOptions {
-            planner: named("planner", planner, &[("modified-rrt", Planner::ModifiedRrt)])?,
-            engine: engine_named(engine)?,
-            interference: interference_named(interference)?,
+            planner: named(planner)?,
+            engine: named(engine)?,
+            interference: named(interference)?,
             seed,
             start: start.map(point),
             goal: goal.map(point),
             step,
-            post: if post == "none" { None } else { Some(order_named(post)?) },
+            post: post_named(post).map_err(raised)?,
             repeats,
             max_samples,
             budget: budget.map(seconds).transpose()?,
@@ -186,7 +171,7 @@ impl Scene {
     ) -> PyResult<String> {
         let engine = engine_of(self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        let options = RewindOptions { step, order: order_named(order)?, repeats };
+        let options = RewindOptions { step, order: named(order)?, repeats };
         let shorter = interruptible(py, |interrupted| rewind_path(&engine, &waypoints, &options, interrupted))?;
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
@@ -265,9 +250,7 @@ fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
 /// The JSON Schema of the scene, robot or path format as JSON text.
 #[pyfunction]
 fn schema(of: &str) -> PyResult<String> {
-    use io::scene_file::Format;
-    let format = named("of", of, &[("scene", Format::Scene), ("robot", Format::Robot), ("path", Format::Path)])?;
-    Ok(io::schema(format).to_string())
+    Ok(io::schema(named(of)?).to_string())
 }
 
 /// Writes a text file whole or not at all.

@@ -12,8 +12,8 @@ use crate::output::{count, result, say_notes, scene_line, short};
 pub fn run(args: &PathArgs) -> Result<Answer, Error> {
     let scene = io::load_scene(&args.scene.scene)?;
     let path = io::load_waypoints(&args.path, Some(&scene))?;
-    let engine = engine_for(&scene, args.checker.engine(), args.checker.interference())
-        .map_err(|e| e.in_file(&args.scene.scene))?;
+    let engine =
+        engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());
     let report = check_path(&engine, &path.waypoints);
     match args.scene.format {

@@ -15,7 +15,7 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_path_name).transpose()?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
     let scene = io::load_scene(&args.scene.scene)?;
-    let options = args.options();
+    let options = args.options()?;
     let engine = engine_for(&scene, options.engine, options.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());
     let found = plan(&scene, &options, &crate::interrupted).map_err(|e| e.in_file(&args.scene.scene))?;

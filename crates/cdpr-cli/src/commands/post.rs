@@ -13,7 +13,7 @@ pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     let given = &args.path;
     let scene = io::load_scene(&given.scene.scene)?;
     let path = io::load_waypoints(&given.path, Some(&scene))?;
-    let engine = engine_for(&scene, given.checker.engine(), given.checker.interference())
+    let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
     say_notes(engine.constraints());
     let shorter = rewind_path(&engine, &path.waypoints, &args.options(), &crate::interrupted)

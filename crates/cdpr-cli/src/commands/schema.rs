@@ -1,18 +1,13 @@
 //! `cdpr schema`
 
 use cdpr_core::Error;
-use cdpr_core::io::scene_file::{Format, schema};
+use cdpr_core::io::schema;
 
 use crate::Answer;
-use crate::args::{FileFormat, SchemaArgs};
+use crate::args::SchemaArgs;
 use crate::output::result;
 
 pub fn run(args: &SchemaArgs) -> Result<Answer, Error> {
-    let of = match args.of {
-        FileFormat::Scene => Format::Scene,
-        FileFormat::Robot => Format::Robot,
-        FileFormat::Path => Format::Path,
-    };
-    result(&format!("{:#}", schema(of)));
+    result(&format!("{:#}", schema(args.of)));
     Ok(Answer::Yes)
 }

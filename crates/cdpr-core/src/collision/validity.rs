@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
+use crate::choice::choices;
 use crate::geometry::Point;
 
 /// How cables are kept from each other.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Interference {
     /// They must not meet at any instant of the motion.
     #[default]
@@ -16,14 +16,20 @@ pub enum Interference {
     Swept,
 }
 
+choices!(Interference, "interference", [
+    Exact = "exact": "Cables must not meet at any instant",
+    Swept = "swept": "The triangles they sweep must be disjoint: the paper's rule, stricter",
+]);
+
 /// The engines there are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Engine {
     /// GJK on swept bodies, the paper's way.
     #[default]
     Gjk,
 }
+
+choices!(Engine, "engine", [Gjk = "gjk": "GJK on swept bodies"]);
 
 /// Which condition a motion breaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]

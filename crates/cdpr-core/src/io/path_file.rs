@@ -7,11 +7,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::text::{self, shown};
+use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
-use crate::plan::{PlanOptions, PlanResult};
+use crate::plan::{NO_POST, PlanOptions, PlanResult};
 
 /// What a path file must hold; more keys may stand beside these, and planning writes more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -53,7 +54,7 @@ pub struct SceneId {
 
 /// The JSON of a planning result; costs of unsolved ones are null.
 pub fn plan_json(scene: &Scene, options: &PlanOptions, result: &PlanResult) -> Value {
-    let post = options.post.map_or(json!("none"), |order| json!(order));
+    let post = options.post.map_or(NO_POST, Choice::name);
     json!({
         "version": FORMAT_VERSION,
         "status": result.status,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use schemars::schema_for;
 
 use super::text::{self, Notation};
+use crate::choice::choices;
 use crate::error::Error;
 use crate::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
 
@@ -78,6 +79,12 @@ pub enum Format {
     /// Path files.
     Path,
 }
+
+choices!(Format, "format", [
+    Scene = "scene": "Scene files",
+    Robot = "robot": "Robot files",
+    Path = "path": "Path files",
+]);
 
 /// JSON Schema of a file format.
 pub fn schema(format: Format) -> serde_json::Value {

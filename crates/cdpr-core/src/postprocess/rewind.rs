@@ -4,16 +4,14 @@
 //! waypoint already has; here the path must get strictly shorter. After a success the new point is the next reference.
 //! k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the reversed path.
 
-use serde::Serialize;
-
+use crate::choice::choices;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::numerics::SHORTER;
 use crate::planning::{StateSpace, Watch};
 
 /// In which order the two rewindings run (the paper, section 5.2).
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Order {
     /// Both of the following; the shorter result is kept, as the paper recommends.
     #[default]
@@ -23,6 +21,12 @@ pub enum Order {
     /// Forward rewinding, then backward.
     Forward,
 }
+
+choices!(Order, "order", [
+    Both = "both": "Both orders; the shorter result is kept",
+    Backward = "backward": "Backward rewinding, then forward",
+    Forward = "forward": "Forward rewinding, then backward",
+]);
 
 /// Options of [`rewind`].
 #[derive(Debug, Clone, PartialEq)]

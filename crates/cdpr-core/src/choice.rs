@@ -1,0 +1,65 @@
+//! Named choices: planners, engines, rules. A name and its help stand once, in the list of its type; files, the
+//! command line and Python all read that list.
+
+use crate::error::{Error, nearest_name};
+
+/// A type whose values are chosen by name.
+pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
+    /// What is chosen, as in messages: "engine".
+    const WHAT: &'static str;
+    /// All values with name and help.
+    const ALL: &'static [(Self, &'static str, &'static str)];
+
+    /// The name of this value.
+    fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(value, ..)| *value == self).expect("every value is listed").1
+    }
+
+    /// The value of a name.
+    ///
+    /// # Errors
+    /// An unknown name, with the known ones and the nearest.
+    fn named(name: &str) -> Result<Self, Error> {
+        let names = || Self::ALL.iter().map(|(_, name, _)| *name);
+        Self::ALL.iter().find(|(_, known, _)| *known == name).map(|(value, ..)| *value).ok_or_else(|| {
+            let hint = nearest_name(name, names()).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+            let known: Vec<&str> = names().collect();
+            Error::invalid(Self::WHAT, format!("found \"{name}\", expected one of {}{hint}", known.join(", ")))
+        })
+    }
+}
+
+/// Lists the values of a choice; they are serialized by name.
+macro_rules! choices {
+    ($type:ty, $what:literal, [$($variant:ident = $name:literal: $help:literal),+ $(,)?]) => {
+        impl $crate::choice::Choice for $type {
+            const WHAT: &'static str = $what;
+            const ALL: &'static [(Self, &'static str, &'static str)] = &[$((Self::$variant, $name, $help)),+];
+        }
+
+        impl serde::Serialize for $type {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str($crate::choice::Choice::name(*self))
+            }
+        }
+    };
+}
+pub(crate) use choices;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::postprocess::Order;
+
+    #[test]
+    fn names_go_there_and_back_and_slips_are_told() {
+        for (value, name, _) in Order::ALL {
+            assert_eq!((Order::named(name).unwrap(), value.name()), (*value, *name));
+        }
+        let slip = Order::named("bakward").unwrap_err().to_string();
+        assert_eq!(
+            slip,
+            "order: found \"bakward\", expected one of both, backward, forward; did you mean \"backward\"?"
+        );
+    }
+}
