@@ -77,9 +77,9 @@ pub fn proximity(a: &impl ConvexShape, b: &impl ConvexShape, apart: f64, close: 
 impl Proximity {
     /// Takes over the witness points of `simplex` if they are nearer to each other.
     fn tighten_upper(&mut self, simplex: &VoronoiSimplex) {
-        let corners = (0..=simplex.dimension()).map(|i| *simplex.point(i));
+        let corners = &std::array::from_fn::<_, 4, _>(|i| *simplex.point(i.min(simplex.dimension())));
         let weights: [f64; 4] = if simplex.dimension() == 3 {
-            barycentric_of_origin(corners.clone())
+            barycentric_of_origin(corners)
         } else {
             std::array::from_fn(|i| if i <= simplex.dimension() { simplex.proj_coord(i) } else { 0.0 })
         };
@@ -88,7 +88,7 @@ impl Proximity {
         }
         let total: f64 = weights.iter().sum();
         let (mut on_a, mut on_b) = (Vector::zeros(), Vector::zeros());
-        for (corner, weight) in corners.zip(weights) {
+        for (corner, weight) in corners.iter().zip(weights) {
             on_a += from_glam_vector(corner.orig1) * (weight / total);
             on_b += from_glam_vector(corner.orig2) * (weight / total);
         }
@@ -100,15 +100,10 @@ impl Proximity {
 }
 
 /// Weights of the four corners whose mean is the origin; not all positive if the origin is outside.
-fn barycentric_of_origin(corners: impl Iterator<Item = CsoPoint>) -> [f64; 4] {
-    let p: Vec<Vector> = corners.map(|c| from_glam_vector(c.point)).collect();
-    let volume = |a: &Vector, b: &Vector, c: &Vector| a.dot(&b.cross(c));
-    let parts = [
-        volume(&p[1], &p[2], &p[3]),
-        -volume(&p[0], &p[2], &p[3]),
-        volume(&p[0], &p[1], &p[3]),
-        -volume(&p[0], &p[1], &p[2]),
-    ];
+fn barycentric_of_origin(corners: &[CsoPoint; 4]) -> [f64; 4] {
+    let [a, b, c, d] = corners.map(|corner| from_glam_vector(corner.point));
+    let volume = |a: Vector, b: Vector, c: Vector| a.dot(&b.cross(&c));
+    let parts = [volume(b, c, d), -volume(a, c, d), volume(a, b, d), -volume(a, b, c)];
     let total: f64 = parts.iter().sum();
     parts.map(|part| part / total)
 }
