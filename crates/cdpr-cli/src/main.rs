@@ -3,16 +3,13 @@
 mod args;
 mod commands;
 mod output;
+mod progress;
 
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use args::{Cli, Command};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
-
-/// Set by Ctrl-C; long work asks for it.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// How a command that ran to its end answers.
 enum Answer {
@@ -20,14 +17,10 @@ enum Answer {
     No,
 }
 
-fn interrupted() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
-}
-
 fn main() -> ExitCode {
     let cli = Cli::parse();
     // Without a handler Ctrl-C would still end the program, only less politely.
-    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+    let _ = ctrlc::set_handler(progress::interrupt);
     match run(cli.command) {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),

@@ -195,19 +195,41 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
 #[test]
 fn a_spent_budget_exits_1() {
     let folder = folder();
-    let scene = fs::read_to_string(testdata("scenes/hard1.toml"))
-        .unwrap()
-        .replace("box = [0.3, 0.3, 1.5]", "box = [0.05, 2.0, 1.5]");
-    let ignore: Vec<String> = (0..8).map(|k| format!("[\"cable {k}\", \"pillar\"]")).collect();
-    let scene = scene.replace("version = 1\n", &format!("version = 1\nignore = [{}]\n", ignore.join(", ")));
-    fs::write(
-        folder.path().join("walled.toml"),
-        scene.replace("0.05, 2.0, 1.5", "0.05, 2.0, 2.0").replace("0.75]", "1.0]"),
-    )
-    .unwrap();
+    fs::write(folder.path().join("walled.toml"), walled()).unwrap();
     let output = cdpr_in(folder.path(), &["plan", "walled.toml", "--max-samples", "50"]);
     assert_eq!(status(&output), 1, "{}{}", stdout(&output), stderr(&output));
     assert!(stdout(&output).contains("no path found after 50 samples"));
+}
+
+/// hard1 with a wall across the workspace that only cables may pass: no path exists.
+fn walled() -> String {
+    let scene = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    let ignore: Vec<String> = (0..8).map(|k| format!("[\"cable {k}\", \"pillar\"]")).collect();
+    scene
+        .replace("version = 1\n", &format!("version = 1\nignore = [{}]\n", ignore.join(", ")))
+        .replace("box = [0.3, 0.3, 1.5]", "box = [0.05, 2.0, 2.0]")
+        .replace("0.75]", "1.0]")
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_exits_130_and_writes_nothing() {
+    let folder = folder();
+    fs::write(folder.path().join("walled.toml"), walled()).unwrap();
+    let program = assert_cmd::cargo::cargo_bin("cdpr");
+    let mut child = std::process::Command::new(program)
+        .current_dir(folder.path())
+        .args(["plan", "walled.toml", "--max-samples", "1000000000", "-o", "out.json"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    let sent = std::time::Instant::now();
+    let signal = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(signal.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(sent.elapsed().as_secs() < 2); // far above the tenth of a second meant: the machine may be busy
+    assert!(!folder.path().join("out.json").exists());
 }
 
 #[test]

@@ -5,8 +5,11 @@ use clap::CommandFactory;
 
 use crate::Answer;
 use crate::args::{Cli, CompletionsArgs};
+use crate::output::result;
 
 pub fn run(args: &CompletionsArgs) -> Result<Answer, Error> {
-    clap_complete::generate(args.shell, &mut Cli::command(), "cdpr", &mut std::io::stdout());
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "cdpr", &mut script);
+    result(String::from_utf8_lossy(&script).trim_end());
     Ok(Answer::Yes)
 }

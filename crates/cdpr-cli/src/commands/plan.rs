@@ -10,6 +10,7 @@ use cdpr_core::{Error, Scene, io};
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::output::{count, position, result, say, say_notes, scene_line, short};
+use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_path_name).transpose()?;
@@ -18,7 +19,8 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     let options = args.options()?;
     let engine = engine_for(&scene, options.engine, options.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());
-    let found = plan(&scene, &options, &crate::interrupted).map_err(|e| e.in_file(&args.scene.scene))?;
+    let found = with_sign_of_life("searching", |stop| plan(&scene, &options, stop))
+        .map_err(|e| e.in_file(&args.scene.scene))?;
     let json = io::plan_json(&scene, &options, &found);
     match args.scene.format {
         Format::Json => result(&format!("{json:#}")),

@@ -7,6 +7,7 @@ use cdpr_core::{Error, io};
 use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::output::{count, result, say, say_notes, scene_line, short};
+use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_path_name).transpose()?;
@@ -16,8 +17,8 @@ pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
     say_notes(engine.constraints());
-    let shorter = rewind_path(&engine, &path.waypoints, &args.options(), &crate::interrupted)
-        .map_err(|e| e.in_file(&given.path))?;
+    let rewind = |stop: &dyn Fn() -> bool| rewind_path(&engine, &path.waypoints, &args.options(), stop);
+    let shorter = with_sign_of_life("rewinding", rewind).map_err(|e| e.in_file(&given.path))?;
     let json = io::path_json(&scene, &shorter);
     match given.scene.format {
         Format::Json => result(&format!("{json:#}")),
