@@ -43,20 +43,6 @@ pub const GJK_ITERATIONS: usize = 64;
 /// Width at which GJK's bounds on a distance count as equal, m, well inside [`GAP_TOLERANCE`].
 pub const GJK_DISTANCE: f64 = 1e-11;
 
-/// Steps after which the march along a motion of two cables gives up and refuses the motion.
-pub const MARCH_STEPS: usize = 100_000;
-
-/// How much nearer than demanded two moving cables may come before the march refuses, m. It bounds the step from
-/// below, and with [`TOUCH_DEPTH`] stays inside [`GAP_TOLERANCE`].
-pub const MARCH_SLACK: f64 = 2.5e-8;
-
-/// Accuracy of the least distance of two moving cables, m.
-pub const LEAST_DISTANCE: f64 = 1e-8;
-
-/// Intervals after which the search for that distance ends with the best it has. A hall needs some dozens; with cables a
-/// thousand kilometres long rounding hides the bound that would end it.
-pub const LEAST_DISTANCE_STEPS: usize = 10_000;
-
 /// Bisection steps when a first contact is located: 2^-45 of a motion.
 pub const BISECTION_STEPS: usize = 45;
 

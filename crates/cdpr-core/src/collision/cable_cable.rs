@@ -8,9 +8,7 @@
 use super::constraint::CableAt;
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{Point, Vector};
-use crate::numerics::{
-    LEAST_DISTANCE, LEAST_DISTANCE_STEPS, MARCH_SLACK, MARCH_STEPS, ON_SURFACE, PARALLEL, TOUCH_DEPTH,
-};
+use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// Two cables that share neither outlet nor attachment.
 #[derive(Debug, Clone, PartialEq)]
@@ -137,75 +135,69 @@ impl CablePair {
     }
 
     /// Whether the cables come nearer to each other than the gap, at some instant of the motion.
-    ///
-    /// The march: at an instant with distance d > gap and nearest points along the unit direction n, the plane normal to
-    /// n keeps the cables apart as long as the gap along n, concave in t and made of linear pieces, stays large enough.
     pub fn nearer_than_gap(&self, from: &Point, to: &Point) -> bool {
-        let limit = self.gap - MARCH_SLACK;
-        let (u0, step) = (self.u(from), to - from);
-        let mut t = 0.0;
-        for _ in 0..MARCH_STEPS {
-            let found = self.nearest(&(from + step * t));
-            if !(found.distance > limit) {
-                return true;
-            }
-            let normal = found.offset / found.distance;
-            let lipschitz = (found.distance - limit) / step.norm();
-            t = (t + lipschitz).max(self.kept_apart_until(&normal, &u0, &step, limit));
-            if !(t < 1.0) {
-                return self.nearest(to).distance < limit;
-            }
-        }
-        true // not settled: never a safe answer
+        !(self.least_distance(from, to).0 >= self.gap - TOUCH_DEPTH)
     }
 
-    /// Last instant until which the gap along `normal`, which is at least `limit` now, stays so.
-    fn kept_apart_until(&self, normal: &Vector, u0: &Vector, step: &Vector, limit: f64) -> f64 {
-        // gap(t) = min over the ends of j minus max over the ends of i, measured from B_i along the normal.
-        let (i0, di) = (normal.dot(u0), normal.dot(step));
-        let (outlet_j, end_j) = (normal.dot(&self.w), i0 + normal.dot(&self.q));
-        let pieces = [(outlet_j, 0.0), (outlet_j - i0, -di), (end_j, di), (end_j - i0, 0.0)];
-        let root = |(value, slope): (f64, f64)| if slope < 0.0 { (limit - value) / slope } else { f64::INFINITY };
-        pieces.into_iter().map(root).fold(f64::INFINITY, f64::min)
-    }
-
-    /// Least distance of the cables' lines during a motion, m, to [`LEAST_DISTANCE`], with an instant where it is reached.
+    /// Least distance of the cables' lines during a motion, m, with an instant where it is reached.
+    ///
+    /// The distance has a continuous slope, so it is least at an end of the motion or where the distance of two features
+    /// (line and line, end and line, end and end) is stationary. With v = u + q - w, the vector of cable j, each of those
+    /// is, squared, a quotient of polynomials of degree two in time, because u × v = u × (q - w), (u - w) × v = (u - w) × q,
+    /// v × w = (u + q) × w and so on are linear: stationary at the roots of a quadratic. Looking at all of them is exact.
     pub fn least_distance(&self, from: &Point, to: &Point) -> (f64, f64) {
         if self.crosses(from, to) {
             return (0.0, 0.0);
         }
-        let (u0, step) = (self.u(from), to - from);
-        let at = |t: f64| self.nearest(&(from + step * t));
-        let mut best = (f64::INFINITY, 0.0);
-        let mut open = vec![(0.0, at(0.0), 1.0, at(1.0))];
-        for _ in 0..LEAST_DISTANCE_STEPS {
-            let Some((t0, a, t1, b)) = open.pop() else { break };
-            for (t, pair) in [(t0, &a), (t1, &b)] {
-                if pair.distance < best.0 {
-                    best = (pair.distance, t);
-                }
-            }
-            let floor = self.gap_floor(&a, &u0, &step, t0, t1).max(self.gap_floor(&b, &u0, &step, t0, t1));
-            let lipschitz = 0.5 * (a.distance + b.distance - (t1 - t0) * step.norm());
-            if floor.max(lipschitz) < best.0 - LEAST_DISTANCE && (t1 - t0) * step.norm() > TOUCH_DEPTH {
-                let middle = 0.5 * (t0 + t1);
-                open.push((middle, at(middle), t1, b));
-                open.push((t0, a, middle, at(middle)));
+        let (u0, step, w, q) = (self.u(from), to - from, self.w, self.q);
+        let (linear_u, linear_v) = (Linear(u0, step), Linear(u0 + q - w, step));
+        let (u, v) = (linear_u.square(), linear_v.square());
+        let across = q.cross(&w);
+        let volume = Linear(Vector::x() * across.dot(&u0), Vector::x() * across.dot(&step));
+        let quotients = [
+            (volume.square(), linear_u.cross(&(q - w)).square()), // line and line
+            (Linear(u0 - w, step).cross(&q).square(), v),         // attachment i and line j
+            (linear_u.cross(&q).square(), u),                     // attachment j and line i
+            (linear_u.cross(&w).square(), u),                     // outlet j and line i
+            (Linear(u0 + q, step).cross(&w).square(), v),         // outlet i and line j
+            (Linear(u0 - w, step).square(), [1.0, 0.0, 0.0]),     // attachment i and outlet j
+            (Linear(u0 + q, step).square(), [1.0, 0.0, 0.0]),     // attachment j and outlet i
+        ];
+        let mut best = (self.nearest(from).distance, 0.0);
+        let stationary = quotients.iter().flat_map(|(n, d)| stationary_points(n, d));
+        for t in stationary.filter(|t| *t > 0.0 && *t < 1.0).chain([1.0]) {
+            let distance = self.nearest(&(from + step * t)).distance;
+            if distance < best.0 {
+                best = (distance, t);
             }
         }
         best
     }
+}
 
-    /// A lower bound of the distance between two instants, from the plane that parts the cables at one of them.
-    fn gap_floor(&self, at: &SegmentPair, u0: &Vector, step: &Vector, t0: f64, t1: f64) -> f64 {
-        let Some(normal) = at.offset.try_normalize(0.0) else { return 0.0 };
-        let gap = |t: f64| {
-            let i = normal.dot(&(u0 + step * t));
-            let j = normal.dot(&self.w).min(i + normal.dot(&self.q));
-            j - i.max(0.0)
-        };
-        gap(t0).min(gap(t1)) // concave in between
+/// A vector that is linear in time: value at 0, slope.
+#[derive(Clone, Copy)]
+struct Linear(Vector, Vector);
+
+impl Linear {
+    fn cross(self, fixed: &Vector) -> Linear {
+        Linear(self.0.cross(fixed), self.1.cross(fixed))
     }
+
+    /// Coefficients of the squared length, constant first.
+    fn square(self) -> [f64; 3] {
+        [self.0.norm_squared(), 2.0 * self.0.dot(&self.1), self.1.norm_squared()]
+    }
+}
+
+/// Where the quotient of two quadratics has slope zero: N' D - N D' = 0, itself a quadratic. What is not finite is none.
+fn stationary_points(n: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
+    let a = n[2] * d[1] - n[1] * d[2];
+    let b = 2.0 * (n[2] * d[0] - n[0] * d[2]);
+    let c = n[1] * d[0] - n[0] * d[1];
+    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
+    let q = -0.5 * (b + root.copysign(b));
+    [q / a, c / q]
 }
 
 /// Instants of a motion at which a linear height, from `s0` to `s1`, is within touching of zero; for a crossing both are

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, overlap, shape_distance};
 use crate::geometry::{Aabb, ConvexShape, Point, Polytope, Swept, Triangle, Vector, segment_segment};
 use crate::model::Scene;
-use crate::numerics::{BISECTION_STEPS, LEAST_DISTANCE, TOUCH_DEPTH};
+use crate::numerics::{BISECTION_STEPS, TOUCH_DEPTH};
 
 /// Answers the constraints of a scene at its orientation by GJK.
 ///
@@ -192,8 +192,7 @@ impl Validity for GjkEngine {
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
         let gaps = self.constraints.list.iter().filter_map(|c| Some((self.gap(c, from, to)?, c)));
         let (value, nearest) = gaps.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let reached =
-            |t: f64| self.gap(nearest, from, &at(from, to, t)).is_some_and(|gap| gap <= value + 2.0 * LEAST_DISTANCE);
+        let reached = |t: f64| self.gap(nearest, from, &at(from, to, t)).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
         Some(Clearance { value, at: first_true(reached), culprits: self.constraints.culprits(nearest) })
     }
 }
