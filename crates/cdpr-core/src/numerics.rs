@@ -37,6 +37,9 @@ pub const UNIT_QUATERNION: f64 = 1e-6;
 /// Coplanarity of hull vertices relative to the size of the body: input typed with rounding still has its faces.
 pub const COPLANAR_RELATIVE: f64 = 1e-10;
 
+/// Largest height over a face at which a vertex is still taken for a corner of it, m; well inside [`GAP_TOLERANCE`].
+pub const COPLANAR_AT_MOST: f64 = 1e-8;
+
 /// Iterations after which GJK stops; its answer is then the interval it has certified, never a guess.
 pub const GJK_ITERATIONS: usize = 64;
 

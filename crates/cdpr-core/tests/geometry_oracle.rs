@@ -6,7 +6,7 @@ mod support;
 use cdpr_core::geometry::gjk::{nearer_than, overlap, shape_distance};
 use cdpr_core::geometry::separating_axes::{gap_along, separation};
 use cdpr_core::geometry::{ConvexShape, Point, Polytope, Rotation, Swept, Triangle, Vector};
-use cdpr_core::numerics::GAP_TOLERANCE;
+use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
 use rand::RngExt;
 use support::{body, clipped, direction, rng, rotation, surface_point, triangle, uniform, vector};
 
@@ -20,7 +20,7 @@ fn cables_against_bodies_agree_with_clipping() {
         let corners = triangle(&mut rng, &obstacle).map(|p| p + shift);
         let obstacle = obstacle.transformed(&Rotation::identity(), &shift);
         let [b, p, q] = corners;
-        let verdict = overlap(&Triangle::new(b, p, q), &obstacle);
+        let verdict = overlap(&Triangle::new(b, p, q), &obstacle, TOUCH_DEPTH);
         if !clipped(&corners, &obstacle, -GAP_TOLERANCE).is_empty() {
             hits += 1;
             assert!(verdict, "case {case}: declared free, but overlaps: {corners:?} {:?}", obstacle.vertices());
@@ -64,7 +64,7 @@ fn swept_platforms_against_bodies_agree_with_clipping_in_configuration_space() {
         let along = direction(&mut rng) * 10f64.powf(uniform(&mut rng, -6.0, 0.3));
         let from = anchor - along * uniform(&mut rng, 0.0, 1.0);
         let path = [from, from + along];
-        let verdict = overlap(&Swept::new(&platform, from.coords, along), &obstacle);
+        let verdict = overlap(&Swept::new(&platform, from.coords, along), &obstacle, TOUCH_DEPTH);
         if !clipped(&path, &difference, -GAP_TOLERANCE).is_empty() {
             hits += 1;
             assert!(verdict, "case {case}: declared free, but overlaps");

@@ -87,18 +87,16 @@ impl CablePair {
             Plane::Spanned { normal, sine } => {
                 let (s0, s1) = (normal.dot(&u0), normal.dot(&u1));
                 let Some((t0, t1)) = instants_near_plane(s0, s1) else { return false };
-                let at = |t: f64| self.coordinates(&(u0 + (u1 - u0) * t));
+                let at = |t: f64| self.coordinates(&(u0 + (u1 - u0) * t), normal);
                 self.meets_wedge(at(t0), at(t1), *sine)
             }
         }
     }
 
-    /// α and β of the projection of u on the plane of w and q.
-    fn coordinates(&self, u: &Vector) -> [f64; 2] {
-        let (ww, wq, qq) = (self.w.norm_squared(), self.w.dot(&self.q), self.q.norm_squared());
-        let determinant = ww * qq - wq * wq;
-        let (uw, uq) = (u.dot(&self.w), u.dot(&self.q));
-        [(uw * qq - uq * wq) / determinant, (uq * ww - uw * wq) / determinant]
+    /// α and β of u = α w + β q, for u near the plane of w and q with this normal.
+    fn coordinates(&self, u: &Vector, normal: &Vector) -> [f64; 2] {
+        let area = normal.dot(&self.w.cross(&self.q));
+        [normal.dot(&u.cross(&self.q)) / area, normal.dot(&self.w.cross(u)) / area]
     }
 
     /// Whether the straight way between two points of the plane enters either wedge by more than touching.
@@ -200,16 +198,15 @@ fn stationary_points(n: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
     [q / a, c / q]
 }
 
-/// Instants of a motion at which a linear height, from `s0` to `s1`, is within touching of zero; for a crossing both are
-/// the same instant.
+/// First and last instant of a motion at which a linear height, from `s0` to `s1`, is within touching of zero.
 fn instants_near_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
-    match (s0.abs() <= TOUCH_DEPTH, s1.abs() <= TOUCH_DEPTH) {
-        (true, true) => Some((0.0, 1.0)), // moves within the plane
-        (true, false) => Some((0.0, 0.0)),
-        (false, true) => Some((1.0, 1.0)),
-        (false, false) if (s0 > 0.0) == (s1 > 0.0) => None,
-        (false, false) => Some((s0 / (s0 - s1), s0 / (s0 - s1))),
+    let slope = s1 - s0;
+    if slope == 0.0 {
+        return (s0.abs() <= TOUCH_DEPTH).then_some((0.0, 1.0));
     }
+    let (a, b) = ((TOUCH_DEPTH - s0) / slope, (-TOUCH_DEPTH - s0) / slope);
+    let (first, last) = (a.min(b).max(0.0), a.max(b).min(1.0));
+    (first <= last).then_some((first, last))
 }
 
 /// Whether two linear functions, given at both ends of an interval, are positive together somewhere on it.

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
 use crate::model::{Member, Scene};
-use crate::numerics::{MIN_CABLE_LENGTH, ON_SURFACE};
+use crate::numerics::{MIN_CABLE_LENGTH, ON_SURFACE, TOUCH_DEPTH};
 
 /// How a cable must keep away from a convex body.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,26 +19,18 @@ pub enum Demand {
         /// Least distance, m.
         gap: f64,
     },
-    /// The body's interior is not entered; no distance is kept, because none can be, or because others keep it.
-    Outside,
+    /// The body is not entered by more than `touch` metres; no distance is kept, because none can be, or because others
+    /// keep it.
+    Outside {
+        /// Depth that still counts as touching, m.
+        touch: f64,
+    },
     /// The cable ends on the body's surface. It enters the body iff its direction from there goes below *every* facet
     /// that is active at that end.
     Leave {
         /// Outward unit normals of the active facets.
         normals: Vec<Vector>,
     },
-}
-
-impl Demand {
-    /// The distance to keep, m, or, for a cable that ends on the body, the normals that decide.
-    #[inline]
-    pub fn gap(&self) -> Result<f64, &[Vector]> {
-        match self {
-            Demand::Apart { gap } => Ok(*gap),
-            Demand::Outside => Ok(0.0),
-            Demand::Leave { normals } => Err(normals),
-        }
-    }
 }
 
 /// One condition on the position of the platform.
@@ -125,8 +117,9 @@ pub struct ObstacleBody {
     pub body: Polytope,
     /// Index into [`Scene::obstacles`]; two, maybe equal, for the seam between parts.
     pub between: [usize; 2],
-    /// Whether it closes a seam: then its inside is forbidden, but distances are those of the parts around it.
-    pub seam: bool,
+    /// For a body that closes a seam: its inside is forbidden, deeper than this, m, but distances are those of the parts
+    /// around it.
+    pub seam: Option<f64>,
     /// Name of the obstacle.
     pub name: String,
 }
@@ -240,7 +233,7 @@ impl Constraints {
                 continue;
             }
             for body in 0..self.platform.len() {
-                let seam = body >= scene.robot().parts().len();
+                let seam = body.checked_sub(scene.robot().parts().len()).map(|k| scene.robot().seams()[k].touch);
                 let demanded = scene.clearance() + self.cables[cable].radius;
                 if let Some(demand) = self.demand_of_part(cable, body, seam, demanded) {
                     self.list.push(Constraint::CablePlatform { cable, body, demand });
@@ -249,7 +242,7 @@ impl Constraints {
         }
     }
 
-    fn demand_of_part(&mut self, cable: usize, body: usize, seam: bool, demanded: f64) -> Option<Demand> {
+    fn demand_of_part(&mut self, cable: usize, body: usize, seam: Option<f64>, demanded: f64) -> Option<Demand> {
         let CableAt { arm, name, .. } = &self.cables[cable];
         let attachment = Point::from(*arm);
         let part = &self.platform[body];
@@ -258,15 +251,15 @@ impl Constraints {
             // A plate, a segment or a point has no interior that the cable could enter.
             return part.has_volume().then(|| Demand::Leave { normals: part.active_normals(&attachment) });
         }
-        if seam {
-            return Some(Demand::Outside);
+        if let Some(touch) = seam {
+            return Some(Demand::Outside { touch });
         }
         if distance < demanded {
             self.notes.push(format!(
                 "{name} is attached {distance:.4} m from a platform part and can never keep {demanded:.4} m from it; \
                  only entering it counts"
             ));
-            return Some(Demand::Outside);
+            return Some(Demand::Outside { touch: TOUCH_DEPTH });
         }
         Some(Demand::Apart { gap: demanded })
     }
@@ -300,10 +293,10 @@ impl Constraints {
             }
             for part in 0..scene.robot().parts().len() {
                 // A part with volume that reaches into a seam reaches into the parts on both sides of it.
-                if obstacle.seam && self.platform[part].has_volume() {
+                if obstacle.seam.is_some() && self.platform[part].has_volume() {
                     continue;
                 }
-                let gap = if obstacle.seam { 0.0 } else { scene.clearance() };
+                let gap = if obstacle.seam.is_some() { 0.0 } else { scene.clearance() };
                 self.list.push(Constraint::PlatformObstacle { part, body, gap });
             }
         }
@@ -327,8 +320,8 @@ impl Constraints {
         if !normals.is_empty() {
             return Demand::Leave { normals };
         }
-        if obstacle.seam {
-            return Demand::Outside;
+        if let Some(touch) = obstacle.seam {
+            return Demand::Outside { touch };
         }
         let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), &obstacle.body).distance;
         if distance >= gap {
@@ -336,7 +329,7 @@ impl Constraints {
         }
         let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(outlet).is_empty();
         if self.obstacles.iter().any(carries) {
-            return Demand::Outside; // a neighbouring part of the body that the winch is bolted to
+            return Demand::Outside { touch: TOUCH_DEPTH }; // a neighbouring part of the body that the winch is bolted to
         }
         self.notes.push(format!(
             "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
@@ -363,6 +356,6 @@ fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {
         ObstacleBody { body: body.clone(), between, seam, name }
     };
     let parts = scene.obstacles().iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part)));
-    let parts = parts.map(|(j, part)| body(part, [j, j], false));
-    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between, true))).collect()
+    let parts = parts.map(|(j, part)| body(part, [j, j], None));
+    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between, Some(s.touch)))).collect()
 }

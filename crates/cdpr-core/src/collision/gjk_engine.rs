@@ -57,13 +57,9 @@ impl GjkEngine {
             }
             Constraint::CablePlatform { cable, body, demand } => {
                 let cable = &c.cables[*cable];
-                match demand.gap() {
-                    Ok(gap) => meets(&cable.sweep_seen_from_platform(from, to), &c.platform[*body], gap),
-                    Err(normals) => {
-                        let along = |p: &Point| cable.outlet - (p + cable.arm);
-                        goes_below_all(normals, along(from), along(to))
-                    }
-                }
+                let along = |p: &Point| cable.outlet - (p + cable.arm);
+                let sweep = || cable.sweep_seen_from_platform(from, to);
+                cable_breaks(demand, sweep, [along(from), along(to)], &c.platform[*body])
             }
             Constraint::CableCable(pair) => {
                 let swept = || {
@@ -75,20 +71,17 @@ impl GjkEngine {
                     || (self.interference == Interference::Exact && pair.gap > 0.0 && pair.nearer_than_gap(from, to))
             }
             Constraint::PlatformObstacle { part, body, gap } => {
-                let (part, body) = (&c.platform[*part], &c.obstacles[*body].body);
+                let (part, obstacle) = (&c.platform[*part], &c.obstacles[*body]);
                 let bounds = part.aabb().swept(&from.coords, &to.coords);
                 let swept = Swept::new(part, from.coords, to - from);
-                !bounds.apart_by(body.aabb(), *gap) && close(&swept, body, *gap)
+                !bounds.apart_by(obstacle.body.aabb(), *gap)
+                    && too_close(&swept, &obstacle.body, *gap, obstacle.seam.unwrap_or(TOUCH_DEPTH))
             }
             Constraint::CableObstacle { cable, body, demand } => {
                 let cable = &c.cables[*cable];
-                match demand.gap() {
-                    Ok(gap) => meets(&cable.sweep(from, to), &c.obstacles[*body].body, gap),
-                    Err(normals) => {
-                        let along = |p: &Point| p + cable.arm - cable.outlet;
-                        goes_below_all(normals, along(from), along(to))
-                    }
-                }
+                let along = |p: &Point| p + cable.arm - cable.outlet;
+                let sweep = || cable.sweep(from, to);
+                cable_breaks(demand, sweep, [along(from), along(to)], &c.obstacles[*body].body)
             }
         }
     }
@@ -117,7 +110,7 @@ impl GjkEngine {
         let counts = match constraint {
             Constraint::Workspace { .. } | Constraint::CableLength { .. } => false,
             Constraint::CableCable(pair) => !pair.excused,
-            Constraint::PlatformObstacle { body, .. } => !self.constraints.obstacles[*body].seam,
+            Constraint::PlatformObstacle { body, .. } => self.constraints.obstacles[*body].seam.is_none(),
             Constraint::CablePlatform { demand, .. } | Constraint::CableObstacle { demand, .. } => {
                 matches!(demand, Demand::Apart { .. })
             }
@@ -145,6 +138,22 @@ impl GjkEngine {
                 shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius
             }
         }
+    }
+
+    /// Whether a broken constraint is about a seam while the cable breaks that of a part beside the seam as well, which
+    /// tells the true culprit and depth.
+    fn told_by_others(&self, constraint: &Constraint, broken: &[&Constraint]) -> bool {
+        let c = &self.constraints;
+        let Constraint::CableObstacle { cable, body, .. } = constraint else { return false };
+        let seam = &c.obstacles[*body];
+        let part_beside = |other: &&Constraint| match other {
+            Constraint::CableObstacle { cable: same, body, .. } => {
+                let part = &c.obstacles[*body];
+                same == cable && part.seam.is_none() && seam.between.contains(&part.between[0])
+            }
+            _ => false,
+        };
+        seam.seam.is_some() && broken.iter().any(part_beside)
     }
 
     /// Where and how badly a motion breaks a constraint that it is known to break.
@@ -184,7 +193,9 @@ impl Validity for GjkEngine {
 
     fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
         let broken = self.constraints.list.iter().filter(|constraint| self.breaks(constraint, from, to));
-        let mut violations: Vec<Violation> = broken.map(|constraint| self.violation(constraint, from, to)).collect();
+        let broken: Vec<&Constraint> = broken.collect();
+        let told = broken.iter().filter(|constraint| !self.told_by_others(constraint, &broken));
+        let mut violations: Vec<Violation> = told.map(|constraint| self.violation(constraint, from, to)).collect();
         violations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
         merge_parts(violations)
     }
@@ -209,15 +220,22 @@ fn merge_parts(violations: Vec<Violation>) -> Vec<Violation> {
     merged
 }
 
-/// Whether a cable's triangle comes nearer to a body than `gap`, or enters it where `gap` is 0.
+/// Whether a moving cable breaks a demand: by the triangle it sweeps, or by its direction (at the start and at the end of
+/// the motion) from where it ends on the body.
 #[inline]
-fn meets(cable: &Triangle, body: &Polytope, gap: f64) -> bool {
-    !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && close(cable, body, gap)
+fn cable_breaks(demand: &Demand, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
+    let (gap, touch) = match demand {
+        Demand::Leave { normals } => return goes_below_all(normals, along[0], along[1]),
+        Demand::Apart { gap } => (*gap, TOUCH_DEPTH),
+        Demand::Outside { touch } => (0.0, *touch),
+    };
+    let cable = sweep();
+    !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
 }
 
 #[inline]
-fn close(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64) -> bool {
-    if gap > 0.0 { nearer_than(a, b, gap) } else { overlap(a, b) }
+fn too_close(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64, touch: f64) -> bool {
+    if gap > 0.0 { nearer_than(a, b, gap) } else { overlap(a, b, touch) }
 }
 
 /// Whether a direction that goes linearly from `start` to `end` lies below all planes through the origin at some instant.

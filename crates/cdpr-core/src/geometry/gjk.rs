@@ -170,12 +170,11 @@ pub fn shape_distance(a: &impl ConvexShape, b: &impl ConvexShape) -> Distance {
     Distance { distance, on_a, on_b, depth: 0.0, axis }
 }
 
-/// Whether two shapes overlap: they share a point, and more than touch (deeper than [`TOUCH_DEPTH`]).
+/// Whether two shapes overlap by more than `touch`, m, the depth up to which they only touch.
 ///
 /// The certified yes of GJK's separating direction settles most cases; whatever it leaves open, separating axes decide.
-pub fn overlap(a: &impl ConvexShape, b: &impl ConvexShape) -> bool {
-    proximity(a, b, -TOUCH_DEPTH, -1.0).lower <= -TOUCH_DEPTH
-        && super::separating_axes::overlap_deeper_than(a, b, TOUCH_DEPTH)
+pub fn overlap(a: &impl ConvexShape, b: &impl ConvexShape, touch: f64) -> bool {
+    proximity(a, b, -touch, -1.0).lower <= -touch && super::separating_axes::overlap_deeper_than(a, b, touch)
 }
 
 /// Whether two shapes are nearer to each other than `gap`, m (> 0), by more than [`TOUCH_DEPTH`].

@@ -8,7 +8,7 @@ use parry3d_f64::transformation::try_convex_hull;
 
 use super::polytope::Facet;
 use super::{Point, Vector};
-use crate::numerics::{COPLANAR_RELATIVE, FLAT};
+use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT};
 
 /// Corners of a hull and its facets over them.
 pub(super) struct Hull {
@@ -80,16 +80,42 @@ pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Hull {
     Hull { corners, facets }
 }
 
-/// Counter-clockwise hull of points in the plane (Andrew's monotone chain), as indices.
+/// Counter-clockwise hull of points in the plane, as indices, without corners that stand out by rounding only.
 fn convex_ring(points: &[[f64; 2]]) -> Vec<usize> {
+    let ring = monotone_chain(points);
+    let mut thinned = ring.clone();
+    let mut k = 0;
+    while k < thinned.len() && thinned.len() > 3 {
+        let n = thinned.len();
+        let [before, at, after] = [(k + n - 1) % n, k, (k + 1) % n].map(|i| points[thinned[i]]);
+        if height(before, after, at).abs() <= ROUNDING {
+            thinned.remove(k);
+        } else {
+            k += 1;
+        }
+    }
+    // Thinning must not cost a corner: every point stays within rounding of the polygon.
+    let n = thinned.len();
+    let covers =
+        |p: &[f64; 2]| (0..n).all(|k| height(points[thinned[k]], points[thinned[(k + 1) % n]], *p) >= -2.0 * ROUNDING);
+    if points.iter().all(covers) { thinned } else { ring }
+}
+
+/// How far a corner must stand out from the chord of its neighbours, m.
+const ROUNDING: f64 = FLAT * 1e-2;
+
+/// Height of `c` to the left of the line from `a` to `b`.
+fn height(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    (ab[0] * ac[1] - ab[1] * ac[0]) / ab[0].hypot(ab[1])
+}
+
+/// Andrew's monotone chain, exactly as it stands: no tolerance inside, or it pops true corners.
+fn monotone_chain(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
-    let turns_left = |ring: &[usize], k: usize| {
-        let [a, b] = [points[ring[ring.len() - 2]], points[ring[ring.len() - 1]]];
-        let c = points[k];
-        let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-        ab[0] * ac[1] - ab[1] * ac[0] > FLAT * 1e-2 * ac[0].hypot(ac[1])
-    };
+    let turns_left =
+        |ring: &[usize], k: usize| height(points[ring[ring.len() - 2]], points[ring[ring.len() - 1]], points[k]) > 0.0;
     let half = |order: &mut dyn Iterator<Item = usize>| {
         let mut ring: Vec<usize> = Vec::new();
         for k in order {
@@ -111,43 +137,60 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     // Which points are on the hull does not change under affine maps, but parry takes a slab a thousand times longer
     // than thick for flat: let it see an even one.
     let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
-    let (vertices, triangles) = try_convex_hull(&even).ok()?;
-    let original = |i: u32| even.iter().position(|e| *e == vertices[i as usize]).map(|k| points[k]);
-    let triangles: Vec<[Point; 3]> =
-        triangles.iter().map(|[i, j, k]| Some([original(*i)?, original(*j)?, original(*k)?])).collect::<Option<_>>()?;
-    let vertices: Vec<Point> = (0..vertices.len() as u32).map(original).collect::<Option<_>>()?;
-    let tolerance = COPLANAR_RELATIVE * extent.reach[0];
-    let hull = corners_and_facets(&vertices, &merged_planes(&vertices, &triangles, tolerance))?;
-    let inside = |p: &Point| hull.facets.iter().all(|f| f.height(p) <= 10.0 * tolerance);
-    (is_closed(&hull) && points.iter().all(inside)).then_some(hull)
+    let (kept, triangles) = try_convex_hull(&even).ok()?;
+    let original = |v: &Glam| even.iter().position(|e| e == v).map(|k| points[k]);
+    let vertices: Vec<Point> = kept.iter().map(original).collect::<Option<_>>()?;
+    let triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|i| i as usize)).collect();
+    // Coordinates typed with some decimals have faces that are flat up to that rounding, and merging is only closed if
+    // the tolerance is well above or well below it: widen it step by step, and at last merge nothing.
+    let tight = (COPLANAR_RELATIVE * extent.reach[0]).min(0.01 * COPLANAR_AT_MOST);
+    [tight, 10.0 * tight, 100.0 * tight, COPLANAR_AT_MOST, 0.0].into_iter().find_map(|tolerance| {
+        let hull = corners_and_facets(&vertices, &merged_planes(&vertices, &triangles, tolerance))?;
+        let inside = |p: &Point| hull.facets.iter().all(|f| f.height(p) <= 2.0 * COPLANAR_AT_MOST);
+        (is_closed(&hull) && points.iter().all(inside)).then_some(hull)
+    })
 }
 
-/// The planes of the hull, each as the list of vertices on it; the largest triangle of a plane defines it.
-fn merged_planes(vertices: &[Point], triangles: &[[Point; 3]], tolerance: f64) -> Vec<(Vector, Vec<usize>)> {
+/// A plane of a hull: its outward normal and the vertices on it.
+type Plane = (Vector, Vec<usize>);
+
+/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it holds.
+fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Plane> {
     let outward = handedness(vertices, triangles);
-    let mut faces: Vec<(f64, Vector, Point)> = triangles
-        .iter()
-        .map(|[a, b, c]| ((b - a).cross(&(c - a)) * outward, *a))
-        .filter(|(area, _)| area.norm() > 0.0)
-        .map(|(area, a)| (area.norm(), area.normalize(), a))
-        .collect();
-    faces.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut planes: Vec<(Vector, Vec<usize>)> = Vec::new();
-    for (_, normal, point) in faces {
-        let on: Vec<usize> =
-            (0..vertices.len()).filter(|&i| (vertices[i] - point).dot(&normal).abs() <= tolerance).collect();
-        let known = planes.iter().any(|(n, held)| n.dot(&normal) > 0.0 && on.iter().all(|i| held.contains(i)));
-        if !known {
-            planes.push((normal, on));
+    let area = |t: &[usize; 3]| outward * doubled_area(vertices, t);
+    // Slivers have no direction of their own.
+    let mut faces: Vec<(Vector, [usize; 3])> = triangles.iter().map(|t| (area(t), *t)).collect();
+    faces.retain(|(area, t)| area.norm() > 10.0 * tolerance * longest_side(vertices, t));
+    faces.sort_by(|a, b| b.0.norm_squared().total_cmp(&a.0.norm_squared()));
+    let mut planes: Vec<Plane> = Vec::new();
+    for (area, own) in faces {
+        let normal = area.normalize();
+        let held_by = |(n, held): &Plane| n.dot(&normal) > 0.0 && own.iter().all(|i| held.contains(i));
+        let height = |i: usize| (vertices[i] - vertices[own[0]]).dot(&normal);
+        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the body.
+        let supports = || tolerance == 0.0 || (0..vertices.len()).all(|i| height(i) <= 2.0 * tolerance);
+        if !planes.iter().any(held_by) && supports() {
+            let near = |i: &usize| own.contains(i) || height(*i).abs() <= tolerance;
+            planes.push((normal, (0..vertices.len()).filter(near).collect()));
         }
     }
     planes
 }
 
+/// Twice the area of a triangle along its normal.
+fn doubled_area(vertices: &[Point], [a, b, c]: &[usize; 3]) -> Vector {
+    (vertices[*b] - vertices[*a]).cross(&(vertices[*c] - vertices[*a]))
+}
+
+fn longest_side(vertices: &[Point], [a, b, c]: &[usize; 3]) -> f64 {
+    let side = |i: &usize, j: &usize| (vertices[*j] - vertices[*i]).norm();
+    side(a, b).max(side(b, c)).max(side(c, a))
+}
+
 /// 1 if the triangles turn counter-clockwise seen from outside, else -1 (the axes of the even image may mirror).
-fn handedness(vertices: &[Point], triangles: &[[Point; 3]]) -> f64 {
+fn handedness(vertices: &[Point], triangles: &[[usize; 3]]) -> f64 {
     let middle = vertices.iter().map(|v| v.coords).sum::<Vector>() / vertices.len() as f64;
-    let volume: f64 = triangles.iter().map(|[a, b, c]| (b - a).cross(&(c - a)).dot(&(a.coords - middle))).sum();
+    let volume: f64 = triangles.iter().map(|t| doubled_area(vertices, t).dot(&(vertices[t[0]].coords - middle))).sum();
     volume.signum()
 }
 

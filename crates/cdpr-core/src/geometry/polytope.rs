@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use super::gjk::shape_distance;
 use super::hull::{self, Extent, Hull};
 use super::separating_axes::unit_cross;
+use super::shape::Triangle;
 use super::{Point, Rotation, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT};
 
@@ -254,7 +256,9 @@ impl Polytope {
     /// Outward normals of the facets that `point` lies on, none if it does not lie on the surface (within
     /// [`ON_SURFACE`]) of a body with volume.
     pub fn active_normals(&self, point: &Point) -> Vec<Vector> {
-        if self.depth_of(point).abs() > ON_SURFACE {
+        // Low over all planes is not near: beyond a sharp edge the planes run on together.
+        let here = Triangle::new(*point, *point, *point);
+        if !(self.depth_of(point).abs() <= ON_SURFACE && shape_distance(&here, self).distance <= ON_SURFACE) {
             return Vec::new();
         }
         self.facets.iter().filter(|f| f.height(point).abs() <= ON_SURFACE).map(|f| f.normal).collect()

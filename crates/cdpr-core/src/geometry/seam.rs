@@ -3,11 +3,11 @@
 //! A cable that lies in the face two parts share is inside their union, yet inside neither part. The shared face,
 //! thickened into a bipyramid that stays within the union, is one more convex part; with it "inside some part" and
 //! "inside the union" agree. Limit: an edge line along which three or more parts meet without any two sharing a face
-//! around it is not covered; only a cable exactly along that line could tell.
+//! around it is not covered; only a cable exactly along that line could tell. Parts without volume have no seams.
 
 use super::polytope::Facet;
 use super::{Point, Polytope, Vector};
-use crate::numerics::{FLAT, ON_SURFACE};
+use crate::numerics::{FLAT, ON_SURFACE, TOUCH_DEPTH};
 
 /// A body that closes the seam between two parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +16,9 @@ pub struct Seam {
     pub body: Polytope,
     /// Which two parts.
     pub between: [usize; 2],
+    /// Depth in the body that still counts as touching, m. The body is thin towards its rim, the more so the thinner the
+    /// parts; this much deep in it is [`TOUCH_DEPTH`] inside the rim of the shared face.
+    pub touch: f64,
 }
 
 /// The seams between all pairs of parts that share a face; none for parts that overlap or are apart.
@@ -23,8 +26,13 @@ pub fn seams(parts: &[&Polytope]) -> Vec<Seam> {
     let mut found = Vec::new();
     for (i, a) in parts.iter().enumerate() {
         for (j, b) in parts.iter().enumerate().skip(i + 1) {
-            let body = shared_face(a, b).and_then(|face| bipyramid(&face, a, b));
-            found.extend(body.map(|body| Seam { body, between: [i, j] }));
+            let Some(face) = shared_face(a, b) else { continue };
+            let steepness = |body: &Polytope| {
+                let rise = |f: &Facet| f.normal.cross(&face.1).norm();
+                body.facets().iter().map(rise).fold(1.0, f64::min)
+            };
+            let body = bipyramid(&face, a, b);
+            found.extend(body.map(|body| Seam { touch: TOUCH_DEPTH * steepness(&body), body, between: [i, j] }));
         }
     }
     found

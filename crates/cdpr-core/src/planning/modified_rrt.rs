@@ -51,11 +51,11 @@ pub fn modified_rrt<S: StateSpace>(
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
-    let (mut motion_checks, mut samples) = (0, 0);
+    let (mut motion_checks, mut samples) = (0usize, 0usize);
     let mut out_of_time = false;
     let mut collision_free = |from: &S::State, to: &S::State| {
         motion_checks += 1;
-        out_of_time |= motion_checks % POLL == 0 && watch.expired()?;
+        out_of_time |= motion_checks.is_multiple_of(POLL) && watch.expired()?;
         Ok::<bool, Error>(!out_of_time && validity.motion_valid(from, to))
     };
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
@@ -69,7 +69,7 @@ pub fn modified_rrt<S: StateSpace>(
                 break Status::Solved;
             }
         }
-        if samples == options.max_samples || (samples % POLL == 0 && watch.expired()?) {
+        if samples == options.max_samples || (samples.is_multiple_of(POLL) && watch.expired()?) {
             break Status::BudgetSpent;
         }
         samples += 1;

@@ -104,6 +104,12 @@ enum Direction {
     Forward,
 }
 
+/// After which waypoint a reference is connected, and, if not there, at which new point of the segment that follows.
+type Connection<State> = Option<(usize, Option<State>)>;
+
+/// Points tried between two looks at whether to stop.
+const POLL: usize = 64;
+
 struct Rewinder<'a, S: StateSpace> {
     space: &'a S,
     validity: &'a dyn Validity<S::State>,
@@ -132,8 +138,7 @@ impl<S: StateSpace> Rewinder<'_, S> {
     fn backward(&self, path: &mut Vec<S::State>) -> Result<(), Error> {
         let mut reference = path.len().saturating_sub(1);
         while reference >= 2 {
-            self.watch.expired()?;
-            reference = match self.earliest_connection(path, reference) {
+            reference = match self.earliest_connection(path, reference)? {
                 Some((j, None)) => {
                     path.drain(j + 1..reference);
                     j
@@ -150,24 +155,30 @@ impl<S: StateSpace> Rewinder<'_, S> {
 
     /// The first point along the path, at a waypoint j or in steps after it, that shortens the path to the reference and
     /// can be connected to it.
-    fn earliest_connection(&self, path: &[S::State], reference: usize) -> Option<(usize, Option<S::State>)> {
+    fn earliest_connection(&self, path: &[S::State], reference: usize) -> Result<Connection<S::State>, Error> {
         let x_i = &path[reference];
+        let mut old = self.length(&path[..=reference]); // from x_j along the path to the reference
+        let mut tried = 0usize;
         for j in 0..=reference - 2 {
             let (x_j, x_next) = (&path[j], &path[j + 1]);
             let segment = self.space.distance(x_j, x_next);
-            let old = self.length(&path[j..=reference]);
             let steps = (segment / self.step * (1.0 + 1e-12)).floor() as usize;
             for k in 0..=steps {
+                if tried.is_multiple_of(POLL) {
+                    self.watch.expired()?;
+                }
+                tried += 1;
                 let along = k as f64 * self.step;
                 let x_step =
                     if k == 0 { *x_j } else { self.space.interpolate(x_j, x_next, (along / segment).min(1.0)) };
                 let new = self.space.distance(x_j, &x_step) + self.space.distance(&x_step, x_i);
                 if new < old - SHORTER && self.connects(x_j, &x_step, x_i, k) {
-                    return Some((j, (k > 0).then_some(x_step)));
+                    return Ok(Some((j, (k > 0).then_some(x_step))));
                 }
             }
+            old -= segment;
         }
-        None
+        Ok(None)
     }
 
     /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it (it is
