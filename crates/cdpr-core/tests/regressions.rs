@@ -52,6 +52,27 @@ fn a_vertex_in_the_middle_of_an_edge_costs_no_corner() {
 }
 
 #[test]
+fn points_in_line_across_the_longest_direction_cost_no_corner() {
+    let points = [
+        [0.3881223736362205, -0.1435992222049941],
+        [-0.7762447472724413, 0.2871984444099885],
+        [0.6368435224226434, 0.5286484484871715],
+        [0.04783662763757368, -0.7055423591664449],
+        [0.13940122484979756, -0.8158468928971597],
+    ];
+    let hull = Polytope::hull_of(&points.map(|[x, y]| at(x, y, 0.0))).unwrap();
+    assert_eq!(hull.vertices().len(), 3); // the first and the fourth lie on sides
+    assert!(hull.vertices().contains(&at(0.6368435224226434, 0.5286484484871715, 0.0)));
+    let mut rng = rng(4);
+    for _ in 0..50_000 {
+        let angle = uniform(&mut rng, 0.0, std::f64::consts::TAU);
+        let turn = Rotation::from_scaled_axis(Vector::z() * angle);
+        let triangle = [[0.0, 0.0], [0.0, 1.0], [0.0, -1.0], [5.0, 0.0]].map(|[x, y]| turn * at(x, y, 0.0));
+        assert_eq!(Polytope::hull_of(&triangle).unwrap().vertices().len(), 3);
+    }
+}
+
+#[test]
 fn flat_hulls_keep_every_corner() {
     let mut rng = rng(1);
     for case in 0..50_000 {

@@ -86,7 +86,7 @@ impl CablePair {
             Plane::Parallel => self.overlaps_on_outlet_line(&u0, &u1),
             Plane::Spanned { normal, sine } => {
                 let (s0, s1) = (normal.dot(&u0), normal.dot(&u1));
-                let Some((t0, t1)) = instants_near_plane(s0, s1) else { return false };
+                let Some((t0, t1)) = instants_in_plane(s0, s1) else { return false };
                 let at = |t: f64| self.coordinates(&(u0 + (u1 - u0) * t), normal);
                 self.meets_wedge(at(t0), at(t1), *sine)
             }
@@ -198,15 +198,16 @@ fn stationary_points(n: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
     [q / a, c / q]
 }
 
-/// First and last instant of a motion at which a linear height, from `s0` to `s1`, is within touching of zero.
-fn instants_near_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
-    let slope = s1 - s0;
-    if slope == 0.0 {
-        return (s0.abs() <= TOUCH_DEPTH).then_some((0.0, 1.0));
+/// First and last instant at which a motion is in a plane, its height over it going linearly from `s0` to `s1`: the
+/// instant of crossing, and with it the way there from an end that touches the plane already.
+fn instants_in_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
+    let crossing = ((s0 > 0.0) != (s1 > 0.0)).then(|| s0 / (s0 - s1));
+    match (s0.abs() <= TOUCH_DEPTH, s1.abs() <= TOUCH_DEPTH) {
+        (true, true) => Some((0.0, 1.0)),
+        (true, false) => Some((0.0, crossing.unwrap_or(0.0))),
+        (false, true) => Some((crossing.unwrap_or(1.0), 1.0)),
+        (false, false) => crossing.map(|t| (t, t)),
     }
-    let (a, b) = ((TOUCH_DEPTH - s0) / slope, (-TOUCH_DEPTH - s0) / slope);
-    let (first, last) = (a.min(b).max(0.0), a.max(b).min(1.0));
-    (first <= last).then_some((first, last))
 }
 
 /// Whether two linear functions, given at both ends of an interval, are positive together somewhere on it.

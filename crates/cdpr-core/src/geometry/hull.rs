@@ -67,38 +67,54 @@ pub(super) fn segment_hull(points: &[Point], extent: &Extent) -> Hull {
     Hull { corners: vec![*first, *last], facets: Vec::new() }
 }
 
-/// Hull of points in a plane: a polygon with two faces.
-pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Hull {
+/// Hull of points in a plane: a polygon with two faces; none if no corner list covers them all.
+pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     let [u, v, _] = extent.axes;
     let flat: Vec<[f64; 2]> =
         points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect();
-    let ring = convex_ring(&flat);
-    let corners: Vec<Point> = ring.iter().map(|&i| points[i]).collect();
+    let corners: Vec<Point> = convex_ring(&flat)?.iter().map(|&i| points[i]).collect();
     let front: Vec<usize> = (0..corners.len()).collect();
     let back: Vec<usize> = front.iter().rev().copied().collect();
     let facets = vec![Facet::through(&corners, front), Facet::through(&corners, back)];
-    Hull { corners, facets }
+    Some(Hull { corners, facets })
 }
 
 /// Counter-clockwise hull of points in the plane, as indices, without corners that stand out by rounding only.
-fn convex_ring(points: &[[f64; 2]]) -> Vec<usize> {
-    let ring = monotone_chain(points);
-    let mut thinned = ring.clone();
+///
+/// The chain sorts along one direction, and points that differ only by rounding along it can cost it a true corner. So
+/// the result is verified: every point within rounding of the polygon, else another direction.
+fn convex_ring(points: &[[f64; 2]]) -> Option<Vec<usize>> {
+    const DIRECTIONS: [f64; 5] = [0.3, 1.1, 2.0, 0.7, 2.7]; // rad, none of them likely in a drawing
+    DIRECTIONS.into_iter().find_map(|angle| {
+        let (sin, cos) = f64::sin_cos(angle);
+        let turned: Vec<[f64; 2]> = points.iter().map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]).collect();
+        let ring = monotone_chain(&turned);
+        [thinned(&turned, &ring), ring].into_iter().find(|ring| covers(&turned, ring))
+    })
+}
+
+/// A ring without the corners that lie on the chord of their neighbours.
+fn thinned(points: &[[f64; 2]], ring: &[usize]) -> Vec<usize> {
+    let mut ring = ring.to_vec();
     let mut k = 0;
-    while k < thinned.len() && thinned.len() > 3 {
-        let n = thinned.len();
-        let [before, at, after] = [(k + n - 1) % n, k, (k + 1) % n].map(|i| points[thinned[i]]);
+    while k < ring.len() && ring.len() > 3 {
+        let n = ring.len();
+        let [before, at, after] = [(k + n - 1) % n, k, (k + 1) % n].map(|i| points[ring[i]]);
         if height(before, after, at).abs() <= ROUNDING {
-            thinned.remove(k);
+            ring.remove(k);
         } else {
             k += 1;
         }
     }
-    // Thinning must not cost a corner: every point stays within rounding of the polygon.
-    let n = thinned.len();
-    let covers =
-        |p: &[f64; 2]| (0..n).all(|k| height(points[thinned[k]], points[thinned[(k + 1) % n]], *p) >= -2.0 * ROUNDING);
-    if points.iter().all(covers) { thinned } else { ring }
+    ring
+}
+
+/// Whether every point lies within rounding of the polygon.
+fn covers(points: &[[f64; 2]], ring: &[usize]) -> bool {
+    let n = ring.len();
+    let inside =
+        |p: &[f64; 2]| (0..n).all(|k| height(points[ring[k]], points[ring[(k + 1) % n]], *p) >= -2.0 * ROUNDING);
+    n >= 3 && points.iter().all(inside)
 }
 
 /// How far a corner must stand out from the chord of its neighbours, m.

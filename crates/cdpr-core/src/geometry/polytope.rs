@@ -169,7 +169,7 @@ impl Polytope {
         let hull = match extent.dimension {
             0 => Hull { corners: vec![points[0]], facets: Vec::new() },
             1 => hull::segment_hull(&points, &extent),
-            2 => hull::polygon_hull(&points, &extent),
+            2 => hull::polygon_hull(&points, &extent).ok_or(PolytopeError::Degenerate)?,
             _ => hull::solid_hull(&points, &extent).ok_or(PolytopeError::Degenerate)?,
         };
         Ok(Self::from_hull(hull, extent.dimension))
