@@ -1,9 +1,9 @@
 //! Planning, checking and running paths of cable-driven parallel robots (CDPRs) among obstacles.
 //!
 //! A platform hangs on cables that leave fixed outlets. A path of the platform is free when platform and cables keep
-//! away from obstacles and from each other, all along. The method follows Bak, Hwang, Yoon, Park, Park, "Collision-free
-//! path planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics 12 (2019);
-//! "the paper" in these pages.
+//! away from obstacles and from each other, all along. The method follows Bak et al., "Collision-free path
+//! planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics, 2019,
+//! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order; each uses only those before it (`error` and `choice` are apart).
 
