@@ -5,24 +5,24 @@
 //! planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics, 2019,
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
-//! Modules in reading order; each uses only those before it (`error` and `choice` are apart).
+//! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
+//! [`collision`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`io`], [`view`]. [`error`] and [`choice`] are used
+//! by all, [`testing`] by examples and tests.
 
 pub mod choice;
-pub mod error;
-pub mod numerics;
-
 pub mod collision;
+pub mod error;
 pub mod geometry;
 pub mod io;
 pub mod kinematics;
 pub mod model;
+pub mod numerics;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
 pub mod survey;
-pub mod view;
-
 pub mod testing;
+pub mod view;
 
 pub use choice::Choice;
 pub use error::{Error, ErrorClass};
