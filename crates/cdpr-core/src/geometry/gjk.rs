@@ -1,5 +1,5 @@
-//! Algorithm 2 of the paper: GJK between convex sets of any two dimensions, with parry's simplex. The one place where
-//! parry's (glam) vectors meet ours (nalgebra).
+//! Algorithm 2 of the paper: GJK between convex sets of any two dimensions, with parry's simplex. Here and in
+//! `hull` parry's (glam) vectors meet ours (nalgebra).
 //!
 //! The loop keeps two bounds on the distance that hold whatever rounding does: `lower` from the best separating
 //! direction seen, `upper` from a pair of points of the two sets. A caller decides on the bounds, never on whether
