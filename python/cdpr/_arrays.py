@@ -7,12 +7,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import MAX_COORDINATE
 from .exceptions import InputError
 
 Floats: TypeAlias = NDArray[np.float64]
-
-#: Largest coordinate accepted, m; the core has the same limit.
-MAX_COORDINATE = 1e6
 
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:

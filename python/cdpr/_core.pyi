@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __version__: str
+MAX_COORDINATE: float
 
 _Point = tuple[float, float, float]
 _Floats = NDArray[np.float64]

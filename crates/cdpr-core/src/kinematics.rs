@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, Matrix6xX, Vector6};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
-use crate::numerics::MIN_CABLE_LENGTH;
+use crate::numerics::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 
 /// Wrench matrix of all cables with the platform's origin at `position` and turned as the scene says: 6 × m.
 ///
@@ -44,9 +44,8 @@ pub fn wrench_matrix(scene: &Scene, position: &Point) -> Result<Matrix6xX<f64>, 
     Ok(Matrix6xX::from_columns(&columns))
 }
 
-/// Rank of a wrench matrix, singular values below 1e-9 of the largest counting as zero.
+/// Rank of a wrench matrix, singular values below [`RANK_RELATIVE`] of the largest counting as zero.
 pub fn rank(wrench_matrix: &Matrix6xX<f64>) -> usize {
-    const RELATIVE: f64 = 1e-9;
     let singular = DMatrix::from_column_slice(6, wrench_matrix.ncols(), wrench_matrix.as_slice()).singular_values();
-    singular.iter().filter(|s| **s > RELATIVE * singular.max()).count()
+    singular.iter().filter(|s| **s > RANK_RELATIVE * singular.max()).count()
 }

@@ -40,6 +40,24 @@ pub const COPLANAR_RELATIVE: f64 = 1e-10;
 /// Largest height over a face at which a vertex is still taken for a corner of it, m; well inside [`GAP_TOLERANCE`].
 pub const COPLANAR_AT_MOST: f64 = 1e-8;
 
+/// How far a corner of a flat hull must stand out from the chord of its neighbours, m; less is rounding.
+pub const STANDS_OUT: f64 = 1e-9;
+
+/// Shorter sweeps count as no motion, and have no direction, m.
+pub const NO_MOTION: f64 = 1e-13;
+
+/// Width below which a cable's triangle is a segment and has no face of its own, m.
+pub const NO_WIDTH: f64 = 1e-12;
+
+/// Sine of the angle below which a facet is taken for parallel to a plane, or a ray to a facet, in building seams.
+pub const ALONG_FACET: f64 = 1e-9;
+
+/// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
+pub const RANK_RELATIVE: f64 = 1e-9;
+
+/// Relative slack when whole steps are counted, so that a segment of exactly n steps has n of them.
+pub const STEP_COUNT: f64 = 1e-12;
+
 /// Iterations after which GJK stops; its answer is then the interval it has certified, never a guess.
 pub const GJK_ITERATIONS: usize = 64;
 

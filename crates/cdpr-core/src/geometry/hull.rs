@@ -8,7 +8,7 @@ use parry3d_f64::transformation::try_convex_hull;
 
 use super::polytope::Facet;
 use super::{Point, Vector};
-use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT};
+use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT, STANDS_OUT};
 
 /// Corners of a hull and its facets over them.
 pub(super) struct Hull {
@@ -100,7 +100,7 @@ fn thinned(points: &[[f64; 2]], ring: &[usize]) -> Vec<usize> {
     while k < ring.len() && ring.len() > 3 {
         let n = ring.len();
         let [before, at, after] = [(k + n - 1) % n, k, (k + 1) % n].map(|i| points[ring[i]]);
-        if height(before, after, at).abs() <= ROUNDING {
+        if height(before, after, at).abs() <= STANDS_OUT {
             ring.remove(k);
         } else {
             k += 1;
@@ -113,12 +113,9 @@ fn thinned(points: &[[f64; 2]], ring: &[usize]) -> Vec<usize> {
 fn covers(points: &[[f64; 2]], ring: &[usize]) -> bool {
     let n = ring.len();
     let inside =
-        |p: &[f64; 2]| (0..n).all(|k| height(points[ring[k]], points[ring[(k + 1) % n]], *p) >= -2.0 * ROUNDING);
+        |p: &[f64; 2]| (0..n).all(|k| height(points[ring[k]], points[ring[(k + 1) % n]], *p) >= -2.0 * STANDS_OUT);
     n >= 3 && points.iter().all(inside)
 }
-
-/// How far a corner must stand out from the chord of its neighbours, m.
-const ROUNDING: f64 = FLAT * 1e-2;
 
 /// Height of `c` to the left of the line from `a` to `b`.
 fn height(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {

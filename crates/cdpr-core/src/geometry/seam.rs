@@ -7,7 +7,7 @@
 
 use super::polytope::Facet;
 use super::{Point, Polytope, Vector};
-use crate::numerics::{FLAT, ON_SURFACE, TOUCH_DEPTH};
+use crate::numerics::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
 
 /// A body that closes the seam between two parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +47,7 @@ fn shared_face(a: &Polytope, b: &Polytope) -> Option<(Vec<Point>, Vector)> {
     let pairs = a.facets().iter().flat_map(|f| b.facets().iter().map(move |g| (f, g)));
     for (f, _) in pairs.filter(|(f, g)| opposite(f, g)) {
         let mut polygon: Vec<Point> = f.corners.iter().map(|&i| a.vertices()[i]).collect();
-        for side in b.facets().iter().filter(|g| g.normal.dot(&f.normal).abs() < 1.0 - 1e-12) {
+        for side in b.facets().iter().filter(|g| g.normal.cross(&f.normal).norm() > ALONG_FACET) {
             polygon = clip(&polygon, side);
         }
         let shared = Polytope::hull_of(&polygon).ok().filter(|p| p.dimension() == 2);
@@ -85,7 +85,7 @@ fn bipyramid((face, normal): &(Vec<Point>, Vector), a: &Polytope, b: &Polytope) 
     let reach = |body: &Polytope, direction: Vector| {
         let room = body.facets().iter().filter_map(|f| {
             let speed = f.normal.dot(&direction);
-            (speed > 1e-9).then(|| -f.height(&middle) / speed)
+            (speed > ALONG_FACET).then(|| -f.height(&middle) / speed)
         });
         middle + direction * (0.5 * room.fold(f64::INFINITY, f64::min))
     };

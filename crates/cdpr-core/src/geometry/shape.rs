@@ -3,7 +3,7 @@
 
 use super::features::Boundary;
 use super::{Point, Polytope, Vector};
-use crate::numerics::{FLAT, TOUCH_DEPTH};
+use crate::numerics::{NO_MOTION, NO_WIDTH};
 
 /// A convex set described by its support map, and, for exact tests, by the directions of its faces and edges.
 pub trait ConvexShape {
@@ -96,7 +96,7 @@ impl ConvexShape for Triangle {
         // The two shorter sides: their differences carry the least rounding.
         let normal = sides[0].cross(&sides[1]);
         // Narrower than touching, the triangle is a segment and has no face of its own.
-        (normal.norm() > TOUCH_DEPTH * 1e-3 * sides[1].norm()).then(|| normal.normalize()).into_iter()
+        (normal.norm() > NO_WIDTH * sides[1].norm()).then(|| normal.normalize()).into_iter()
     }
 
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
@@ -130,7 +130,7 @@ impl<'a> Swept<'a> {
     }
 
     fn direction(&self) -> Option<Vector> {
-        (self.along.norm() > FLAT * 1e-6).then(|| self.along.normalize())
+        (self.along.norm() > NO_MOTION).then(|| self.along.normalize())
     }
 }
 

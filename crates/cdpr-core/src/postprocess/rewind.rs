@@ -7,7 +7,7 @@
 use crate::choice::choices;
 use crate::collision::Validity;
 use crate::error::Error;
-use crate::numerics::SHORTER;
+use crate::numerics::{SHORTER, STEP_COUNT};
 use crate::planning::{StateSpace, Watch};
 
 /// In which order the two rewindings run (the paper, section 5.2).
@@ -162,7 +162,7 @@ impl<S: StateSpace> Rewinder<'_, S> {
         for j in 0..=reference - 2 {
             let (x_j, x_next) = (&path[j], &path[j + 1]);
             let segment = self.space.distance(x_j, x_next);
-            let steps = (segment / self.step * (1.0 + 1e-12)).floor() as usize;
+            let steps = (segment / self.step * (1.0 + STEP_COUNT)).floor() as usize;
             for k in 0..=steps {
                 if tried.is_multiple_of(POLL) {
                     self.watch.expired()?;
