@@ -2,15 +2,19 @@
 
 pub mod features;
 pub mod gjk;
+pub mod half_space;
 mod hull;
 pub mod polytope;
 pub mod seam;
 pub mod segment_segment;
 pub mod separating_axes;
+pub mod shadow;
 pub mod shape;
 
 pub use gjk::{Proximity, distance, proximity};
+pub use half_space::HalfSpace;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
+pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, Swept, Triangle};
 
 /// A place in the world or in the platform frame, m.

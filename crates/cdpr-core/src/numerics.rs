@@ -31,6 +31,10 @@ pub const MAX_COORDINATE: f64 = 1e6;
 /// narrower than rounding, so nothing is lost by leaving it out.
 pub const PARALLEL: f64 = 1e-10;
 
+/// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding puts
+/// it: either reading gives the same set up to this.
+pub const GRAZING: f64 = 1e-10;
+
 /// How far the length of an orientation quaternion may be from 1.
 pub const UNIT_QUATERNION: f64 = 1e-6;
 
