@@ -1,7 +1,7 @@
 //! Scenes and motions that the benchmarks share.
 
 use cdpr_core::Scene;
-use cdpr_core::collision::{GjkEngine, Validity};
+use cdpr_core::collision::{Checker, GjkEngine, Validity};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, paper_scene, scene};

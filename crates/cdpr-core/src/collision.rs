@@ -6,6 +6,7 @@
 pub mod batch;
 pub mod cable_cable;
 pub mod constraint;
+mod explain;
 pub mod gjk_engine;
 pub mod path_check;
 pub mod validity;
@@ -13,4 +14,4 @@ pub mod validity;
 pub use constraint::{Constraint, Constraints, Demand};
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
-pub use validity::{Clearance, Engine, Interference, Kind, Validity, Violation};
+pub use validity::{Checker, Clearance, Engine, Interference, Kind, Validity, Violation};

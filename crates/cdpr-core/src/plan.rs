@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::choice::{Choice, choices};
 use crate::collision::path_check::{first_invalid_segment, path_length};
-use crate::collision::{Engine, GjkEngine, Interference, Validity, Violation};
+use crate::collision::{Checker, Engine, GjkEngine, Interference, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -122,10 +122,10 @@ pub struct PlanResult {
 ///
 /// # Errors
 /// As [`crate::collision::Constraints::new`].
-pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<GjkEngine, Error> {
-    match engine {
-        Engine::Gjk => GjkEngine::new(scene, interference),
-    }
+pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
+    Ok(match engine {
+        Engine::Gjk => Box::new(GjkEngine::new(scene, interference)?),
+    })
 }
 
 /// Plans the query of a scene.
@@ -148,7 +148,7 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     let rewinding = rewinding.checked()?;
     let start = end("start", options.start, scene.start())?;
     let goal = end("goal", options.goal, scene.goal())?;
-    let engine = engine_for(scene, options.engine, options.interference)?;
+    let engine = &*engine_for(scene, options.engine, options.interference)?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if let Some(reason) = engine.explain(&state, &state) {
             return Ok(PlanResult::unsolved(status, Some(reason), Stats::default()));
@@ -160,7 +160,7 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
     let outcome = match options.planner {
         Planner::ModifiedRrt => {
-            modified_rrt(&problem, &engine, &ModifiedRrtOptions { max_samples: options.max_samples }, &mut rng, &watch)?
+            modified_rrt(&problem, engine, &ModifiedRrtOptions { max_samples: options.max_samples }, &mut rng, &watch)?
         }
     };
     let planning_seconds = clock.elapsed().as_secs_f64();
@@ -171,11 +171,11 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     }
     let clock = Instant::now();
     let waypoints = match options.post {
-        Some(_) => rewind(&problem.space, &engine, &raw_waypoints, &rewinding, &Watch { deadline: None, interrupted })?,
+        Some(_) => rewind(&problem.space, engine, &raw_waypoints, &rewinding, &Watch { deadline: None, interrupted })?,
         None => raw_waypoints.clone(),
     };
     let stats = Stats { post_seconds: clock.elapsed().as_secs_f64(), ..stats };
-    verified(&engine, &waypoints)?;
+    verified(engine, &waypoints)?;
     let (cost, raw_cost) = (path_length(&waypoints), path_length(&raw_waypoints));
     Ok(PlanResult { status, reason: None, waypoints, cost, raw_waypoints, raw_cost, stats })
 }
@@ -216,7 +216,7 @@ fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
 /// # Errors
 /// A path whose segment collides (named with the reason), bad options, [`Error::interrupted`].
 pub fn rewind_path(
-    engine: &GjkEngine,
+    engine: &dyn Checker,
     waypoints: &[Point],
     options: &RewindOptions,
     interrupted: &dyn Fn() -> bool,

@@ -5,11 +5,12 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::collision::{Constraint, GjkEngine, Interference, Validity, Violation};
+use crate::collision::{Checker, Constraint, Engine, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::kinematics::{rank, wrench_matrix};
 use crate::model::Scene;
+use crate::plan::engine_for;
 use crate::planning::{StateSpace, TranslationSpace};
 
 /// Facts about a scene.
@@ -61,7 +62,7 @@ const RANK_SAMPLES: usize = 200;
 /// # Errors
 /// As [`crate::collision::Constraints::new`].
 pub fn survey(scene: &Scene) -> Result<Survey, Error> {
-    let engine = GjkEngine::new(scene, Interference::Exact)?;
+    let engine = engine_for(scene, Engine::default(), Interference::Exact)?;
     let constraints = engine.constraints();
     let space = TranslationSpace::of(constraints);
     let mut rng = ChaCha8Rng::seed_from_u64(0);
@@ -83,7 +84,7 @@ pub fn survey(scene: &Scene) -> Result<Survey, Error> {
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
         wrench_rank: ranks.iter().min().zip(ranks.iter().max()).map(|(low, high)| [*low, *high]),
         sharing_pairs: sharing_pairs(scene),
-        always_crossing_pairs: always_crossing(&engine),
+        always_crossing_pairs: always_crossing(engine.as_ref()),
         outlets_on_obstacles: outlets_on_obstacles(scene),
         interference_free: share(&|p| engine.free_of_interference(p)),
         valid: share(&|p| engine.state_valid(p)),
@@ -108,7 +109,7 @@ fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
     pairs
 }
 
-fn always_crossing(engine: &GjkEngine) -> Vec<[String; 2]> {
+fn always_crossing(engine: &dyn Checker) -> Vec<[String; 2]> {
     let constraints = engine.constraints();
     let name = |i: usize| constraints.cables[i].name.clone();
     let pair = |c: &Constraint| match c {

@@ -5,7 +5,7 @@
 
 mod support;
 
-use cdpr_core::collision::{GjkEngine, Interference, Validity};
+use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use cdpr_core::numerics::GAP_TOLERANCE;

@@ -1,6 +1,6 @@
 //! Properties that hold for all input, hostile numbers included: an answer or a named error, never a panic.
 
-use cdpr_core::collision::{GjkEngine, Interference, Validity};
+use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::gjk::{overlap, shape_distance};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Triangle, Vector, segment_segment};
 use cdpr_core::model::{BodySpec, Scene, SceneSpec};

@@ -4,7 +4,7 @@ mod support;
 
 use std::time::{Duration, Instant};
 
-use cdpr_core::collision::{Constraint, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::collision::{Checker, Constraint, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use cdpr_core::plan::rewind_path;

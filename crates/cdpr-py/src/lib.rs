@@ -4,7 +4,7 @@ mod convert;
 mod errors;
 
 use cdpr_core::collision::batch::{BatchOptions, motions_valid, states_valid};
-use cdpr_core::collision::{GjkEngine, Validity, check_path};
+use cdpr_core::collision::{Checker, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{PlanOptions, engine_for, plan, post_named, rewind_path};
@@ -21,7 +21,7 @@ use errors::{interruptible, raised};
 #[pyclass(frozen, module = "cdpr._core")]
 struct Scene(cdpr_core::Scene);
 
-fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<GjkEngine> {
+fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<Box<dyn Checker>> {
     engine_for(&scene.0, named(engine)?, named(interference)?).map_err(raised)
 }
 
@@ -79,7 +79,7 @@ impl Scene {
         let mut answers = vec![false; rows.len() / 3];
         interruptible(py, |interrupted| {
             let options = BatchOptions { threads, interrupted };
-            states_valid(&engine, |k| row(rows, k), &mut answers, &options)
+            states_valid(&*engine, |k| row(rows, k), &mut answers, &options)
         })?;
         Ok(PyArray1::from_vec(py, answers))
     }
@@ -99,7 +99,7 @@ impl Scene {
         let mut answers = vec![false; starts.len() / 3];
         interruptible(py, |interrupted| {
             let options = BatchOptions { threads, interrupted };
-            motions_valid(&engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
+            motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
         })?;
         Ok(PyArray1::from_vec(py, answers))
     }
@@ -120,7 +120,7 @@ impl Scene {
     ) -> PyResult<String> {
         let engine = engine_of(self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        Ok(py.detach(|| serialized(&check_path(&engine, &waypoints))))
+        Ok(py.detach(|| serialized(&check_path(&*engine, &waypoints))))
     }
 
     /// The result of planning as JSON, as in a path file.
@@ -172,7 +172,7 @@ impl Scene {
         let engine = engine_of(self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
         let options = RewindOptions { step, order: named(order)?, repeats };
-        let shorter = interruptible(py, |interrupted| rewind_path(&engine, &waypoints, &options, interrupted))?;
+        let shorter = interruptible(py, |interrupted| rewind_path(&*engine, &waypoints, &options, interrupted))?;
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
 
@@ -194,7 +194,7 @@ impl Scene {
         let Some(waypoints) = waypoints else { return Ok(page(&self.0, None, &[])) };
         let waypoints = points(waypoints.as_slice()?);
         let engine = engine_of(self, "gjk", interference)?;
-        let violations = check_path(&engine, &waypoints).violations;
+        let violations = check_path(&*engine, &waypoints).violations;
         let shown = ShownPath { status, waypoints, cost, raw_waypoints: list(raw_waypoints)?, raw_cost, planner };
         Ok(page(&self.0, Some(&shown), &violations))
     }

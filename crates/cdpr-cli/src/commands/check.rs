@@ -15,7 +15,7 @@ pub fn run(args: &PathArgs) -> Result<Answer, Error> {
     let engine =
         engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());
-    let report = check_path(&engine, &path.waypoints);
+    let report = check_path(&*engine, &path.waypoints);
     match args.scene.format {
         Format::Json => result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {

@@ -28,7 +28,7 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
             result(&question(&scene, &options));
             result(&answer(&scene, &options, &found));
             if found.status == Status::Solved {
-                let report = check_path(&engine, &found.waypoints);
+                let report = check_path(&*engine, &found.waypoints);
                 report.min_clearance.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
             }
         }

@@ -17,7 +17,7 @@ pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
     say_notes(engine.constraints());
-    let rewind = |stop: &dyn Fn() -> bool| rewind_path(&engine, &path.waypoints, &args.options(), stop);
+    let rewind = |stop: &dyn Fn() -> bool| rewind_path(&*engine, &path.waypoints, &args.options(), stop);
     let shorter = with_sign_of_life("rewinding", rewind).map_err(|e| e.in_file(&given.path))?;
     let json = io::path_json(&scene, &shorter);
     match given.scene.format {

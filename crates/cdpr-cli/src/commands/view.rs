@@ -21,7 +21,7 @@ pub fn run(args: &ViewArgs) -> Result<Answer, Error> {
             let loaded = io::load_waypoints(path, Some(&scene))?;
             let engine = engine_for(&scene, args.checker.engine, args.checker.interference)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
-            let report = check_path(&engine, &loaded.waypoints);
+            let report = check_path(&*engine, &loaded.waypoints);
             (Some(shown(loaded, report.length)), report.violations)
         }
     };

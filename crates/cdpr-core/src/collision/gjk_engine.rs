@@ -2,12 +2,13 @@
 //! convex shape, yields distances, and is the reference for faster engines.
 
 use super::constraint::{Constraint, Constraints, Demand};
-use super::validity::{Clearance, Interference, Validity, Violation};
+use super::explain;
+use super::validity::{Checker, Clearance, Interference, Validity, Violation};
 use crate::error::Error;
-use crate::geometry::gjk::{nearer_than, overlap, shape_distance};
-use crate::geometry::{Aabb, ConvexShape, Point, Polytope, Swept, Triangle, Vector, segment_segment};
+use crate::geometry::gjk::{nearer_than, overlap};
+use crate::geometry::{Aabb, ConvexShape, Point, Polytope, Swept, Triangle, Vector};
 use crate::model::Scene;
-use crate::numerics::{BISECTION_STEPS, TOUCH_DEPTH};
+use crate::numerics::TOUCH_DEPTH;
 
 /// Answers the constraints of a scene at its orientation by GJK.
 ///
@@ -37,23 +38,12 @@ impl GjkEngine {
         Ok(GjkEngine { constraints: Constraints::new(scene)?, interference })
     }
 
-    /// The constraints that the engine answers.
-    pub fn constraints(&self) -> &Constraints {
-        &self.constraints
-    }
-
-    /// Whether no cable meets another or the platform at a position.
-    pub fn free_of_interference(&self, position: &Point) -> bool {
-        let internal = |c: &&Constraint| matches!(c, Constraint::CableCable(_) | Constraint::CablePlatform { .. });
-        !self.constraints.list.iter().filter(internal).any(|c| self.breaks(c, position, position))
-    }
-
     /// Whether a motion breaks one constraint.
-    fn breaks(&self, constraint: &Constraint, from: &Point, to: &Point) -> bool {
+    pub(super) fn breaks_constraint(&self, constraint: &Constraint, from: &Point, to: &Point) -> bool {
         let c = &self.constraints;
         match constraint {
             Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
-                self.room(constraint, from, to) < -TOUCH_DEPTH
+                explain::room(&self.constraints, constraint, from, to) < -TOUCH_DEPTH
             }
             Constraint::CablePlatform { cable, body, demand } => {
                 let cable = &c.cables[*cable];
@@ -85,99 +75,19 @@ impl GjkEngine {
             }
         }
     }
+}
 
-    /// Room left in the workspace or in the length of a cable over a motion, m; negative outside.
-    fn room(&self, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
-        match constraint {
-            Constraint::Workspace { min, max } => {
-                let room = |p: &Point| (p - min).inf(&(max - p)).min();
-                room(from).min(room(to))
-            }
-            Constraint::CableLength { cable, min, max } => {
-                let cable = &self.constraints.cables[*cable];
-                let (p, q) = (from + cable.arm, to + cable.arm);
-                let longest = (p - cable.outlet).norm().max((q - cable.outlet).norm());
-                let shortest = segment_segment::closest(&p, &q, &cable.outlet, &cable.outlet).distance;
-                (shortest - min).min(max - longest)
-            }
-            _ => f64::INFINITY,
-        }
+impl Checker for GjkEngine {
+    fn constraints(&self) -> &Constraints {
+        &self.constraints
     }
 
-    /// Gap in the world that a constraint is about, over a motion, m: distance or minus depth, of surfaces. None where
-    /// no distance is to be kept: room, ends that touch by construction, pairs that can never keep what is demanded.
-    fn gap(&self, constraint: &Constraint, from: &Point, to: &Point) -> Option<f64> {
-        let counts = match constraint {
-            Constraint::Workspace { .. } | Constraint::CableLength { .. } => false,
-            Constraint::CableCable(pair) => !pair.excused,
-            Constraint::PlatformObstacle { body, .. } => self.constraints.obstacles[*body].seam.is_none(),
-            Constraint::CablePlatform { demand, .. } | Constraint::CableObstacle { demand, .. } => {
-                matches!(demand, Demand::Apart { .. })
-            }
-        };
-        counts.then(|| self.distance(constraint, from, to))
+    fn interference(&self) -> Interference {
+        self.interference
     }
 
-    /// Distance or minus depth, of surfaces, between those whom a constraint is about, over a motion; for workspace and
-    /// cable length the room left, m.
-    fn distance(&self, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
-        let c = &self.constraints;
-        match constraint {
-            Constraint::Workspace { .. } | Constraint::CableLength { .. } => self.room(constraint, from, to),
-            Constraint::CablePlatform { cable, body, .. } => {
-                let cable = &c.cables[*cable];
-                shape_distance(&cable.sweep_seen_from_platform(from, to), &c.platform[*body]).signed() - cable.radius
-            }
-            Constraint::CableCable(pair) => pair.least_distance(from, to).0 - pair.radii,
-            Constraint::PlatformObstacle { part, body, .. } => {
-                let swept = Swept::new(&c.platform[*part], from.coords, to - from);
-                shape_distance(&swept, &c.obstacles[*body].body).signed()
-            }
-            Constraint::CableObstacle { cable, body, .. } => {
-                let cable = &c.cables[*cable];
-                shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius
-            }
-        }
-    }
-
-    /// Whether a broken constraint is about a seam while the cable breaks that of a part beside the seam as well, which
-    /// tells the true culprit and depth.
-    fn told_by_others(&self, constraint: &Constraint, broken: &[&Constraint]) -> bool {
-        let c = &self.constraints;
-        let Constraint::CableObstacle { cable, body, .. } = constraint else { return false };
-        let seam = &c.obstacles[*body];
-        let part_beside = |other: &&Constraint| match other {
-            Constraint::CableObstacle { cable: same, body, .. } => {
-                let part = &c.obstacles[*body];
-                same == cable && part.seam.is_none() && seam.between.contains(&part.between[0])
-            }
-            _ => false,
-        };
-        seam.seam.is_some() && broken.iter().any(part_beside)
-    }
-
-    /// Where and how badly a motion breaks a constraint that it is known to break.
-    fn violation(&self, constraint: &Constraint, from: &Point, to: &Point) -> Violation {
-        // What a motion sweeps only grows, so the first contact and the last are found by bisection on the whole test.
-        let first = first_true(|t| self.breaks(constraint, from, &at(from, to, t)));
-        let last = 1.0 - first_true(|t| self.breaks(constraint, &at(from, to, 1.0 - t), to));
-        let margin = match constraint {
-            Constraint::CableCable(pair) if self.interference == Interference::Swept => {
-                // The triangles meet, maybe at different times: that is the gap this rule is about.
-                let sweep = |cable: usize| self.constraints.cables[cable].sweep(from, to);
-                shape_distance(&sweep(pair.first), &sweep(pair.second)).distance - pair.radii
-            }
-            Constraint::CableCable(_) | Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
-                self.distance(constraint, from, to)
-            }
-            _ => least_between(first, last, |t| self.distance(constraint, &at(from, to, t), &at(from, to, t))),
-        };
-        Violation {
-            at: first,
-            kind: self.constraints.kind(constraint),
-            culprits: self.constraints.culprits(constraint),
-            margin: Some(margin),
-        }
+    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        self.breaks_constraint(&self.constraints.list[index], from, to)
     }
 }
 
@@ -188,36 +98,16 @@ impl Validity for GjkEngine {
 
     fn motion_valid(&self, from: &Point, to: &Point) -> bool {
         let finite = from.iter().chain(to.iter()).all(|x| x.is_finite());
-        finite && !self.constraints.list.iter().any(|constraint| self.breaks(constraint, from, to))
+        finite && !self.constraints.list.iter().any(|constraint| self.breaks_constraint(constraint, from, to))
     }
 
     fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
-        let broken = self.constraints.list.iter().filter(|constraint| self.breaks(constraint, from, to));
-        let broken: Vec<&Constraint> = broken.collect();
-        let told = broken.iter().filter(|constraint| !self.told_by_others(constraint, &broken));
-        let mut violations: Vec<Violation> = told.map(|constraint| self.violation(constraint, from, to)).collect();
-        violations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
-        merge_parts(violations)
+        explain::violations(self, from, to)
     }
 
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
-        let gaps = self.constraints.list.iter().filter_map(|c| Some((self.gap(c, from, to)?, c)));
-        let (value, nearest) = gaps.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let reached = |t: f64| self.gap(nearest, from, &at(from, to, t)).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
-        Some(Clearance { value, at: first_true(reached), culprits: self.constraints.culprits(nearest) })
+        explain::clearance(&self.constraints, from, to)
     }
-}
-
-/// One violation per kind and culprits: a body of several parts is one body.
-fn merge_parts(violations: Vec<Violation>) -> Vec<Violation> {
-    let mut merged: Vec<Violation> = Vec::new();
-    for violation in violations {
-        match merged.iter_mut().find(|v| v.kind == violation.kind && v.culprits == violation.culprits) {
-            Some(known) => known.margin = known.margin.zip(violation.margin).map(|(a, b)| a.min(b)),
-            None => merged.push(violation),
-        }
-    }
-    merged
 }
 
 /// Whether a moving cable breaks a demand: by the triangle it sweeps, or by its direction (at the start and at the end of
@@ -251,39 +141,4 @@ fn goes_below_all(normals: &[Vector], start: Vector, end: Vector) -> bool {
         }
     }
     low < high
-}
-
-fn at(from: &Point, to: &Point, t: f64) -> Point {
-    if t >= 1.0 { *to } else { from + (to - from) * t }
-}
-
-/// The first t in [0, 1] where a test that stays true once it is true becomes true; it must be true at 1.
-fn first_true(test: impl Fn(f64) -> bool) -> f64 {
-    if test(0.0) {
-        return 0.0;
-    }
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..BISECTION_STEPS {
-        let middle = 0.5 * (low + high);
-        if test(middle) { high = middle } else { low = middle }
-    }
-    high
-}
-
-/// Least value of a function between two instants: samples, then golden sections around the best.
-fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
-    const SAMPLES: usize = 16;
-    const SECTIONS: usize = 40;
-    let step = (high - low).max(0.0) / SAMPLES as f64;
-    let sample = |k: usize| (value(low + step * k as f64), k);
-    let (mut least, k) = (0..=SAMPLES).map(sample).min_by(|a, b| a.0.total_cmp(&b.0)).expect("some samples");
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut a, mut b) = (low + step * k.saturating_sub(1) as f64, low + step * (k + 1).min(SAMPLES) as f64);
-    for _ in 0..SECTIONS {
-        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
-        let (at_left, at_right) = (value(left), value(right));
-        least = least.min(at_left).min(at_right);
-        if at_left <= at_right { b = right } else { a = left }
-    }
-    least
 }

@@ -2,8 +2,28 @@
 
 use serde::Serialize;
 
+use super::constraint::{Constraint, Constraints};
 use crate::choice::choices;
 use crate::geometry::Point;
+
+/// An engine that answers the constraints of a scene, one by one or all at once.
+pub trait Checker: Validity + Send {
+    /// The constraints that the engine answers.
+    fn constraints(&self) -> &Constraints;
+
+    /// How it keeps cables from each other.
+    fn interference(&self) -> Interference;
+
+    /// Whether a motion breaks the constraint at this index of the list.
+    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
+
+    /// Whether no cable meets another or the platform at a position.
+    fn free_of_interference(&self, position: &Point) -> bool {
+        let internal = |c: &Constraint| matches!(c, Constraint::CableCable(_) | Constraint::CablePlatform { .. });
+        let mut list = self.constraints().list.iter().enumerate();
+        !list.any(|(index, c)| internal(c) && self.breaks(index, position, position))
+    }
+}
 
 /// How cables are kept from each other.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

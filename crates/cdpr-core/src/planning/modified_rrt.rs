@@ -31,7 +31,7 @@ impl Default for ModifiedRrtOptions {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{GjkEngine, Interference};
+/// use cdpr_core::collision::{Checker, GjkEngine, Interference};
 /// use cdpr_core::planning::{modified_rrt, ModifiedRrtOptions, Problem, Status, TranslationSpace, Watch};
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();

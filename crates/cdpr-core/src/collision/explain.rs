@@ -1,0 +1,170 @@
+//! Where and how badly a motion breaks constraints, and how near it comes to breaking one: the same words and the same
+//! measures for every engine.
+
+use super::constraint::{Constraint, Constraints, Demand};
+use super::validity::{Checker, Clearance, Interference, Violation};
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{Point, Swept, segment_segment};
+use crate::numerics::{BISECTION_STEPS, TOUCH_DEPTH};
+
+/// All constraints that a motion breaks in the eyes of an engine, those that break first first.
+pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
+    let constraints = checker.constraints();
+    let broken: Vec<usize> = (0..constraints.list.len()).filter(|&k| checker.breaks(k, from, to)).collect();
+    let told = broken.iter().filter(|&&k| !told_by_others(constraints, k, &broken));
+    let mut violations: Vec<Violation> = told.map(|&k| violation(checker, k, from, to)).collect();
+    violations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
+    merge_parts(violations)
+}
+
+/// The nearest approach of a motion, over all constraints that are about a distance.
+pub(super) fn clearance(constraints: &Constraints, from: &Point, to: &Point) -> Option<Clearance> {
+    let gaps = constraints.list.iter().filter_map(|c| Some((gap(constraints, c, from, to)?, c)));
+    let (value, nearest) = gaps.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let until = |t: f64| gap(constraints, nearest, from, &at(from, to, t));
+    let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
+    Some(Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest) })
+}
+
+/// Room left in the workspace or in the length of a cable over a motion, m; negative outside.
+pub(super) fn room(constraints: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
+    match constraint {
+        Constraint::Workspace { min, max } => {
+            let room = |p: &Point| (p - min).inf(&(max - p)).min();
+            room(from).min(room(to))
+        }
+        Constraint::CableLength { cable, min, max } => {
+            let cable = &constraints.cables[*cable];
+            let (p, q) = (from + cable.arm, to + cable.arm);
+            let longest = (p - cable.outlet).norm().max((q - cable.outlet).norm());
+            let shortest = segment_segment::closest(&p, &q, &cable.outlet, &cable.outlet).distance;
+            (shortest - min).min(max - longest)
+        }
+        _ => f64::INFINITY,
+    }
+}
+
+/// Gap in the world that a constraint is about, over a motion, m: distance or minus depth, of surfaces. None where no
+/// distance is to be kept: room, ends that touch by construction, pairs that can never keep what is demanded.
+fn gap(constraints: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> Option<f64> {
+    let counts = match constraint {
+        Constraint::Workspace { .. } | Constraint::CableLength { .. } => false,
+        Constraint::CableCable(pair) => !pair.excused,
+        Constraint::PlatformObstacle { body, .. } => constraints.obstacles[*body].seam.is_none(),
+        Constraint::CablePlatform { demand, .. } | Constraint::CableObstacle { demand, .. } => {
+            matches!(demand, Demand::Apart { .. })
+        }
+    };
+    counts.then(|| distance(constraints, constraint, from, to))
+}
+
+/// Distance or minus depth, of surfaces, between those whom a constraint is about, over a motion; for workspace and cable
+/// length the room left, m.
+pub(super) fn distance(c: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
+    match constraint {
+        Constraint::Workspace { .. } | Constraint::CableLength { .. } => room(c, constraint, from, to),
+        Constraint::CablePlatform { cable, body, .. } => {
+            let cable = &c.cables[*cable];
+            shape_distance(&cable.sweep_seen_from_platform(from, to), &c.platform[*body]).signed() - cable.radius
+        }
+        Constraint::CableCable(pair) => pair.least_distance(from, to).0 - pair.radii,
+        Constraint::PlatformObstacle { part, body, .. } => {
+            let swept = Swept::new(&c.platform[*part], from.coords, to - from);
+            shape_distance(&swept, &c.obstacles[*body].body).signed()
+        }
+        Constraint::CableObstacle { cable, body, .. } => {
+            let cable = &c.cables[*cable];
+            shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius
+        }
+    }
+}
+
+/// Whether a broken constraint is about a seam while the cable breaks that of a part beside the seam as well, which tells
+/// the true culprit and depth.
+fn told_by_others(c: &Constraints, index: usize, broken: &[usize]) -> bool {
+    let Constraint::CableObstacle { cable, body, .. } = &c.list[index] else { return false };
+    let seam = &c.obstacles[*body];
+    let part_beside = |other: &usize| match &c.list[*other] {
+        Constraint::CableObstacle { cable: same, body, .. } => {
+            let part = &c.obstacles[*body];
+            same == cable && part.seam.is_none() && seam.between.contains(&part.between[0])
+        }
+        _ => false,
+    };
+    seam.seam.is_some() && broken.iter().any(part_beside)
+}
+
+/// Where and how badly a motion breaks a constraint that it is known to break.
+fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> Violation {
+    let (constraints, constraint) = (checker.constraints(), &checker.constraints().list[index]);
+    // What a motion sweeps only grows, so the first contact and the last are found by bisection on the whole test.
+    let first = first_true(|t| checker.breaks(index, from, &at(from, to, t)));
+    let last = 1.0 - first_true(|t| checker.breaks(index, &at(from, to, 1.0 - t), to));
+    let margin = match constraint {
+        Constraint::CableCable(pair) if checker.interference() == Interference::Swept => {
+            // The triangles meet, maybe at different times: that is the gap this rule is about.
+            let sweep = |cable: usize| constraints.cables[cable].sweep(from, to);
+            shape_distance(&sweep(pair.first), &sweep(pair.second)).distance - pair.radii
+        }
+        Constraint::CableCable(_) | Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
+            distance(constraints, constraint, from, to)
+        }
+        _ => least_between(first, last, |t| {
+            let p = at(from, to, t);
+            distance(constraints, constraint, &p, &p)
+        }),
+    };
+    Violation {
+        at: first,
+        kind: constraints.kind(constraint),
+        culprits: constraints.culprits(constraint),
+        margin: Some(margin),
+    }
+}
+
+/// One violation per kind and culprits: a body of several parts is one body.
+fn merge_parts(violations: Vec<Violation>) -> Vec<Violation> {
+    let mut merged: Vec<Violation> = Vec::new();
+    for violation in violations {
+        match merged.iter_mut().find(|v| v.kind == violation.kind && v.culprits == violation.culprits) {
+            Some(known) => known.margin = known.margin.zip(violation.margin).map(|(a, b)| a.min(b)),
+            None => merged.push(violation),
+        }
+    }
+    merged
+}
+
+fn at(from: &Point, to: &Point, t: f64) -> Point {
+    if t >= 1.0 { *to } else { from + (to - from) * t }
+}
+
+/// The first t in [0, 1] where a test that stays true once it is true becomes true; it must be true at 1.
+fn first_true(test: impl Fn(f64) -> bool) -> f64 {
+    if test(0.0) {
+        return 0.0;
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..BISECTION_STEPS {
+        let middle = 0.5 * (low + high);
+        if test(middle) { high = middle } else { low = middle }
+    }
+    high
+}
+
+/// Least value of a function between two instants: samples, then golden sections around the best.
+fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    const SAMPLES: usize = 16;
+    const SECTIONS: usize = 40;
+    let step = (high - low).max(0.0) / SAMPLES as f64;
+    let sample = |k: usize| (value(low + step * k as f64), k);
+    let (mut least, k) = (0..=SAMPLES).map(sample).min_by(|a, b| a.0.total_cmp(&b.0)).expect("some samples");
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut a, mut b) = (low + step * k.saturating_sub(1) as f64, low + step * (k + 1).min(SAMPLES) as f64);
+    for _ in 0..SECTIONS {
+        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
+        let (at_left, at_right) = (value(left), value(right));
+        least = least.min(at_left).min(at_right);
+        if at_left <= at_right { b = right } else { a = left }
+    }
+    least
+}
