@@ -1,7 +1,7 @@
 //! Scenes and motions that the benchmarks share.
 
 use cdpr_core::Scene;
-use cdpr_core::collision::{Checker, GjkEngine, Validity};
+use cdpr_core::collision::Checker;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, paper_scene, scene};
@@ -28,16 +28,50 @@ pub fn random_scene(count: usize, seed: u64, obstacles_only: bool) -> Scene {
     scene(spec)
 }
 
-/// Motions of a given length that the engine calls valid.
-pub fn valid_motions(engine: &GjkEngine, length: f64, count: usize, seed: u64) -> Vec<(Point, Point)> {
+/// The paper's robot among `count` small boxes anywhere in its hall, 5 to 15 mm wide.
+pub fn scattered_scene(count: usize, seed: u64) -> Scene {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut number = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
+    let crumb = |k: usize| {
+        let sides = std::array::from_fn(|_| number(0.005, 0.015));
+        block(&format!("crumb {k}"), sides, std::array::from_fn(|_| number(0.02, 1.98)))
+    };
+    scene(paper_scene("scattered", (0..count).map(crumb).collect()))
+}
+
+/// How motions for a benchmark are drawn.
+#[derive(Debug, Clone, Copy)]
+pub enum Motions {
+    /// Valid, of this length, m, in a random direction.
+    Valid(f64),
+    /// Between random valid states, valid or not.
+    Anywhere,
+}
+
+/// Motions that start in valid states; where there are many obstacles, they stand on the floor and motions stay above
+/// 0.8 m, so that enough of them are valid.
+pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: usize, seed: u64) -> Vec<(Point, Point)> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed ^ 0x5eed);
     let space = TranslationSpace::of(engine.constraints());
+    let mut state = || loop {
+        let mut state = space.sample(&mut rng).expect("the workspace has room");
+        if above_floor {
+            state.z = 0.8 + 1.1 * rng.random::<f64>();
+        }
+        if engine.state_valid(&state) {
+            let way = Vector::from_fn(|_, _| rng.random::<f64>() - 0.5).normalize();
+            return (state, way);
+        }
+    };
     let mut motions = Vec::with_capacity(count);
     while motions.len() < count {
-        let from = space.sample(&mut rng).expect("the workspace has room");
-        let way = Vector::from_fn(|_, _| rng.random::<f64>() - 0.5).normalize() * length;
-        if engine.motion_valid(&from, &(from + way)) {
-            motions.push((from, from + way));
+        let (from, way) = state();
+        match kind {
+            Motions::Anywhere => motions.push((from, state().0)),
+            Motions::Valid(length) if engine.motion_valid(&from, &(from + way * length)) => {
+                motions.push((from, from + way * length));
+            }
+            Motions::Valid(_) => {}
         }
     }
     motions

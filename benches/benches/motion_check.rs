@@ -1,43 +1,71 @@
-//! Time of one motion check by the gjk engine: valid motions of 0.1 m in random scenes of the paper's kind.
+//! Time of one motion check by either engine, in random scenes of the paper's kind: one thread.
 
-use cdpr_benches::{random_scene, valid_motions};
-use cdpr_core::collision::{GjkEngine, Interference, Validity};
+use cdpr_benches::{Motions, motions, random_scene, scattered_scene};
+use cdpr_core::Scene;
+use cdpr_core::collision::{Checker, CspaceEngine, Engine, Interference};
 use cdpr_core::geometry::Point;
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use cdpr_core::plan::engine_for;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
 
 const SCENES: u64 = 20;
-const MOTIONS: usize = 250;
+const MOTIONS: usize = 500;
+const SHORT: Motions = Motions::Valid(0.1);
 
-/// Engines of random scenes with `count` obstacles, each with motions that it calls valid.
-fn cases(count: usize, obstacles_only: bool) -> Vec<(GjkEngine, Vec<(Point, Point)>)> {
+type Case = (Box<dyn Checker>, Vec<(Point, Point)>);
+
+/// Engines of random scenes, each with motions to check.
+fn cases(engine: Engine, kind: Motions, scenes: impl Fn(u64) -> Scene) -> Vec<Case> {
     let case = |seed| {
-        let scene = random_scene(count, seed, obstacles_only);
-        let engine = GjkEngine::new(&scene, Interference::Exact).expect("no wrench");
-        let motions = valid_motions(&engine, 0.1, MOTIONS, seed);
-        (engine, motions)
+        let scene = scenes(seed);
+        let prisms = scene.obstacles().len() >= 10 && scene.name() == "random";
+        let drawn =
+            motions(&CspaceEngine::new(&scene, Interference::Exact).expect("sound"), kind, prisms, MOTIONS, seed);
+        (engine_for(&scene, engine, Interference::Exact).expect("sound"), drawn)
     };
     (0..SCENES).map(case).collect()
 }
 
+fn check_all(cases: &[Case]) -> usize {
+    let valid = |(engine, motions): &Case| motions.iter().filter(|(from, to)| engine.motion_valid(from, to)).count();
+    cases.iter().map(valid).sum()
+}
+
+fn measure(group: &mut BenchmarkGroup<WallTime>, label: String, cases: &[Case]) {
+    group.bench_function(label, |b| b.iter(|| check_all(cases)));
+}
+
 fn motion_check(c: &mut Criterion) {
-    let mut group = c.benchmark_group("gjk motion check");
+    let mut group = c.benchmark_group("motion check");
     group.throughput(Throughput::Elements(SCENES * MOTIONS as u64));
-    for (label, obstacles_only) in [("obstacles only", true), ("with self-interference", false)] {
-        for count in [1, 3, 10] {
-            let cases = cases(count, obstacles_only);
-            group.bench_function(format!("{label}, {count} obstacles"), |b| {
-                b.iter_batched(
-                    || (),
-                    |()| {
-                        let valid = |(engine, motions): &(GjkEngine, Vec<(Point, Point)>)| {
-                            motions.iter().filter(|(from, to)| engine.motion_valid(from, to)).count()
-                        };
-                        cases.iter().map(valid).sum::<usize>()
-                    },
-                    BatchSize::SmallInput,
-                );
-            });
-        }
+    for count in [1, 3, 10, 100] {
+        let prisms = |only: bool| move |seed| random_scene(count, seed, only);
+        measure(&mut group, format!("cspace, valid 0.1 m, {count}"), &cases(Engine::Cspace, SHORT, prisms(true)));
+        measure(
+            &mut group,
+            format!("cspace, valid 0.1 m, self-interference, {count}"),
+            &cases(Engine::Cspace, SHORT, prisms(false)),
+        );
+        measure(
+            &mut group,
+            format!("cspace, anywhere, {count}"),
+            &cases(Engine::Cspace, Motions::Anywhere, prisms(true)),
+        );
+    }
+    let scattered = |seed| scattered_scene(1000, seed);
+    measure(&mut group, "cspace, valid 0.1 m, 1000 scattered".into(), &cases(Engine::Cspace, SHORT, scattered));
+    measure(
+        &mut group,
+        "cspace, anywhere, 1000 scattered".into(),
+        &cases(Engine::Cspace, Motions::Anywhere, scattered),
+    );
+    for count in [1, 3, 10] {
+        let prisms = |only: bool| move |seed| random_scene(count, seed, only);
+        measure(&mut group, format!("gjk, valid 0.1 m, {count}"), &cases(Engine::Gjk, SHORT, prisms(true)));
+        measure(
+            &mut group,
+            format!("gjk, valid 0.1 m, self-interference, {count}"),
+            &cases(Engine::Gjk, SHORT, prisms(false)),
+        );
     }
     group.finish();
 }

@@ -6,12 +6,14 @@
 pub mod batch;
 pub mod cable_cable;
 pub mod constraint;
+pub mod cspace;
 mod explain;
 pub mod gjk_engine;
 pub mod path_check;
 pub mod validity;
 
 pub use constraint::{Constraint, Constraints, Demand};
+pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
 pub use validity::{Checker, Clearance, Engine, Interference, Kind, Validity, Violation};

@@ -31,6 +31,21 @@ pub const MAX_COORDINATE: f64 = 1e6;
 /// narrower than rounding, so nothing is lost by leaving it out.
 pub const PARALLEL: f64 = 1e-10;
 
+/// Sine of the angle below which the plane of two directions is too uncertain to bound a set by.
+pub const NEARLY_PARALLEL: f64 = 1e-4;
+
+/// Relative error of a height over a plane, generously: some tens of roundings of numbers as large as the scene.
+pub const ROUNDING: f64 = 1e-14;
+
+/// How far a convex superset may be from the set it stands for, m, to decide hits as well as misses.
+pub const SUPERSET: f64 = 1e-8;
+
+/// By how much bodies without volume are fattened to have a shadow with planes, m; only a superset is needed.
+pub const FATTENED: f64 = 1e-6;
+
+/// How far grid cells overlap, relative to the size of the grid; covers the rounding in finding the cell of a point.
+pub const CELL_OVERLAP: f64 = 1e-9;
+
 /// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding puts
 /// it: either reading gives the same set up to this.
 pub const GRAZING: f64 = 1e-10;

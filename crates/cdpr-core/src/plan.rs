@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::choice::{Choice, choices};
 use crate::collision::path_check::{first_invalid_segment, path_length};
-use crate::collision::{Checker, Engine, GjkEngine, Interference, Validity, Violation};
+use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -124,6 +124,7 @@ pub struct PlanResult {
 /// As [`crate::collision::Constraints::new`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
     Ok(match engine {
+        Engine::Cspace => Box::new(CspaceEngine::new(scene, interference)?),
         Engine::Gjk => Box::new(GjkEngine::new(scene, interference)?),
     })
 }

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
-use super::validity::Validity;
+use super::validity::{Checker, Validity};
 use crate::error::Error;
 use crate::geometry::Point;
 
@@ -54,15 +54,33 @@ pub fn motions_valid(
     answer_all(answers, question, options)
 }
 
-fn answer_all(
-    answers: &mut [bool],
-    question: impl Fn(usize) -> bool + Sync,
+/// The signed clearance of each position, m: the least gap in the world, negative where bodies overlap, infinite where there
+/// is nothing to keep away from; `position(k)` gives the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or zero threads asked for.
+pub fn clearances(
+    checker: &dyn Checker,
+    position: impl Fn(usize) -> Point + Sync,
+    answers: &mut [f64],
     options: &BatchOptions,
 ) -> Result<(), Error> {
-    let serially = |first: usize, answers: &mut [bool]| {
+    let question = |k| {
+        let p = position(k);
+        checker.gap(&p, &p).unwrap_or(f64::INFINITY)
+    };
+    answer_all(answers, question, options)
+}
+
+fn answer_all<T: Send>(
+    answers: &mut [T],
+    question: impl Fn(usize) -> T + Sync,
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let serially = |first: usize, answers: &mut [T]| {
         answers.iter_mut().enumerate().for_each(|(k, answer)| *answer = question(first + k));
     };
-    let in_parallel = |first: usize, answers: &mut [bool]| {
+    let in_parallel = |first: usize, answers: &mut [T]| {
         answers.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, answers)| serially(first + chunk * CHUNK, answers));
     };
     match options.threads {
@@ -78,9 +96,9 @@ fn answer_all(
 }
 
 /// Works through the answers in blocks that take about [`BLOCK_TIME`] each.
-fn in_blocks(
-    answers: &mut [bool],
-    work: impl Fn(usize, &mut [bool]),
+fn in_blocks<T>(
+    answers: &mut [T],
+    work: impl Fn(usize, &mut [T]),
     interrupted: &dyn Fn() -> bool,
 ) -> Result<(), Error> {
     let (mut done, mut block) = (0, FIRST_BLOCK);

@@ -7,8 +7,8 @@
 
 use super::constraint::CableAt;
 use crate::geometry::segment_segment::{self, SegmentPair};
-use crate::geometry::{Point, Vector};
-use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::geometry::{HalfSpace, Point, Vector};
+use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// Two cables that share neither outlet nor attachment.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,6 +93,60 @@ impl CablePair {
         }
     }
 
+    /// Whether the triangles that the cables sweep are further apart than `gap`, told by one plane: that which separates
+    /// the cables' lines half way, as far as the motion does not carry them through it.
+    pub fn sweeps_apart(&self, from: &Point, to: &Point, gap: f64) -> bool {
+        let (u0, u1) = (self.u(from), self.u(to));
+        let u = (u0 + u1) * 0.5;
+        let normal = u.cross(&(u + self.q - self.w));
+        let room = normal.dot(&self.w).abs() - normal.dot(&(u1 - u0)).abs();
+        room > gap * normal.norm() && room > 0.0
+    }
+
+    /// Convex sets of positions outside of which the cables neither cross nor come nearer than the gap; none where rounding
+    /// or the gap is too large to bound them.
+    ///
+    /// If points λ of cable i and μ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q, |e| < g and
+    /// k = 1 / (λ - μ), so that |k| >= 1. For k > 0, f has coordinates α >= 0 and β >= 0 with α + β = 1, and k α >= 1; with
+    /// c·u = α + β this bounds k by c·u / (1 - g |c|), and what e adds to any linear function by κ c·u times the length of
+    /// its gradient: a wedge of positions, as thick as it is far. For k < 0 the same holds for -u with k β >= 1.
+    pub fn wedges(&self) -> Option<[Vec<HalfSpace>; 2]> {
+        let gap = self.gap + 2.0 * TOUCH_DEPTH;
+        let (first, second) = match &self.plane {
+            Plane::Spanned { normal, sine } if *sine > NEARLY_PARALLEL => {
+                let area = normal.dot(&self.w.cross(&self.q));
+                let (alpha, beta) = (self.q.cross(normal) / area, normal.cross(&self.w) / area);
+                let sum = alpha + beta;
+                let kappa = gap / (1.0 - gap * sum.norm());
+                let thin = |n: Vector| (n - sum * kappa, 0.0);
+                let at_least = |n: Vector, bound: f64| (-(n + sum * (kappa * n.norm())), -bound);
+                let wedge = |a: f64, b: f64| vec![thin(*normal), thin(-normal), at_least(alpha, a), at_least(beta, b)];
+                (kappa > 0.0 && kappa.is_finite()).then(|| (wedge(1.0, 0.0), wedge(0.0, 1.0)))?
+            }
+            // All f lie along the outlets' line but for `aside`, so the wedges are four-sided cones around it.
+            plane if *plane != Plane::Opposite && self.w.dot(&self.q) > 0.0 => {
+                let line = self.w.normalize();
+                let along = line.dot(&self.q);
+                let aside = gap + (self.q - line * along).norm();
+                let kappa = aside / (self.w.norm().min(along) - aside);
+                let across = any_normal(&line);
+                let sides =
+                    [across, -across, line.cross(&across), -line.cross(&across)].map(|n| (n - line * kappa, 0.0));
+                let cone = |bound: f64| sides.into_iter().chain([(-line * (1.0 + kappa), -bound)]).collect::<Vec<_>>();
+                (kappa > 0.0 && kappa.is_finite()).then(|| (cone(self.w.norm()), cone(along)))?
+            }
+            _ => return None,
+        };
+        let placed = |bounds: Vec<(Vector, f64)>, sign: f64| {
+            let half_space = |(n, bound): (Vector, f64)| {
+                let (normal, length) = (n.normalize() * sign, n.norm());
+                HalfSpace { normal, offset: bound / length }.moved(&-self.offset)
+            };
+            bounds.into_iter().map(half_space).collect()
+        };
+        Some([placed(first, 1.0), placed(second, -1.0)])
+    }
+
     /// α and β of u = α w + β q, for u near the plane of w and q with this normal.
     fn coordinates(&self, u: &Vector, normal: &Vector) -> [f64; 2] {
         let area = normal.dot(&self.w.cross(&self.q));
@@ -162,6 +216,9 @@ impl CablePair {
             (Linear(u0 + q, step).square(), [1.0, 0.0, 0.0]),     // attachment j and outlet i
         ];
         let mut best = (self.nearest(from).distance, 0.0);
+        if step == Vector::zeros() {
+            return best;
+        }
         let stationary = quotients.iter().flat_map(|(n, d)| stationary_points(n, d));
         for t in stationary.filter(|t| *t > 0.0 && *t < 1.0).chain([1.0]) {
             let distance = self.nearest(&(from + step * t)).distance;
@@ -171,6 +228,12 @@ impl CablePair {
         }
         best
     }
+}
+
+/// Some unit vector perpendicular to a unit vector.
+fn any_normal(direction: &Vector) -> Vector {
+    let axis = Vector::ith(direction.iamin(), 1.0);
+    direction.cross(&axis).normalize()
 }
 
 /// A vector that is linear in time: value at 0, slope.

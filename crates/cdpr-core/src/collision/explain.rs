@@ -4,7 +4,7 @@
 use super::constraint::{Constraint, Constraints, Demand};
 use super::validity::{Checker, Clearance, Interference, Violation};
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{Point, Swept, segment_segment};
+use crate::geometry::{Aabb, Point, Swept, segment_segment};
 use crate::numerics::{BISECTION_STEPS, TOUCH_DEPTH};
 
 /// All constraints that a motion breaks in the eyes of an engine, those that break first first.
@@ -19,11 +19,44 @@ pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Ve
 
 /// The nearest approach of a motion, over all constraints that are about a distance.
 pub(super) fn clearance(constraints: &Constraints, from: &Point, to: &Point) -> Option<Clearance> {
-    let gaps = constraints.list.iter().filter_map(|c| Some((gap(constraints, c, from, to)?, c)));
-    let (value, nearest) = gaps.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (value, index) = nearest(constraints, from, to)?;
+    let nearest = &constraints.list[index];
     let until = |t: f64| gap(constraints, nearest, from, &at(from, to, t));
     let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
     Some(Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest) })
+}
+
+/// The least gap of a motion, m, and the index of the constraint it is about. Bodies whose boxes are further apart than
+/// the least gap found so far are not looked at.
+pub(super) fn nearest(constraints: &Constraints, from: &Point, to: &Point) -> Option<(f64, usize)> {
+    let mut best: Option<(f64, usize)> = None;
+    for (index, constraint) in constraints.list.iter().enumerate() {
+        if best.is_some_and(|(least, _)| boxes_apart(constraints, constraint, from, to) >= least) {
+            continue;
+        }
+        let gap = gap(constraints, constraint, from, to);
+        if let Some(gap) = gap.filter(|gap| best.is_none_or(|(least, _)| *gap < least)) {
+            best = Some((gap, index));
+        }
+    }
+    best
+}
+
+/// Distance of the boxes around those whom a constraint keeps apart, less the radius of the cable, m: never more than
+/// their gap. Minus infinity where the boxes meet.
+fn boxes_apart(c: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
+    let (swept, body, radius) = match constraint {
+        Constraint::PlatformObstacle { part, body, .. } => {
+            (c.platform[*part].aabb().swept(&from.coords, &to.coords), body, 0.0)
+        }
+        Constraint::CableObstacle { cable, body, .. } => {
+            let cable = &c.cables[*cable];
+            (Aabb::around(&cable.sweep(from, to).corners), body, cable.radius)
+        }
+        _ => return f64::NEG_INFINITY,
+    };
+    let apart = swept.distance(c.obstacles[*body].body.aabb());
+    if apart > 0.0 { apart - radius } else { f64::NEG_INFINITY }
 }
 
 /// Room left in the workspace or in the length of a cable over a motion, m; negative outside.
@@ -77,6 +110,24 @@ pub(super) fn distance(c: &Constraints, constraint: &Constraint, from: &Point, t
             shape_distance(&cable.sweep(from, to), &c.obstacles[*body].body).signed() - cable.radius
         }
     }
+}
+
+/// How far a position is from breaking a constraint that is about a distance or room, m: moving by less keeps it, because
+/// distances to what stands still, and between two cables, change at most by the way gone.
+pub(super) fn slack(constraints: &Constraints, constraint: &Constraint, position: &Point) -> f64 {
+    let demanded = match constraint {
+        Constraint::Workspace { .. } | Constraint::CableLength { .. } => 0.0,
+        Constraint::CableCable(pair) => pair.gap - pair.radii,
+        Constraint::PlatformObstacle { gap, .. } => *gap,
+        Constraint::CablePlatform { cable, demand, .. } | Constraint::CableObstacle { cable, demand, .. } => {
+            match demand {
+                Demand::Apart { gap } => gap - constraints.cables[*cable].radius,
+                Demand::Outside { .. } => -constraints.cables[*cable].radius,
+                Demand::Leave { .. } => return f64::NEG_INFINITY,
+            }
+        }
+    };
+    distance(constraints, constraint, position, position) - demanded
 }
 
 /// Whether a broken constraint is about a seam while the cable breaks that of a part beside the seam as well, which tells

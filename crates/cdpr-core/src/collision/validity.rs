@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::constraint::{Constraint, Constraints};
+use super::explain;
 use crate::choice::choices;
 use crate::geometry::Point;
 
@@ -16,6 +17,11 @@ pub trait Checker: Validity + Send {
 
     /// Whether a motion breaks the constraint at this index of the list.
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
+
+    /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.
+    fn gap(&self, from: &Point, to: &Point) -> Option<f64> {
+        explain::nearest(self.constraints(), from, to).map(|(gap, _)| gap)
+    }
 
     /// Whether no cable meets another or the platform at a position.
     fn free_of_interference(&self, position: &Point) -> bool {
@@ -44,12 +50,17 @@ choices!(Interference, "interference", [
 /// The engines there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// GJK on swept bodies, the paper's way.
+    /// Polyhedra in the space of positions: exact and fast.
     #[default]
+    Cspace,
+    /// GJK on swept bodies, the paper's way.
     Gjk,
 }
 
-choices!(Engine, "engine", [Gjk = "gjk": "GJK on swept bodies"]);
+choices!(Engine, "engine", [
+    Cspace = "cspace": "Polyhedra in the space of positions: exact and fast",
+    Gjk = "gjk": "GJK on swept bodies: the paper's way, the reference",
+]);
 
 /// Which condition a motion breaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]

@@ -71,6 +71,12 @@ impl Aabb {
         (0..3).any(|k| self.min[k] - other.max[k] > gap || other.min[k] - self.max[k] > gap)
     }
 
+    /// Distance of the boxes, m; zero where they meet.
+    #[inline]
+    pub fn distance(&self, other: &Aabb) -> f64 {
+        (self.min - other.max).sup(&(other.min - self.max)).sup(&Vector::zeros()).norm()
+    }
+
     /// The box swept in a translation from `from` to `to`.
     #[inline]
     pub fn swept(&self, from: &Vector, to: &Vector) -> Self {

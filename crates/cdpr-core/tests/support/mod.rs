@@ -1,6 +1,8 @@
 //! Shared by the property tests: random bodies and cables, hostile ones included, and slow exact oracles.
 #![allow(dead_code)] // every test file uses its own part of it
 
+pub mod scenes;
+
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

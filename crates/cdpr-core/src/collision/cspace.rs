@@ -1,0 +1,421 @@
+//! The exact fast engine: a scene compiled to convex polyhedra in the space of positions.
+//!
+//! At fixed orientation a motion is a straight segment p(t) of positions, and what a constraint forbids is a convex
+//! polyhedron of positions ([`region`]). A motion is valid when its segment, clipped against the planes ([`clip`]), misses
+//! them all; a [`grid`] over the positions says which ones it can meet. Each polyhedron comes as a pair, one that certainly
+//! holds the forbidden set and one that is certainly inside of it; only between the two, in contact, at the rounded edges of
+//! a clearance and at the crossing of two cables, the gjk engine is asked. So the answers are those of the gjk engine, at
+//! the price of a few multiplications.
+
+mod clip;
+mod grid;
+mod region;
+
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use rayon::prelude::*;
+
+use super::constraint::{Constraint, Constraints};
+use super::explain;
+use super::gjk_engine::GjkEngine;
+use super::validity::{Checker, Clearance, Interference, Validity, Violation};
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::model::Scene;
+use crate::numerics::TOUCH_DEPTH;
+use clip::{ALL_LANES, Kernel, Lanes, Planes, Segment, Task};
+use grid::{Cells, FULL, Lists, Reach, Reached, holds, outside};
+use region::{Inner, Region, Scale, regions};
+
+/// Answers the constraints of a scene at its orientation by clipping segments in the space of positions.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::{CspaceEngine, Interference, Validity};
+/// use cdpr_core::{geometry::Point, testing};
+/// let engine = CspaceEngine::new(&testing::hard1(), Interference::Exact)?;
+/// assert!(engine.motion_valid(&Point::new(0.3, 1.0, 0.3), &Point::new(0.3, 1.0, 0.8)));
+/// assert!(!engine.motion_valid(&Point::new(0.3, 1.0, 0.3), &Point::new(1.7, 1.0, 1.7)));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct CspaceEngine {
+    reference: GjkEngine,
+    scale: Scale,
+    /// What was compiled from each constraint, kept for [`CspaceEngine::recompiled`].
+    compiled: Vec<Arc<[Compiled]>>,
+    /// Planes of the outer polyhedron of each region, by themselves to stay in the cache.
+    outer: Vec<Range<u32>>,
+    /// The rest of each region.
+    heads: Vec<Head>,
+    /// The regions of each constraint.
+    regions_of: Vec<Range<usize>>,
+    planes: Planes,
+    cells: Cells,
+    lists: Lists,
+    /// Positions inside the workspace.
+    low: Point,
+    high: Point,
+    kernel: Kernel,
+    /// The region that last refused a motion: often the one that refuses the next. It never changes an answer.
+    last_refuser: AtomicU32,
+}
+
+/// A region and the cells it reaches into.
+#[derive(Debug, Clone, PartialEq)]
+struct Compiled {
+    region: Region,
+    reached: Vec<Reached>,
+}
+
+/// What is asked of a region that its outer polyhedron does not settle.
+#[derive(Debug, Clone)]
+struct Head {
+    constraint: usize,
+    /// Planes of the inner polyhedron.
+    inner: Range<u32>,
+    /// How far the planes of `inner` are moved outward, m; none if there is no inner polyhedron.
+    widen: Option<f64>,
+}
+
+impl CspaceEngine {
+    /// The engine for a scene.
+    ///
+    /// # Errors
+    /// As [`Constraints::new`].
+    pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
+        let reference = GjkEngine::new(scene, interference)?;
+        Ok(Self::compile(reference, |_| None))
+    }
+
+    /// The engine for a scene that differs little from the one of this engine: what did not change is not compiled again.
+    ///
+    /// # Errors
+    /// As [`Constraints::new`].
+    pub fn recompiled(&self, scene: &Scene) -> Result<Self, Error> {
+        let reference = GjkEngine::new(scene, self.reference.interference())?;
+        let (old, new) = (self.reference.constraints(), reference.constraints());
+        let scale = Scale::of(new);
+        let same_frame = old.cables == new.cables
+            && old.platform == new.platform
+            && scale == self.scale
+            && self.cells == cells_for(new);
+        let unchanged = if same_frame { unchanged(old, new) } else { vec![None; new.list.len()] };
+        Ok(Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone())))
+    }
+
+    /// Compiles all constraints, but for those that `known` gives.
+    fn compile(reference: GjkEngine, known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync) -> Self {
+        let constraints = reference.constraints();
+        let (scale, cells) = (Scale::of(constraints), cells_for(constraints));
+        let compile =
+            |index: usize| known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells).into());
+        let indices = 0..constraints.list.len();
+        let compiled: Vec<Arc<[Compiled]>> = if indices.len() >= IN_PARALLEL {
+            indices.into_par_iter().map(compile).collect()
+        } else {
+            indices.map(compile).collect()
+        };
+        let mut planes = Planes::default();
+        let (mut outer, mut heads, mut regions_of) = (Vec::new(), Vec::new(), Vec::new());
+        for (constraint, pieces) in compiled.iter().enumerate() {
+            let first = heads.len();
+            for piece in pieces.iter() {
+                let range = planes.add(piece.region.outer.as_deref().unwrap_or_default());
+                heads.push(head(constraint, &piece.region, &range, &mut planes));
+                outer.push(range);
+            }
+            regions_of.push(first..heads.len());
+        }
+        let pieces = compiled.iter().flat_map(|pieces| pieces.iter());
+        let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())));
+        let (min, max) = constraints.position_box();
+        let touch = Vector::repeat(TOUCH_DEPTH);
+        CspaceEngine {
+            low: min - touch,
+            high: max + touch,
+            kernel: Kernel::best(),
+            last_refuser: AtomicU32::new(0),
+            reference,
+            scale,
+            compiled,
+            outer,
+            heads,
+            regions_of,
+            planes,
+            cells,
+            lists,
+        }
+    }
+
+    /// The same engine without SIMD instructions, to compare with.
+    pub fn portable(mut self) -> Self {
+        self.kernel = Kernel::Portable;
+        self
+    }
+
+    /// Bytes that the compiled scene takes, the constraints themselves not counted.
+    pub fn bytes(&self) -> usize {
+        let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter());
+        let kept = pieces.map(|p| size_of::<Compiled>() + p.reached.len() * size_of::<Reached>() + p.region.bytes());
+        self.planes.bytes()
+            + self.lists.bytes()
+            + self.heads.capacity() * (size_of::<Head>() + size_of::<Range<u32>>())
+            + kept.sum::<usize>()
+    }
+
+    #[inline(always)]
+    fn inside(&self, p: &Point) -> bool {
+        let (low, high) = (&self.low, &self.high);
+        (p.x >= low.x) & (p.y >= low.y) & (p.z >= low.z) & (p.x <= high.x) & (p.y <= high.y) & (p.z <= high.z)
+    }
+
+    /// Whether a region says no to a motion.
+    #[inline(always)]
+    fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
+        let outer = self.planes.of(&self.outer[region]);
+        if segment.apart(outer) {
+            return false;
+        }
+        let head = &self.heads[region];
+        if let Some(widen) = head.widen
+            && segment.meets(self.planes.of(&head.inner), widen)
+        {
+            return true;
+        }
+        segment.meets(outer, 0.0) && self.reference_refuses(head.constraint, from, to)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn reference_refuses(&self, constraint: usize, from: &Point, to: &Point) -> bool {
+        self.reference.breaks(constraint, from, to)
+    }
+
+    /// Whether any region says no to a motion inside the box of positions.
+    #[inline(always)]
+    fn refused<L: Lanes>(&self, lanes: L, from: &Point, to: &Point) -> bool {
+        let segment = Segment::new(lanes, from, to);
+        let pieces = self.cells.pieces(from, to);
+        if pieces == 1 {
+            return self.refused_in(self.cells.cell(&nalgebra::center(from, to)), &segment, &segment, from, to);
+        }
+        let last = self.last_refuser.load(Ordering::Relaxed) as usize;
+        if last < self.heads.len() && self.refuses(last, &segment, from, to) {
+            return true;
+        }
+        let step = (to - from) / pieces as f64;
+        for k in 0..pieces {
+            let start = from + step * k as f64;
+            let piece = Segment::new(lanes, &start, &(start + step));
+            if self.refused_in(self.cells.cell(&(start + step * 0.5)), &piece, &segment, from, to) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether a region that reaches into a cell says no to a motion of which a piece passes the cell.
+    #[inline(always)]
+    fn refused_in<L: Lanes>(
+        &self,
+        cell: usize,
+        piece: &Segment<L>,
+        whole: &Segment<L>,
+        from: &Point,
+        to: &Point,
+    ) -> bool {
+        let (planes, regions) = self.lists.of(cell);
+        for (group, regions) in planes.iter().zip(regions) {
+            let mut open = !piece.outside(group) & ALL_LANES;
+            while open != 0 {
+                let region = regions[open.trailing_zeros() as usize];
+                if region & FULL != 0 || self.refuses(region as usize, whole, from, to) {
+                    self.last_refuser.store(region & !FULL, Ordering::Relaxed);
+                    return true;
+                }
+                open &= open - 1;
+            }
+        }
+        false
+    }
+
+    /// Whether the triangles swept by two cables meet, where the rule asks for that.
+    fn sweeps_meet(&self, from: &Point, to: &Point) -> bool {
+        let constraints = self.reference.constraints();
+        self.reference.interference() == Interference::Swept
+            && constraints.list.iter().enumerate().any(|(index, constraint)| match constraint {
+                Constraint::CableCable(pair) => {
+                    !pair.sweeps_apart(from, to, pair.gap.max(2.0 * TOUCH_DEPTH))
+                        && self.reference_refuses(index, from, to)
+                }
+                _ => false,
+            })
+    }
+}
+
+/// Asks all regions about a motion.
+struct Motion<'a> {
+    engine: &'a CspaceEngine,
+    from: &'a Point,
+    to: &'a Point,
+}
+
+impl Task for Motion<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> bool {
+        self.engine.refused(lanes, self.from, self.to)
+    }
+}
+
+/// Asks the regions of one constraint about a motion.
+struct OneConstraint<'a> {
+    motion: Motion<'a>,
+    index: usize,
+}
+
+impl Task for OneConstraint<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> bool {
+        let Motion { engine, from, to } = self.motion;
+        let segment = Segment::new(lanes, from, to);
+        for region in engine.regions_of[self.index].clone() {
+            if engine.refuses(region, &segment, from, to) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+impl Clone for CspaceEngine {
+    fn clone(&self) -> Self {
+        Self::compile(self.reference.clone(), |index| Some(self.compiled[index].clone()))
+    }
+}
+
+impl Checker for CspaceEngine {
+    fn constraints(&self) -> &Constraints {
+        self.reference.constraints()
+    }
+
+    fn interference(&self) -> Interference {
+        self.reference.interference()
+    }
+
+    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        match &self.constraints().list[index] {
+            _ if !(self.inside(from) && self.inside(to)) => self.reference_refuses(index, from, to),
+            Constraint::Workspace { .. } => false,
+            Constraint::CableCable(_) if self.interference() == Interference::Swept => {
+                self.reference_refuses(index, from, to)
+            }
+            _ => self.kernel.run(OneConstraint { motion: Motion { engine: self, from, to }, index }),
+        }
+    }
+}
+
+impl Validity for CspaceEngine {
+    fn state_valid(&self, position: &Point) -> bool {
+        self.motion_valid(position, position)
+    }
+
+    fn motion_valid(&self, from: &Point, to: &Point) -> bool {
+        self.inside(from)
+            && self.inside(to)
+            && !self.kernel.run(Motion { engine: self, from, to })
+            && !self.sweeps_meet(from, to)
+    }
+
+    fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
+        explain::violations(self, from, to)
+    }
+
+    fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
+        explain::clearance(self.constraints(), from, to)
+    }
+}
+
+/// Constraints from which on all cores compile.
+const IN_PARALLEL: usize = 256;
+
+/// Cells along each axis for so many constraints: enough that few regions share a cell, few enough to fill in no time.
+fn cells_for(constraints: &Constraints) -> Cells {
+    let (min, max) = constraints.position_box();
+    let n = match constraints.list.len() {
+        0..1500 => 8,
+        1500..6000 => 16,
+        _ => 32,
+    };
+    Cells::new(min, max, n)
+}
+
+fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells) -> Vec<Compiled> {
+    let piece = |region: Region| {
+        let reached = cells.reached(&|center, half| reach(constraints, &region, center, half));
+        Compiled { region, reached }
+    };
+    regions(constraints, index, scale).into_iter().map(piece).collect()
+}
+
+/// How a region lies to a box of positions.
+fn reach(constraints: &Constraints, region: &Region, center: &Point, half: &Vector) -> Reach {
+    let Some(outer) = &region.outer else {
+        let constraint = &constraints.list[region.constraint];
+        let far = explain::slack(constraints, constraint, center) > half.norm();
+        return if far { Reach::Outside } else { Reach::Partly };
+    };
+    let full = || match &region.inner {
+        Inner::Unknown => false,
+        Inner::Shrunk(widen) => holds(outer, *widen, center, half),
+        Inner::Own(inner) => holds(inner, 0.0, center, half),
+    };
+    if outside(outer, center, half) {
+        Reach::Outside
+    } else if full() {
+        Reach::Full
+    } else {
+        Reach::Partly
+    }
+}
+
+fn head(constraint: usize, region: &Region, outer: &Range<u32>, planes: &mut Planes) -> Head {
+    let (inner, widen) = match &region.inner {
+        Inner::Unknown => (0..0, None),
+        Inner::Shrunk(widen) => (outer.clone(), Some(*widen)),
+        Inner::Own(half_spaces) => (planes.add(half_spaces), Some(0.0)),
+    };
+    Head { constraint, inner, widen }
+}
+
+/// For each new constraint the old one that says the same, where cables, platform and workspace are the same.
+fn unchanged(old: &Constraints, new: &Constraints) -> Vec<Option<usize>> {
+    let same_body = |body: usize| {
+        let wanted = &new.obstacles[body];
+        let likely = old.obstacles.get(body).is_some_and(|o| o == wanted).then_some(body);
+        likely.or_else(|| old.obstacles.iter().position(|o| o == wanted))
+    };
+    let bodies: Vec<Option<usize>> = (0..new.obstacles.len()).map(same_body).collect();
+    let in_old_words = |constraint: &Constraint| {
+        let mut constraint = constraint.clone();
+        if let Constraint::PlatformObstacle { body, .. } | Constraint::CableObstacle { body, .. } = &mut constraint {
+            *body = bodies[*body]?;
+        }
+        Some(constraint)
+    };
+    // Both lists have the same order, so the search goes on where the last one ended.
+    let mut next = 0;
+    let find = |constraint: &Constraint| {
+        let wanted = in_old_words(constraint)?;
+        let found = (next..old.list.len()).chain(0..next).find(|&k| old.list[k] == wanted)?;
+        next = found + 1;
+        Some(found)
+    };
+    new.list.iter().map(find).collect()
+}
