@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import Floats, point, rows
 from .exceptions import CdprWarning, InputError
 
-Engine: TypeAlias = Literal["gjk"]
+Engine: TypeAlias = Literal["cspace", "gjk"]
 Interference: TypeAlias = Literal["exact", "swept"]
 
 
@@ -312,7 +312,7 @@ class Scene:
         self,
         points: ArrayLike,
         *,
-        engine: Engine = "gjk",
+        engine: Engine = "cspace",
         interference: Interference = "exact",
         threads: int | None = None,
     ) -> NDArray[np.bool_]:
@@ -322,7 +322,7 @@ class Scene:
         ----------
         points : array_like (n, 3)
             Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
-        engine : {"gjk"}
+        engine : {"cspace", "gjk"}
         interference : {"exact", "swept"}
         threads : int, optional
             Default all cores; the answers do not depend on it.
@@ -338,7 +338,7 @@ class Scene:
         starts: ArrayLike,
         ends: ArrayLike,
         *,
-        engine: Engine = "gjk",
+        engine: Engine = "cspace",
         interference: Interference = "exact",
         threads: int | None = None,
     ) -> NDArray[np.bool_]:
@@ -348,7 +348,7 @@ class Scene:
         ----------
         starts, ends : array_like (n, 3)
             Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
-        engine : {"gjk"}
+        engine : {"cspace", "gjk"}
         interference : {"exact", "swept"}
             "swept" is the paper's stricter rule for pairs of cables.
         threads : int, optional
@@ -369,12 +369,36 @@ class Scene:
             raise InputError(f"ends: found {len(last)} rows, expected {len(first)}, one for each start")
         return self._core.motions_valid(first, last, engine, interference, threads)
 
+    def clearance(self, points: ArrayLike, *, threads: int | None = None) -> Floats:
+        """Signed clearance of each position: the least gap in the world between what must not touch.
+
+        Parameters
+        ----------
+        points : array_like (n, 3)
+            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+        threads : int, optional
+            Default all cores; the answers do not depend on it.
+
+        Returns
+        -------
+        ndarray of float (n,)
+            Metres: minus a penetration depth where bodies overlap, 0 where cables cross; infinite where there is nothing
+            to keep away from. Cables and what they end on are left out, and so is the workspace.
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
+        array([0.05 , 0.175])
+        """
+        return self._core.clearance(rows("points", points), threads)
+
     def explain_motion(
         self,
         start: ArrayLike,
         end: ArrayLike,
         *,
-        engine: Engine = "gjk",
+        engine: Engine = "cspace",
         interference: Interference = "exact",
     ) -> Violation | None:
         """Why a motion is refused: the condition it breaks first, or None if it is valid.

@@ -117,7 +117,7 @@ def plan(
     budget: float | None = None,
     repeats: int = 1,
     max_samples: int = 20_000,
-    engine: Engine = "gjk",
+    engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Result:
     """Plan a path from start to goal.
@@ -141,7 +141,7 @@ def plan(
         How often rewinding runs.
     max_samples : int
         Random samples after which the search gives up.
-    engine : {"gjk"}
+    engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
     Returns
@@ -209,7 +209,7 @@ def rewind(
     step: float = 0.1,
     order: Order = "both",
     repeats: int = 1,
-    engine: Engine = "gjk",
+    engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Path:
     """Shorten anyone's path by backward and forward rewinding; the result is valid and never longer.
@@ -256,7 +256,7 @@ def check(
     scene: Scene,
     waypoints: ArrayLike | Path,
     *,
-    engine: Engine = "gjk",
+    engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Report:
     """Check a path: every violation with culprits, place and margin, and the nearest approach.

@@ -3,8 +3,10 @@
 mod convert;
 mod errors;
 
-use cdpr_core::collision::batch::{BatchOptions, motions_valid, states_valid};
-use cdpr_core::collision::{Checker, check_path};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
+use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{PlanOptions, engine_for, plan, post_named, rewind_path};
@@ -17,12 +19,28 @@ use pyo3::prelude::*;
 use convert::{point, points, row};
 use errors::{interruptible, raised};
 
-/// A checked scene.
+/// A checked scene, with the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
-struct Scene(cdpr_core::Scene);
+struct Scene(cdpr_core::Scene, Mutex<Vec<Compiled>>);
 
-fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<Box<dyn Checker>> {
-    engine_for(&scene.0, named(engine)?, named(interference)?).map_err(raised)
+type Compiled = ((Engine, Interference), Arc<dyn Checker>);
+
+impl Scene {
+    fn of(scene: cdpr_core::Scene) -> Self {
+        Scene(scene, Mutex::default())
+    }
+}
+
+/// The engine for a scene, compiled when it is first asked for.
+fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
+    let wanted = (named(engine)?, named(interference)?);
+    let mut known = scene.1.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, engine)) = known.iter().find(|(key, _)| *key == wanted) {
+        return Ok(engine.clone());
+    }
+    let engine: Arc<dyn Checker> = engine_for(&scene.0, wanted.0, wanted.1).map_err(raised)?.into();
+    known.push((wanted, engine.clone()));
+    Ok(engine)
 }
 
 fn named<T: Choice>(name: &str) -> PyResult<T> {
@@ -38,13 +56,13 @@ impl Scene {
     /// Loads a scene file.
     #[staticmethod]
     fn load(path: std::path::PathBuf) -> PyResult<Self> {
-        io::load_scene(&path).map(Scene).map_err(raised)
+        io::load_scene(&path).map(Scene::of).map_err(raised)
     }
 
     /// A scene from JSON text, the robot in place.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        io::scene_from_text(text, Notation::Json, None).map(Scene).map_err(raised)
+        io::scene_from_text(text, Notation::Json, None).map(Scene::of).map_err(raised)
     }
 
     /// The scene as JSON text, the robot in place.
@@ -100,6 +118,23 @@ impl Scene {
         interruptible(py, |interrupted| {
             let options = BatchOptions { threads, interrupted };
             motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// The signed clearance of each row of an (n, 3) array, m.
+    fn clearance<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
+        let rows = positions.as_slice()?;
+        let mut answers = vec![0.0; rows.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            clearances(&*engine, |k| row(rows, k), &mut answers, &options)
         })?;
         Ok(PyArray1::from_vec(py, answers))
     }
@@ -193,7 +228,7 @@ impl Scene {
         };
         let Some(waypoints) = waypoints else { return Ok(page(&self.0, None, &[])) };
         let waypoints = points(waypoints.as_slice()?);
-        let engine = engine_of(self, "gjk", interference)?;
+        let engine = engine_of(self, Engine::default().name(), interference)?;
         let violations = check_path(&*engine, &waypoints).violations;
         let shown = ShownPath { status, waypoints, cost, raw_waypoints: list(raw_waypoints)?, raw_cost, planner };
         Ok(page(&self.0, Some(&shown), &violations))
