@@ -1,9 +1,11 @@
 //! Convex bodies and what can be asked of two of them: distance (GJK), overlap depth (separating axes), contact.
 
+pub mod clip;
 pub mod features;
 pub mod gjk;
 pub mod half_space;
 mod hull;
+pub mod mesh;
 pub mod polytope;
 pub mod seam;
 pub mod segment_segment;
@@ -11,8 +13,10 @@ pub mod separating_axes;
 pub mod shadow;
 pub mod shape;
 
+pub use clip::{convex_mesh, wedge_mesh};
 pub use gjk::{Proximity, distance, proximity};
 pub use half_space::HalfSpace;
+pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
 pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, Swept, Triangle};

@@ -4,6 +4,7 @@
 pub mod scenes;
 
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
+use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -26,6 +27,18 @@ pub fn direction(rng: &mut impl Rng) -> Vector {
             return v.normalize();
         }
     }
+}
+
+/// Whether a closed surface encloses a point: its triangles cover the whole sphere of directions around it (solid angles
+/// after A. van Oosterom and J. Strackee, 1983).
+pub fn encloses(mesh: &TriangleMesh, p: &Point) -> bool {
+    let angle = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|i| mesh.vertices[i] - p);
+        let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+        let below = la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb;
+        2.0 * a.dot(&b.cross(&c)).atan2(below)
+    };
+    mesh.triangles.iter().map(angle).sum::<f64>() > 2.0 * std::f64::consts::PI
 }
 
 pub fn rotation(rng: &mut impl Rng) -> Rotation {
