@@ -6,8 +6,8 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`io`], [`view`]. [`error`] and [`choice`] are used
-//! by all, [`testing`] by examples and tests.
+//! [`collision`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`regions`], [`io`], [`view`]. [`error`] and
+//! [`choice`] are used by all, [`testing`] by examples and tests.
 
 pub mod choice;
 pub mod collision;
@@ -20,6 +20,7 @@ pub mod numerics;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
+pub mod regions;
 pub mod survey;
 pub mod testing;
 pub mod view;

@@ -1,0 +1,261 @@
+//! The forbidden regions of a scene as closed triangle meshes, named by those whom they keep apart.
+//!
+//! At one orientation every pair of bodies forbids a region of space: an obstacle the shadow that it casts from an
+//! outlet (the paper, Figure 3), obstacle and platform their Minkowski difference, a cable and the platform a cone (a
+//! mirrored shadow, for parts that the cable is not attached to), two cables a pair of flat wedges. Their union is what
+//! planning has to avoid.
+//!
+//! The meshes leave out clearance and cable diameters: with them the regions have round edges and are no polyhedra.
+//! They leave out limits of cable length, too, and bodies that close seams, which are as thin as rounding.
+
+use serde::Serialize;
+
+use crate::choice::choices;
+use crate::collision::{Constraint, Constraints, Demand, Kind};
+use crate::error::{Error, nearest_name};
+use crate::geometry::{Aabb, HalfSpace, Point, Polytope, PolytopeError, TriangleMesh, convex_mesh, shadow, wedge_mesh};
+use crate::model::Scene;
+
+/// Where a region is drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Space {
+    /// Where the cable's end on the platform cannot be: the shadow starts at the obstacle. Cut at the workspace.
+    #[default]
+    Attachment,
+    /// Where the platform's origin cannot be. Cut at the positions where the platform is inside the workspace.
+    Position,
+}
+
+choices!(Space, "space", [
+    Attachment = "attachment": "Where the cable's end cannot be; the shadow starts at the obstacle",
+    Position = "position": "Where the platform's origin cannot be",
+]);
+
+/// Which regions, in which space.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RegionOptions {
+    /// The space; by default [`Space::Attachment`] for shadows, [`Space::Position`] for all regions.
+    pub space: Option<Space>,
+    /// Not the shadows of obstacles alone, but also the regions of platform and obstacles, of cables and platform, and
+    /// of pairs of cables; they exist in the space of positions only.
+    pub all: bool,
+    /// Only regions of these cables, by name; empty: no such limit.
+    pub cables: Vec<String>,
+    /// Only regions of these obstacles, by name; empty: no such limit.
+    pub obstacles: Vec<String>,
+}
+
+/// A forbidden region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedMesh {
+    /// The culprits' names, as in "cable 3 / pillar"; no two regions have the same.
+    pub name: String,
+    /// The condition that is broken in the region.
+    pub kind: Kind,
+    /// Whom it keeps apart.
+    pub culprits: Vec<String>,
+    /// Surface, world, m: one closed convex piece for each convex part, and they may overlap. That of two cables is
+    /// flat and has two sides.
+    pub mesh: TriangleMesh,
+}
+
+/// Forbidden regions of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Regions {
+    /// The space they are in.
+    pub space: Space,
+    /// The box they are cut at, m.
+    pub within: Aabb,
+    /// The regions, in the order of the scene.
+    pub meshes: Vec<NamedMesh>,
+}
+
+/// A line of a summary: what there is to know of a region but its shape.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RegionSummary<'a> {
+    /// See [`NamedMesh::name`].
+    pub name: &'a str,
+    /// See [`NamedMesh::kind`].
+    pub kind: Kind,
+    /// See [`NamedMesh::culprits`].
+    pub culprits: &'a [String],
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Volume, m³; where parts overlap, all of them count.
+    pub volume: f64,
+}
+
+impl NamedMesh {
+    /// The summary of the region.
+    pub fn summary(&self) -> RegionSummary<'_> {
+        let NamedMesh { name, kind, culprits, mesh } = self;
+        let (vertices, triangles) = (mesh.vertices.len(), mesh.triangles.len());
+        RegionSummary { name, kind: *kind, culprits, vertices, triangles, volume: mesh.volume() }
+    }
+}
+
+/// The shadows of a scene's obstacles, and if asked for the other forbidden regions.
+///
+/// A pair whose contact the scene ignores forbids nothing, and regions outside the box are left out.
+///
+/// # Errors
+/// All regions in the space of attachments, a name that is not in the scene, and as [`Constraints::new`].
+///
+/// # Example
+/// ```
+/// use cdpr_core::regions::{RegionOptions, regions};
+/// let found = regions(&cdpr_core::testing::hard1(), &RegionOptions::default())?;
+/// assert_eq!((found.meshes.len(), found.meshes[3].name.as_str()), (8, "cable 3 / pillar"));
+/// assert!(found.meshes.iter().all(|region| region.mesh.is_watertight()));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error> {
+    let space = options.checked(scene)?;
+    let constraints = Constraints::new(scene)?;
+    let within = match space {
+        Space::Attachment => *scene.workspace(),
+        Space::Position => {
+            let (min, max) = constraints.position_box();
+            Aabb { min, max }
+        }
+    };
+    let mut found = Regions { space, within, meshes: Vec::new() };
+    for constraint in &constraints.list {
+        let (kind, culprits) = (constraints.kind(constraint), constraints.culprits(constraint));
+        if !options.wants(kind, &culprits) || closes_a_seam(scene, &constraints, constraint) {
+            continue;
+        }
+        let pieces = pieces(&constraints, constraint, space, &within)
+            .map_err(|problem| Error::invalid(culprits.join(" and "), problem.to_string()))?;
+        pieces.iter().for_each(|piece| found.add(kind, &culprits, piece));
+    }
+    Ok(found)
+}
+
+impl RegionOptions {
+    /// The space asked for, once the names are known to be in the scene.
+    fn checked(&self, scene: &Scene) -> Result<Space, Error> {
+        let cables: Vec<&str> = scene.robot().cables().iter().map(|c| c.name.as_str()).collect();
+        let obstacles: Vec<&str> = scene.obstacles().iter().map(|o| o.name.as_str()).collect();
+        self.cables.iter().try_for_each(|name| known("cable", name, &cables))?;
+        self.obstacles.iter().try_for_each(|name| known("obstacle", name, &obstacles))?;
+        match (self.space, self.all) {
+            (Some(Space::Attachment), true) => Err(Error::invalid(
+                "space",
+                "found \"attachment\" with all regions, expected \"position\": each cable has an attachment of its \
+                 own, and the platform none",
+            )),
+            (None, true) => Ok(Space::Position),
+            (space, _) => Ok(space.unwrap_or_default()),
+        }
+    }
+
+    fn wants(&self, kind: Kind, culprits: &[String]) -> bool {
+        let among = |names: &[String]| names.is_empty() || culprits.iter().any(|c| names.contains(c));
+        (self.all || kind == Kind::CableObstacle) && among(&self.cables) && among(&self.obstacles)
+    }
+}
+
+fn known(what: &str, name: &str, names: &[&str]) -> Result<(), Error> {
+    if names.contains(&name) {
+        return Ok(());
+    }
+    let hint = nearest_name(name, names.iter().copied()).map(|n| format!("; did you mean \"{n}\"?"));
+    let expected = if names.is_empty() { "none, the scene has none".to_string() } else { names.join(", ") };
+    Err(Error::invalid(what, format!("found \"{name}\", expected one of {expected}{}", hint.unwrap_or_default())))
+}
+
+impl Regions {
+    /// Adds a piece to the region of these culprits.
+    fn add(&mut self, kind: Kind, culprits: &[String], piece: &TriangleMesh) {
+        if let Some(region) = self.meshes.iter_mut().find(|r| r.kind == kind && r.culprits == culprits) {
+            return region.mesh.append(piece);
+        }
+        let name = unused(&culprits.join(" / "), ' ', |name| self.meshes.iter().any(|r| r.name == name));
+        self.meshes.push(NamedMesh { name, kind, culprits: culprits.to_vec(), mesh: piece.clone() });
+    }
+
+    /// Volume of the box that the regions are cut at, m³; 0 if it is empty.
+    pub fn box_volume(&self) -> f64 {
+        (self.within.max - self.within.min).iter().map(|side| side.max(0.0)).product()
+    }
+}
+
+/// A name, with a number after it if it is in use.
+pub(crate) fn unused(name: &str, separator: char, in_use: impl Fn(&str) -> bool) -> String {
+    let numbered = (2..).map(|k| format!("{name}{separator}{k}"));
+    std::iter::once(name.to_string()).chain(numbered).find(|name| !in_use(name)).expect("names do not run out")
+}
+
+fn closes_a_seam(scene: &Scene, constraints: &Constraints, constraint: &Constraint) -> bool {
+    match constraint {
+        Constraint::CableObstacle { body, .. } | Constraint::PlatformObstacle { body, .. } => {
+            constraints.obstacles[*body].seam.is_some()
+        }
+        Constraint::CablePlatform { body, .. } => *body >= scene.robot().parts().len(),
+        _ => false,
+    }
+}
+
+/// The closed surfaces around what one constraint forbids.
+fn pieces(
+    constraints: &Constraints,
+    constraint: &Constraint,
+    space: Space,
+    within: &Aabb,
+) -> Result<Vec<TriangleMesh>, PolytopeError> {
+    if let Constraint::CableCable(pair) = constraint {
+        return Ok(crossing_wedges(constraints, [pair.first, pair.second], within));
+    }
+    let half_spaces = forbidden(constraints, constraint, space)?;
+    Ok(half_spaces.and_then(|list| convex_mesh(&list, within)).into_iter().collect())
+}
+
+/// What a constraint forbids, as an intersection of open half-spaces; none if that has no volume or is no such thing.
+fn forbidden(
+    constraints: &Constraints,
+    constraint: &Constraint,
+    space: Space,
+) -> Result<Option<Vec<HalfSpace>>, PolytopeError> {
+    let cone = |apex: &Point, normals: &[_]| normals.iter().map(|n| HalfSpace::through(apex, *n)).collect();
+    let half_spaces = match constraint {
+        Constraint::CableObstacle { cable, body, demand } => {
+            let cable = &constraints.cables[*cable];
+            let hidden: Option<Vec<HalfSpace>> = match demand {
+                Demand::Leave { normals } => Some(cone(&cable.outlet, normals)),
+                _ => shadow(&constraints.obstacles[*body].body, &cable.outlet).map(|s| s.half_spaces),
+            };
+            let by = if space == Space::Position { -cable.arm } else { Default::default() };
+            hidden.map(|list| list.iter().map(|h| h.moved(&by)).collect())
+        }
+        Constraint::CablePlatform { cable, body, demand } => {
+            // Seen from the platform at p, the cable goes from its arm to the outlet at B - p: reflect in B / 2.
+            let cable = &constraints.cables[*cable];
+            let attachment = Point::from(cable.arm);
+            let hidden: Option<Vec<HalfSpace>> = match demand {
+                Demand::Leave { normals } => Some(cone(&attachment, normals)),
+                _ => shadow(&constraints.platform[*body], &attachment).map(|s| s.half_spaces),
+            };
+            hidden.map(|list| list.iter().map(|h| h.reflected(&cable.outlet.coords)).collect())
+        }
+        Constraint::PlatformObstacle { part, body, .. } => {
+            let (part, body) = (&constraints.platform[*part], &constraints.obstacles[*body].body);
+            let differences = body.vertices().iter().flat_map(|o| part.vertices().iter().map(move |r| o - r.coords));
+            Some(Polytope::hull_of(&differences.collect::<Vec<_>>())?.half_spaces())
+        }
+        Constraint::CableCable(_) | Constraint::CableLength { .. } | Constraint::Workspace { .. } => None,
+    };
+    Ok(half_spaces)
+}
+
+/// Positions where two cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from
+/// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. Nothing with area where w and q are parallel.
+fn crossing_wedges(constraints: &Constraints, [i, j]: [usize; 2], within: &Aabb) -> Vec<TriangleMesh> {
+    let (i, j) = (&constraints.cables[i], &constraints.cables[j]);
+    let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
+    let origin = i.outlet - i.arm;
+    let wedges = [(origin + w, [w, q]), (origin - q, [-w, -q])];
+    wedges.iter().filter_map(|(apex, sides)| wedge_mesh(apex, *sides, within)).collect()
+}
