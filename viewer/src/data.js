@@ -44,6 +44,19 @@ function readPath(path) {
   };
 }
 
+function readRegion(region, index) {
+  const vertices = list(region?.vertices).filter(isPoint);
+  const usable = (face) => Array.isArray(face) && face.length === 3 && face.every((i) => vertices[i]);
+  const name = text(region?.name, `region ${index}`);
+  const [owner = name] = list(region?.culprits).map(String);
+  return { name, owner, kind: text(region?.kind, 'unknown'), vertices, faces: list(region?.triangles).filter(usable) };
+}
+
+function readRegions(regions) {
+  if (!regions) return null;
+  return { space: text(regions.space, 'attachment'), meshes: list(regions.meshes).map(readRegion) };
+}
+
 function readViolation(violation) {
   return {
     segment: Math.max(0, Math.trunc(numberOrNull(violation?.segment) ?? 0)),
@@ -77,6 +90,7 @@ export function readModel(raw) {
     start: pointOrNull(raw?.start),
     goal: pointOrNull(raw?.goal),
     path: readPath(raw?.path),
+    regions: readRegions(raw?.regions),
     violations: list(raw?.violations).map(readViolation),
   };
 }

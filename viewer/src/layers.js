@@ -12,9 +12,11 @@ const NAMES = {
   violations: { name: 'violations', swatch: 'cross' },
   startGoal: { name: 'start and goal', swatch: 'ghost' },
   workspace: { name: 'workspace', swatch: 'outline' },
+  regions: { name: 'forbidden regions', swatch: 'ghost' },
 };
 
-function createLayer(key, group, invalidate) {
+/** A layer for a group; an empty one has no legend row. */
+export function createLayer(group, name, swatch, invalidate) {
   const layer = {
     get visible() {
       return group.visible;
@@ -25,9 +27,8 @@ function createLayer(key, group, invalidate) {
       invalidate();
     },
   };
-  const { name, swatch } = NAMES[key];
   const isEmpty = group.children.length === 0;
-  const tick = isEmpty ? () => {} : addLegendRow(name, `${swatch} of-${key}`, layer);
+  const tick = isEmpty ? () => {} : addLegendRow(name, swatch, layer);
   return layer;
 }
 
@@ -39,7 +40,8 @@ export function createLayers(contents, scene, invalidate) {
     group.name = key;
     for (const object of contents[key] ?? []) group.add(object);
     scene.add(group);
-    layers[key] = createLayer(key, group, invalidate);
+    const { name, swatch } = NAMES[key];
+    layers[key] = createLayer(group, name, `${swatch} of-${key}`, invalidate);
   }
   return layers;
 }

@@ -3,10 +3,11 @@
 import { readModel } from './data.js';
 import { createFrame } from './frame.js';
 import { createLabels } from './labels.js';
-import { createLayers } from './layers.js';
+import { createLayer, createLayers } from './layers.js';
 import * as panel from './panel.js';
 import { createFinalPath, createRawPath, createViolations } from './paths.js';
 import { createPlayback } from './playback.js';
+import { createRegions } from './regions.js';
 import { createCables, createGhost, createPlatform, platformShapes } from './robot.js';
 import { createRoute } from './route.js';
 import { createStage, hasWebGL } from './stage.js';
@@ -42,6 +43,7 @@ function fillScene(model, route, frame, stage, theme) {
   const platform = createPlatform(shapes, model.orientation, theme);
   const cables = createCables(model, frame, theme);
   const ghosts = createGhosts(model, frame, shapes, theme);
+  const regions = createRegions(model, frame, theme);
   const contents = {
     platform: [platform],
     obstacles: createObstacles(model, frame, theme),
@@ -51,6 +53,7 @@ function fillScene(model, route, frame, stage, theme) {
     violations: createViolations(model.violations, route, frame, theme),
     startGoal: ghosts,
     workspace: createWorkspace(model, frame, theme),
+    regions: regions.map(({ group }) => group),
   };
   const move = (position) => {
     frame.point(position, platform.position);
@@ -58,7 +61,7 @@ function fillScene(model, route, frame, stage, theme) {
     for (const ghost of ghosts) ghost.visible = ghost.position.distanceTo(platform.position) > SAME_PLACE;
     stage.invalidate();
   };
-  return { contents, ghosts, move };
+  return { contents, ghosts, regions, move };
 }
 
 // The 3D part: how to move the robot, the layers and the view.
@@ -69,8 +72,10 @@ function createView(model, route) {
   const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
   const theme = createTheme(stage.invalidate);
   theme.bind(stage.scene.background, 'background');
-  const { contents, ghosts, move } = fillScene(model, route, frame, stage, theme);
+  const { contents, ghosts, regions, move } = fillScene(model, route, frame, stage, theme);
   const layers = createLayers(contents, stage.scene, stage.invalidate);
+  const regionLayer = ({ group, role }) => [group.name, createLayer(group, group.name, `part ghost of-${role}`, stage.invalidate)];
+  layers.regions.parts = Object.fromEntries(regions.map(regionLayer));
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
   return { move, layers, resetView: stage.resetView };
 }

@@ -1,6 +1,6 @@
 // The panel: title, outcome, legend and list of violations; and the bar with the slider.
 
-import { describeOutcome, describeViolation, formatProgress } from './wording.js';
+import { describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const NARROW = '(max-width: 560px)';
@@ -18,7 +18,8 @@ function element(tag, className, text) {
 export function showSummary(model, length) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
-  byId('status').textContent = describeOutcome(model.path, length, model.violations.length);
+  const outcome = describeOutcome(model.path, length, model.violations.length);
+  byId('status').textContent = model.regions && !model.path ? describeRegions(model.regions) : outcome;
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
   byId('details').open = !window.matchMedia(NARROW).matches;
 }

@@ -1,6 +1,17 @@
 // Colours of the light and the dark look, after the Okabe–Ito palette.
 
+// Regions have up to nine colours at once: the palettes "muted" and "light" of Paul Tol, which colour-blind readers can
+// tell apart, too.
+const MUTED = ['#332288', '#44aa99', '#aa4499', '#117733', '#cc6677', '#88ccee', '#882255', '#999933', '#ddcc77'];
+const PALE = ['#77aadd', '#ee8866', '#eedd88', '#ffaabb', '#99ddff', '#44bb99', '#bbcc33', '#aaaa00', '#dddddd'];
+
+/** How many colours there are for regions: roles `region0`, `region1` and so on. */
+export const REGION_COLORS = MUTED.length;
+
+const regionRoles = (colors) => Object.fromEntries(colors.map((color, index) => [`region${index}`, color]));
+
 const LIGHT = {
+  ...regionRoles(MUTED),
   background: '#f6f7f9',
   platform: '#0072b2',
   platformEdge: '#003b5c',
@@ -18,6 +29,7 @@ const LIGHT = {
 };
 
 const DARK = {
+  ...regionRoles(PALE),
   background: '#14171c',
   platform: '#56b4e9',
   platformEdge: '#d3edfb',

@@ -55,6 +55,18 @@ export function describeOutcome(path, length, violations) {
   return `${said}: ${cost} after rewinding, ${formatLength(path.rawCost)} raw`;
 }
 
+const SPACES = {
+  attachment: 'where the end of that cable cannot be',
+  position: "where the platform's origin cannot be",
+};
+
+/** What the regions of a page are. */
+export function describeRegions({ space, meshes }) {
+  const shadows = meshes.every(({ kind }) => kind === 'cable-obstacle');
+  const things = `${shadows ? 'shadow' : 'forbidden region'}${meshes.length === 1 ? '' : 's'}`;
+  return `${meshes.length} ${things} in the space of ${space}s: ${SPACES[space] ?? space}`;
+}
+
 const SENTENCES = {
   workspace: (who) => `${who[0] ?? 'platform'} leaves the workspace`,
   'cable-length': (who) => `${who[0] ?? 'a cable'} is too short or too long`,

@@ -1,4 +1,4 @@
-//! One self-contained HTML page that shows a scene and its path; it opens offline.
+//! One self-contained HTML page that shows a scene with its path or its forbidden regions; it opens offline.
 //!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
 //! scene as JSON.
@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use crate::collision::path_check::PathViolation;
 use crate::geometry::{Point, Polytope};
 use crate::model::{Obstacle, Scene};
+use crate::regions::{NamedMesh, Regions};
 
 const TEMPLATE: &str = include_str!("view/assets/template.html");
 const STYLE: &str = include_str!("view/assets/viewer.css");
@@ -38,7 +39,30 @@ pub struct ShownPath {
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
 pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
-    let data = inert(&data(scene, path, violations).to_string());
+    filled(scene, &data(scene, path, violations))
+}
+
+/// The page for a scene and its forbidden regions: translucent, and switched on and off by cable.
+///
+/// # Example
+/// ```
+/// use cdpr_core::regions::{RegionOptions, regions};
+/// let scene = cdpr_core::testing::hard1();
+/// let page = cdpr_core::view::regions_page(&scene, &regions(&scene, &RegionOptions::default())?);
+/// assert!(page.contains("cable 3 / pillar"));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
+    let mut data = data(scene, None, &[]);
+    data["regions"] = json!({
+        "space": regions.space,
+        "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>(),
+    });
+    filled(scene, &data)
+}
+
+fn filled(scene: &Scene, data: &Value) -> String {
+    let data = inert(&data.to_string());
     let title = escaped(&format!("{} – cdpr", scene.name()));
     let parts = [("/*{{style}}*/", STYLE), ("{{title}}", &title), ("{{data}}", &data), ("/*{{script}}*/", SCRIPT)];
     fill(TEMPLATE, &parts)
@@ -79,6 +103,11 @@ fn body(body: &Polytope) -> Value {
     json!({ "vertices": body.vertices().iter().map(xyz).collect::<Vec<_>>(), "faces": faces })
 }
 
+fn region(NamedMesh { name, kind, culprits, mesh }: &NamedMesh) -> Value {
+    let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(xyz).collect();
+    json!({ "name": name, "kind": kind, "culprits": culprits, "vertices": vertices, "triangles": mesh.triangles })
+}
+
 /// JSON that cannot end the script element it stands in.
 fn inert(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
@@ -116,6 +145,7 @@ fn fill(template: &str, parts: &[(&str, &str)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::regions::{RegionOptions, regions};
     use crate::testing::{block, paper_scene, scene};
 
     #[test]
@@ -125,5 +155,20 @@ mod tests {
         let page = page(&scene, None, &[]);
         assert!(!page.contains("<script>alert(1)"));
         assert_eq!(page.matches(SCRIPT).count(), 1);
+    }
+
+    #[test]
+    fn regions_stand_in_the_data_by_name_and_space() {
+        let name = "</script><script>alert(1)</script>";
+        let scene = scene(paper_scene("regions", vec![block(name, [0.1; 3], [1.0; 3])]));
+        let found = regions(&scene, &RegionOptions { all: true, ..RegionOptions::default() }).unwrap();
+        let page = regions_page(&scene, &found);
+        assert!(!page.contains("<script>alert(1)"));
+        let (_, rest) = page.split_once("id=\"cdpr-data\">").unwrap();
+        let data: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+        assert_eq!(data["regions"]["space"], "position");
+        let meshes = data["regions"]["meshes"].as_array().unwrap();
+        assert_eq!((meshes.len(), &meshes[0]["culprits"]), (found.meshes.len(), &json!(["platform", name])));
+        assert_eq!(meshes[0]["triangles"], json!(found.meshes[0].mesh.triangles));
     }
 }
