@@ -55,6 +55,11 @@ impl TriangleMesh {
         self.triangles.iter().map(|t| 0.5 * self.doubled_area(t).norm()).sum()
     }
 
+    /// Outward unit normal of a triangle; none if it has no area.
+    pub fn normal(&self, triangle: &[usize; 3]) -> Option<Vector> {
+        self.doubled_area(triangle).try_normalize(0.0)
+    }
+
     fn doubled_area(&self, &[i, j, k]: &[usize; 3]) -> Vector {
         let [a, b, c] = [self.vertices[i], self.vertices[j], self.vertices[k]];
         (b - a).cross(&(c - a))
