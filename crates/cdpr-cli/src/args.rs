@@ -7,6 +7,7 @@ use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
 use cdpr_core::plan::{NO_POST, PlanOptions, Planner, post_named};
 use cdpr_core::postprocess::{Order, RewindOptions};
+use cdpr_core::regions::{RegionOptions, Space};
 use cdpr_core::{Choice, Error};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
@@ -55,6 +56,20 @@ pub enum Command {
     #[command(after_help = "Example:
   cdpr view hall.toml path.json -o view.html")]
     View(ViewArgs),
+    /// Write the shadows of obstacles, or all forbidden regions, as closed triangle meshes or as a page.
+    ///
+    /// The shadow of an obstacle is where the end of a cable cannot be, because the cable would pass through the
+    /// obstacle; it starts at the obstacle, as seen from the outlet. One mesh for each cable and obstacle, cut at the
+    /// workspace; the parts of a concave obstacle are closed pieces of one mesh. Clearance and cable diameters are not
+    /// part of it.
+    ///
+    /// By extension: .obj has an object for each region; .ply numbers the faces by region; .stl has no names and is in
+    /// single precision (about seven digits); .html is a page that shows the regions in the scene.
+    #[command(after_help = "Examples:
+  cdpr shadows hall.toml -o shadows.html
+  cdpr shadows hall.toml -o shadows.obj --cable \"cable 3\" --obstacle pillar
+  cdpr shadows hall.toml -o regions.stl --all")]
+    Shadows(ShadowsArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -202,6 +217,28 @@ pub struct ViewArgs {
 }
 
 #[derive(Debug, Args)]
+pub struct ShadowsArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// File to write (.obj, .ply, .stl or .html).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    /// Where the regions are drawn: attachment, or position with --all.
+    #[arg(long, value_parser = choice::<Space>())]
+    pub space: Option<Space>,
+    /// Also regions of the platform with obstacles, of cables with the platform, and of pairs of cables (flat); they
+    /// exist only in the space of positions, which is then the default.
+    #[arg(long)]
+    pub all: bool,
+    /// Only regions of these cables.
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    pub cable: Vec<String>,
+    /// Only regions of these obstacles.
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    pub obstacle: Vec<String>,
+}
+
+#[derive(Debug, Args)]
 pub struct CompletionsArgs {
     /// The shell.
     #[arg(value_enum)]
@@ -223,6 +260,13 @@ impl PlanArgs {
             max_samples: self.max_samples,
             budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
         })
+    }
+}
+
+impl ShadowsArgs {
+    pub fn options(&self) -> RegionOptions {
+        let (cables, obstacles) = (self.cable.clone(), self.obstacle.clone());
+        RegionOptions { space: self.space, all: self.all, cables, obstacles }
     }
 }
 

@@ -7,4 +7,5 @@ pub mod new;
 pub mod plan;
 pub mod post;
 pub mod schema;
+pub mod shadows;
 pub mod view;

@@ -39,6 +39,7 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Post(args) => commands::post::run(&args),
         Command::New(args) => commands::new::run(&args),
         Command::Schema(args) => commands::schema::run(&args),
+        Command::Shadows(args) => commands::shadows::run(&args),
         Command::View(args) => commands::view::run(&args),
         Command::Completions(args) => commands::completions::run(&args),
     }

@@ -277,6 +277,70 @@ fn info_counts_and_judges() {
 }
 
 #[test]
+fn shadows_have_a_mesh_for_each_cable_and_obstacle_in_every_format() {
+    let folder = folder();
+    let hard3 = testdata("scenes/hard3.toml");
+    let written = |name: &str, arguments: &[&str]| {
+        let output = cdpr_in(folder.path(), &[&["shadows", &hard3, "-o", name], arguments].concat());
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        assert!(stderr(&output).contains(&format!("wrote {name}")));
+        (fs::read(folder.path().join(name)).unwrap(), stdout(&output))
+    };
+    let (obj, text) = written("s.obj", &[]);
+    let obj = String::from_utf8(obj).unwrap();
+    assert!(text.contains("24 regions in the space of attachments") && text.contains("largest: cable "), "{text}");
+    assert_eq!(obj.lines().filter(|line| line.starts_with("o ")).count(), 24);
+    assert!(obj.contains("\n# cable 3 / south\no cable_3_south\nv "));
+    let faces = obj.lines().filter(|line| line.starts_with("f ")).count();
+    let (ply, _) = written("s.ply", &[]);
+    assert!(String::from_utf8(ply).unwrap().contains(&format!("element face {faces}\n")));
+    let (stl, _) = written("s.stl", &["--cable", "cable 3", "--obstacle", "south", "west"]);
+    let triangles = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
+    assert_eq!(stl.len(), 84 + 50 * triangles);
+    let (page, _) = written("s.html", &["--space", "position"]);
+    assert!(String::from_utf8(page).unwrap().contains("\"space\":\"position\""));
+    let (_, all) = written("all.obj", &["--all", "--format", "json"]);
+    let all: Value = serde_json::from_str(&all).unwrap();
+    assert_eq!((&all["space"], all["meshes"].as_array().unwrap().len()), (&"position".into(), 27));
+    let first = &all["meshes"][0];
+    assert_eq!((&first["name"], &first["kind"]), (&"platform / west".into(), &"platform-obstacle".into()));
+    // The Minkowski sum of two boxes, cut where the platform stands on the floor: (0.2 + 0.15)² × 1.2 m³.
+    assert!((first["volume"].as_f64().unwrap() - 0.35 * 0.35 * 1.2).abs() < 1e-12, "{first}");
+}
+
+#[test]
+fn shadows_say_what_they_leave_out_and_refuse_what_is_not_there() {
+    let folder = folder();
+    let clearance = testdata("cases/clearance.toml");
+    let output = cdpr_in(folder.path(), &["shadows", &clearance, "-o", "s.obj"]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    assert!(stderr(&output).contains("note: clearance and cable diameters are not part of the meshes"));
+    let none = cdpr_in(folder.path(), &["shadows", &testdata("scenes/empty.toml"), "-o", "none.stl"]);
+    assert_eq!((status(&none), fs::read(folder.path().join("none.stl")).unwrap().len()), (0, 84));
+    assert!(stdout(&none).contains("0 regions"));
+    let hard1 = testdata("scenes/hard1.toml");
+    for (arguments, words) in [
+        (vec!["-o", "out.step"], vec!["out.step", ".step", ".obj, .ply, .stl or .html"]),
+        (vec!["-o", "out.obj", "--cable", "cabel 3"], vec!["hard1.toml", "cabel 3", "did you mean \"cable 3\"?"]),
+        (vec!["-o", "out.obj", "--obstacle", "column"], vec!["obstacle", "column", "expected one of pillar"]),
+        (vec!["-o", "out.obj", "--all", "--space", "attachment"], vec!["space", "attachment", "expected \"position\""]),
+        (vec!["-o", "out.obj", "--space", "joint"], vec!["joint", "attachment", "position"]),
+        (vec!["-o", "nofolder/out.obj"], vec!["nofolder", "cannot be written"]),
+    ] {
+        let output = cdpr_in(folder.path(), &[&["shadows", &hard1], &arguments[..]].concat());
+        assert_eq!(status(&output), 2, "{arguments:?}: {}", stderr(&output));
+        for word in words {
+            assert!(stderr(&output).contains(word), "{arguments:?}: no \"{word}\" in {}", stderr(&output));
+        }
+        assert!(stdout(&output).is_empty());
+    }
+    let unread = cdpr_in(folder.path(), &["shadows", "nowhere.toml", "-o", "out.step"]);
+    assert!(stderr(&unread).contains("out.step"), "the name is judged before the scene is read");
+    let left = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    assert!(left.into_iter().all(|name| !name.starts_with("out") && !name.starts_with('.')));
+}
+
+#[test]
 fn view_and_schema_and_completions_and_help() {
     let folder = folder();
     let hard1 = testdata("scenes/hard1.toml");
@@ -290,7 +354,7 @@ fn view_and_schema_and_completions_and_help() {
     }
     assert!(json(&cdpr(&["schema"]))["properties"]["workspace"].is_object());
     assert!(stdout(&cdpr(&["completions", "bash"])).contains("_cdpr"));
-    for command in ["plan", "check", "info", "post", "new", "schema", "view", "completions"] {
+    for command in ["plan", "check", "info", "post", "new", "schema", "shadows", "view", "completions"] {
         assert!(stdout(&cdpr(&[command, "--help"])).contains("Example"), "{command}");
     }
 }

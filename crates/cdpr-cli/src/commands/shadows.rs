@@ -1,0 +1,72 @@
+//! `cdpr shadows`
+
+use cdpr_core::collision::Constraints;
+use cdpr_core::io::{RegionFormat, save_regions};
+use cdpr_core::regions::{NamedMesh, Regions, regions};
+use cdpr_core::{Choice, Error, Scene, io};
+use serde_json::json;
+
+use crate::Answer;
+use crate::args::{Format, ShadowsArgs};
+use crate::output::{count, result, say, say_notes, scene_line};
+
+pub fn run(args: &ShadowsArgs) -> Result<Answer, Error> {
+    let format = RegionFormat::of(&args.output)?;
+    let scene = io::load_scene(&args.scene.scene)?;
+    let found = regions(&scene, &args.options()).map_err(|e| e.in_file(&args.scene.scene))?;
+    if args.all {
+        say_notes(&Constraints::new(&scene)?);
+    }
+    if has_round_regions(&scene) {
+        say("note: clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
+    }
+    save_regions(&args.output, &scene, &found)?;
+    match args.scene.format {
+        Format::Json => result(&format!("{:#}", summary(args, &found))),
+        Format::Text => {
+            result(&scene_line(&scene));
+            lines(&found).iter().for_each(|line| result(line));
+        }
+    }
+    let hint = if format == RegionFormat::Html { " (open it in a browser)" } else { "" };
+    say(&format!("wrote {}{hint}", args.output.display()));
+    Ok(Answer::Yes)
+}
+
+fn has_round_regions(scene: &Scene) -> bool {
+    scene.clearance() > 0.0 || scene.robot().cables().iter().any(|cable| cable.diameter > 0.0)
+}
+
+fn triangles(found: &Regions) -> usize {
+    found.meshes.iter().map(|region| region.mesh.triangles.len()).sum()
+}
+
+fn summary(args: &ShadowsArgs, found: &Regions) -> serde_json::Value {
+    json!({
+        "output": args.output,
+        "space": found.space,
+        "box": {
+            "min": found.within.min.coords.as_slice(),
+            "max": found.within.max.coords.as_slice(),
+            "volume": found.box_volume(),
+        },
+        "triangles": triangles(found),
+        "meshes": found.meshes.iter().map(NamedMesh::summary).collect::<Vec<_>>(),
+    })
+}
+
+fn lines(found: &Regions) -> Vec<String> {
+    let space = found.space.name();
+    let Some(largest) = found.meshes.iter().max_by(|a, b| a.mesh.volume().total_cmp(&b.mesh.volume())) else {
+        return vec![format!("0 regions in the space of {space}s: nothing is forbidden there")];
+    };
+    let share = 100.0 * largest.mesh.volume() / found.box_volume();
+    vec![
+        format!(
+            "{} in the space of {space}s, {}, closed and oriented outward",
+            count(found.meshes.len(), "region"),
+            count(triangles(found), "triangle")
+        ),
+        format!("largest: {}, {:.3} m³, {share:.1} % of the box it is cut at", largest.name, largest.mesh.volume()),
+    ]
+}
