@@ -21,6 +21,7 @@ from ._core import __version__
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
 from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
+from ._shadows import Mesh, save_shadows, shadows
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "Distance",
     "FileError",
     "InputError",
+    "Mesh",
     "Path",
     "Report",
     "Result",
@@ -41,6 +43,8 @@ __all__ = [
     "load_path",
     "plan",
     "rewind",
+    "save_shadows",
     "save_view",
     "schema",
+    "shadows",
 ]

@@ -46,6 +46,12 @@ class Scene:
     def rewind(
         self, waypoints: _Floats, step: float, order: str, repeats: int, engine: str, interference: str
     ) -> str: ...
+    def regions(
+        self, space: str | None, all: bool, cables: list[str], obstacles: list[str]
+    ) -> list[tuple[str, _Floats, NDArray[np.int64]]]: ...
+    def save_regions(
+        self, path: str, space: str | None, all: bool, cables: list[str], obstacles: list[str]
+    ) -> None: ...
     def page(
         self,
         status: str | None,

@@ -11,9 +11,10 @@ use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{PlanOptions, engine_for, plan, post_named, rewind_path};
 use cdpr_core::postprocess::RewindOptions;
+use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::{Choice, Error, Robot};
-use numpy::{PyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use convert::{point, points, row};
@@ -211,6 +212,41 @@ impl Scene {
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
 
+    /// Each forbidden region as summary (JSON), vertices (n, 3) and triangles (m, 3).
+    fn regions<'py>(
+        &self,
+        py: Python<'py>,
+        space: Option<&str>,
+        all: bool,
+        cables: Vec<String>,
+        obstacles: Vec<String>,
+    ) -> PyResult<Vec<Region<'py>>> {
+        let options = region_options(space, all, cables, obstacles)?;
+        let found = py.detach(|| regions(&self.0, &options)).map_err(raised)?;
+        let arrays = |region: &NamedMesh| {
+            let vertices = region.mesh.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+            let triangles = region.mesh.triangles.iter().flatten().map(|i| *i as i64).collect();
+            Ok((serialized(&region.summary()), triples(py, vertices)?, triples(py, triangles)?))
+        };
+        found.meshes.iter().map(arrays).collect()
+    }
+
+    /// Writes forbidden regions in the format that the extension names.
+    fn save_regions(
+        &self,
+        py: Python<'_>,
+        path: std::path::PathBuf,
+        space: Option<&str>,
+        all: bool,
+        cables: Vec<String>,
+        obstacles: Vec<String>,
+    ) -> PyResult<()> {
+        io::RegionFormat::of(&path).map_err(raised)?;
+        let options = region_options(space, all, cables, obstacles)?;
+        let write = || io::save_regions(&path, &self.0, &regions(&self.0, &options)?);
+        py.detach(write).map_err(raised)
+    }
+
     /// A self-contained page that shows the scene and, if given, a path.
     #[allow(clippy::too_many_arguments)] // one per thing shown
     fn page(
@@ -233,6 +269,23 @@ impl Scene {
         let shown = ShownPath { status, waypoints, cost, raw_waypoints: list(raw_waypoints)?, raw_cost, planner };
         Ok(page(&self.0, Some(&shown), &violations))
     }
+}
+
+type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
+
+fn region_options(
+    space: Option<&str>,
+    all: bool,
+    cables: Vec<String>,
+    obstacles: Vec<String>,
+) -> PyResult<RegionOptions> {
+    Ok(RegionOptions { space: space.map(named).transpose()?, all, cables, obstacles })
+}
+
+/// Numbers as an (n, 3) array.
+fn triples<'py, T: numpy::Element>(py: Python<'py>, numbers: Vec<T>) -> PyResult<Bound<'py, PyArray2<T>>> {
+    let rows = numbers.len() / 3;
+    PyArray1::from_vec(py, numbers).reshape([rows, 3])
 }
 
 fn seconds(budget: f64) -> PyResult<std::time::Duration> {

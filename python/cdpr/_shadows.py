@@ -1,0 +1,143 @@
+"""Shadows of obstacles and the other forbidden regions, as triangle meshes."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._arrays import Floats
+from ._model import Scene
+
+Space: TypeAlias = Literal["attachment", "position"]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A forbidden region as a closed surface of triangles, oriented outward.
+
+    Attributes
+    ----------
+    name : str
+        The culprits, as in "cable 3 / pillar".
+    kind : str
+        The condition broken in the region: "cable-obstacle" for shadows, "platform-obstacle", "cable-platform" or
+        "cable-cable".
+    culprits : tuple of str
+        Whom the region keeps apart.
+    vertices : ndarray (n, 3) of float64
+        Corners, world, m.
+    triangles : ndarray (m, 3) of int64
+        Corners of each triangle, counter-clockwise seen from outside, as indices into ``vertices``.
+    volume : float
+        m³. Each convex part of a concave body is a closed piece of its own, and where pieces overlap all of them count;
+        0 for two cables, whose region is flat and has two sides.
+    """
+
+    name: str
+    kind: str
+    culprits: tuple[str, ...]
+    vertices: Floats = field(repr=False)
+    triangles: NDArray[np.int64] = field(repr=False)
+    volume: float
+
+
+def shadows(
+    scene: Scene,
+    *,
+    space: Space | None = None,
+    all_regions: bool = False,
+    cables: str | Sequence[str] | None = None,
+    obstacles: str | Sequence[str] | None = None,
+) -> dict[str, Mesh]:
+    """Compute the shadow that each obstacle casts from each outlet: where the end of that cable cannot be.
+
+    Parameters
+    ----------
+    scene : Scene
+    space : {"attachment", "position"}, optional
+        "attachment": where the end of the cable cannot be; the shadow starts at the obstacle and is cut at the
+        workspace. "position": where the platform's origin cannot be, cut at the positions where the platform is inside
+        the workspace. Default "attachment", or "position" with ``all_regions``.
+    all_regions : bool
+        Also the regions of platform and obstacles, of cables and platform, and of pairs of cables, which exist only in
+        the space of positions.
+    cables, obstacles : str or sequence of str, optional
+        Only regions of these, by name.
+
+    Returns
+    -------
+    dict of str to Mesh
+        By name, in the order of the scene. Pairs whose contact the scene ignores and regions outside the box are left
+        out.
+
+    Raises
+    ------
+    InputError
+        A name that is not in the scene, or all regions in the space of attachments.
+
+    Notes
+    -----
+    The region of the paper's Figure 3. Clearance, cable diameters and length limits are not part of the meshes: with
+    them the regions have round edges.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> found = shadows(scene)
+    >>> list(found)[:2]
+    ['cable 0 / pillar', 'cable 1 / pillar']
+    >>> mesh = found["cable 0 / pillar"]
+    >>> mesh.vertices.shape[1], mesh.triangles.shape[1], mesh.volume > 0
+    (3, 3, True)
+    """
+    found = scene._core.regions(space, bool(all_regions), _names(cables), _names(obstacles))
+    meshes = [_mesh(json.loads(summary), vertices, triangles) for summary, vertices, triangles in found]
+    return {mesh.name: mesh for mesh in meshes}
+
+
+def _mesh(summary: dict[str, Any], vertices: Floats, triangles: NDArray[np.int64]) -> Mesh:
+    return Mesh(
+        name=summary["name"],
+        kind=summary["kind"],
+        culprits=tuple(summary["culprits"]),
+        vertices=vertices,
+        triangles=triangles,
+        volume=summary["volume"],
+    )
+
+
+def _names(names: str | Sequence[str] | None) -> list[str]:
+    if names is None:
+        return []
+    return [names] if isinstance(names, str) else list(names)
+
+
+def save_shadows(
+    path: str | os.PathLike[str],
+    scene: Scene,
+    *,
+    space: Space | None = None,
+    all_regions: bool = False,
+    cables: str | Sequence[str] | None = None,
+    obstacles: str | Sequence[str] | None = None,
+) -> None:
+    """Write the regions of :func:`shadows` to a file, by its extension.
+
+    .obj has an object for each region; .ply numbers the faces by region; .stl has no names and is in single precision
+    (about seven digits); .html is a page that shows the regions in the scene, and opens offline. Regions share no
+    vertices: a reader that merges equal ones joins what touches.
+
+    Raises
+    ------
+    FileError
+        Another extension, or a file that cannot be written; nothing half-written is left.
+    InputError
+        As :func:`shadows`.
+    """
+    scene._core.save_regions(os.fspath(path), space, bool(all_regions), _names(cables), _names(obstacles))
