@@ -8,6 +8,7 @@ pub mod cable_cable;
 pub mod constraint;
 pub mod cspace;
 mod explain;
+pub mod forbidden;
 pub mod gjk_engine;
 pub mod path_check;
 pub mod validity;

@@ -11,9 +11,10 @@
 use serde::Serialize;
 
 use crate::choice::choices;
-use crate::collision::{Constraint, Constraints, Demand, Kind};
+use crate::collision::forbidden::forbidden;
+use crate::collision::{Constraint, Constraints, Kind};
 use crate::error::{Error, nearest_name};
-use crate::geometry::{Aabb, HalfSpace, Point, Polytope, PolytopeError, TriangleMesh, convex_mesh, shadow, wedge_mesh};
+use crate::geometry::{Aabb, TriangleMesh, Vector, convex_mesh, wedge_mesh};
 use crate::model::Scene;
 
 /// Where a region is drawn.
@@ -127,8 +128,9 @@ pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error>
         if !options.wants(kind, &culprits) || closes_a_seam(scene, &constraints, constraint) {
             continue;
         }
-        let pieces = pieces(&constraints, constraint, space, &within)
-            .map_err(|problem| Error::invalid(culprits.join(" and "), problem.to_string()))?;
+        let pieces = pieces(&constraints, constraint, space, &within).ok_or_else(|| {
+            Error::invalid(culprits.join(" and "), "the hull of their differences is too close to degenerate")
+        })?;
         pieces.iter().for_each(|piece| found.add(kind, &culprits, piece));
     }
     Ok(found)
@@ -199,55 +201,24 @@ fn closes_a_seam(scene: &Scene, constraints: &Constraints, constraint: &Constrai
     }
 }
 
-/// The closed surfaces around what one constraint forbids.
+/// The closed surfaces around what one constraint forbids; none if platform and obstacle have no hull.
 fn pieces(
     constraints: &Constraints,
     constraint: &Constraint,
     space: Space,
     within: &Aabb,
-) -> Result<Vec<TriangleMesh>, PolytopeError> {
-    if let Constraint::CableCable(pair) = constraint {
-        return Ok(crossing_wedges(constraints, [pair.first, pair.second], within));
-    }
-    let half_spaces = forbidden(constraints, constraint, space)?;
-    Ok(half_spaces.and_then(|list| convex_mesh(&list, within)).into_iter().collect())
-}
-
-/// What a constraint forbids, as an intersection of open half-spaces; none if that has no volume or is no such thing.
-fn forbidden(
-    constraints: &Constraints,
-    constraint: &Constraint,
-    space: Space,
-) -> Result<Option<Vec<HalfSpace>>, PolytopeError> {
-    let cone = |apex: &Point, normals: &[_]| normals.iter().map(|n| HalfSpace::through(apex, *n)).collect();
-    let half_spaces = match constraint {
-        Constraint::CableObstacle { cable, body, demand } => {
-            let cable = &constraints.cables[*cable];
-            let hidden: Option<Vec<HalfSpace>> = match demand {
-                Demand::Leave { normals } => Some(cone(&cable.outlet, normals)),
-                _ => shadow(&constraints.obstacles[*body].body, &cable.outlet).map(|s| s.half_spaces),
-            };
-            let by = if space == Space::Position { -cable.arm } else { Default::default() };
-            hidden.map(|list| list.iter().map(|h| h.moved(&by)).collect())
-        }
-        Constraint::CablePlatform { cable, body, demand } => {
-            // Seen from the platform at p, the cable goes from its arm to the outlet at B - p: reflect in B / 2.
-            let cable = &constraints.cables[*cable];
-            let attachment = Point::from(cable.arm);
-            let hidden: Option<Vec<HalfSpace>> = match demand {
-                Demand::Leave { normals } => Some(cone(&attachment, normals)),
-                _ => shadow(&constraints.platform[*body], &attachment).map(|s| s.half_spaces),
-            };
-            hidden.map(|list| list.iter().map(|h| h.reflected(&cable.outlet.coords)).collect())
-        }
-        Constraint::PlatformObstacle { part, body, .. } => {
-            let (part, body) = (&constraints.platform[*part], &constraints.obstacles[*body].body);
-            let differences = body.vertices().iter().flat_map(|o| part.vertices().iter().map(move |r| o - r.coords));
-            Some(Polytope::hull_of(&differences.collect::<Vec<_>>())?.half_spaces())
-        }
-        Constraint::CableCable(_) | Constraint::CableLength { .. } | Constraint::Workspace { .. } => None,
+) -> Option<Vec<TriangleMesh>> {
+    let arm = match constraint {
+        Constraint::CableCable(pair) => return Some(crossing_wedges(constraints, [pair.first, pair.second], within)),
+        Constraint::CableObstacle { cable, .. } if space == Space::Attachment => constraints.cables[*cable].arm,
+        _ => Vector::zeros(),
     };
-    Ok(half_spaces)
+    let found = forbidden(constraints, constraint, 0.0);
+    if found.is_none() && matches!(constraint, Constraint::PlatformObstacle { .. }) {
+        return None;
+    }
+    let placed = found.map(|f| f.half_spaces.iter().map(|h| h.moved(&arm)).collect::<Vec<_>>());
+    Some(placed.and_then(|half_spaces| convex_mesh(&half_spaces, within)).into_iter().collect())
 }
 
 /// Positions where two cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from

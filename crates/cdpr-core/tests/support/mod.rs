@@ -3,7 +3,6 @@
 
 pub mod scenes;
 
-use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

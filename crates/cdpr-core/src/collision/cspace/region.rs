@@ -1,14 +1,12 @@
-//! From constraints to convex polyhedra of positions.
+//! From constraints to pairs of convex polyhedra of positions.
 //!
-//! At fixed orientation every constraint forbids a set of positions p, and all but distances are convex polyhedra:
-//! platform against obstacle O ⊕ (-P), cable against obstacle the shadow of O seen from the outlet, moved by minus the arm,
-//! cable against a platform part the mirrored shadow of that part seen from the attachment, cables that end on a body a
-//! cone. A [`Region`] brackets that set between an outer polyhedron, outside of which a position is certainly free of the
-//! constraint, and an inner one, inside of which it certainly breaks it. Between them lie rounding and contact, and, with
-//! a clearance, the rounded corners: there the gjk engine decides.
+//! A [`Region`] brackets what a constraint forbids between an outer polyhedron, outside of which a position is certainly free
+//! of the constraint, and an inner one, inside of which it certainly breaks it. Between them lie rounding and contact, and,
+//! with a clearance, the rounded corners: there the gjk engine decides.
 
-use crate::collision::constraint::{Constraint, Constraints, Demand};
-use crate::geometry::{HalfSpace, Point, Polytope, Shadow, Vector, shadow};
+use crate::collision::constraint::{CableAt, Constraint, Constraints, Demand};
+use crate::collision::forbidden::{Forbidden, forbidden};
+use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{FATTENED, MIN_CABLE_LENGTH, ROUNDING, SUPERSET, TOUCH_DEPTH};
 
 /// The half-spaces that matter in a box of positions, those first that rule out most of it: a plane that has the whole box
@@ -65,13 +63,6 @@ pub enum Inner {
     Own(Vec<HalfSpace>),
 }
 
-/// An open convex polyhedron of positions that a constraint forbids, without any clearance.
-struct Forbidden {
-    half_spaces: Vec<HalfSpace>,
-    /// Sine of the angle by which rounding may have turned a plane that passes through the apex of a shadow.
-    tilt: f64,
-}
-
 /// How large and how far from the origin everything is: what rounding is relative to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
@@ -108,12 +99,12 @@ pub fn regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<Re
 }
 
 fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<Region> {
-    let bracket =
-        |gap: f64, touch: f64, set: &dyn Fn(f64) -> Option<Forbidden>| vec![bracketed(index, gap, touch, scale, set)];
-    let c = constraints;
-    match &c.list[index] {
+    let constraint = &constraints.list[index];
+    match constraint {
         Constraint::Workspace { .. } => Vec::new(),
-        Constraint::CableLength { cable, min, max } => cable_length(index, &c.cables[*cable], *min, *max, scale),
+        Constraint::CableLength { cable, min, max } => {
+            cable_length(index, &constraints.cables[*cable], *min, *max, scale)
+        }
         Constraint::CableCable(pair) => {
             let piece = |outer: Option<Vec<HalfSpace>>| Region { constraint: index, outer, inner: Inner::Unknown };
             match pair.wedges() {
@@ -121,109 +112,44 @@ fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<
                 None => vec![piece(None)],
             }
         }
-        Constraint::PlatformObstacle { part, body, gap } => {
-            let (part, obstacle) = (&c.platform[*part], &c.obstacles[*body]);
-            let touch = obstacle.seam.unwrap_or(TOUCH_DEPTH);
-            bracket(*gap, touch, &|gap| platform_obstacle(part, &obstacle.body, gap))
+        Constraint::PlatformObstacle { body, gap, .. } => {
+            let touch = constraints.obstacles[*body].seam.unwrap_or(TOUCH_DEPTH);
+            vec![bracketed(constraints, index, *gap, touch, scale)]
         }
-        Constraint::CableObstacle { cable, body, demand } => {
-            let (cable, obstacle) = (&c.cables[*cable], &c.obstacles[*body].body);
-            let moved = |half_space: &HalfSpace| half_space.moved(&-cable.arm);
-            match demand {
-                Demand::Leave { normals } => {
-                    let cone: Vec<_> = normals.iter().map(|n| moved(&HalfSpace::through(&cable.outlet, *n))).collect();
-                    bracket(0.0, TOUCH_DEPTH, &|_| Some(Forbidden { half_spaces: cone.clone(), tilt: 0.0 }))
-                }
-                Demand::Apart { .. } | Demand::Outside { .. } => {
-                    let (gap, touch) = gap_and_touch(demand);
-                    bracket(gap, touch, &|gap| shadow_of(obstacle, &cable.outlet, gap, moved))
-                }
-            }
-        }
-        Constraint::CablePlatform { cable, body, demand } => {
-            let (cable, part) = (&c.cables[*cable], &c.platform[*body]);
-            let mirrored = |half_space: &HalfSpace| half_space.reflected(&cable.outlet.coords);
-            let attachment = Point::from(cable.arm);
-            match demand {
-                Demand::Leave { normals } => {
-                    let at = |n: &Vector| mirrored(&HalfSpace::through(&attachment, *n));
-                    let cone: Vec<_> = normals.iter().map(at).collect();
-                    bracket(0.0, TOUCH_DEPTH, &|_| Some(Forbidden { half_spaces: cone.clone(), tilt: 0.0 }))
-                }
-                Demand::Apart { .. } | Demand::Outside { .. } => {
-                    let (gap, touch) = gap_and_touch(demand);
-                    bracket(gap, touch, &|gap| shadow_of(part, &attachment, gap, mirrored))
-                }
-            }
+        Constraint::CableObstacle { demand, .. } | Constraint::CablePlatform { demand, .. } => {
+            let (gap, touch) = match demand {
+                Demand::Apart { gap } => (*gap, TOUCH_DEPTH),
+                Demand::Outside { touch } => (0.0, *touch),
+                Demand::Leave { .. } => (0.0, TOUCH_DEPTH),
+            };
+            vec![bracketed(constraints, index, gap, touch, scale)]
         }
     }
 }
 
-fn gap_and_touch(demand: &Demand) -> (f64, f64) {
-    match demand {
-        Demand::Apart { gap } => (*gap, TOUCH_DEPTH),
-        Demand::Outside { touch } => (0.0, *touch),
-        Demand::Leave { .. } => (0.0, TOUCH_DEPTH),
-    }
-}
-
-/// The region of a constraint with this gap, where `set(g)` is a superset of the positions nearer than g, exact for 0.
-fn bracketed(constraint: usize, gap: f64, touch: f64, scale: &Scale, set: &dyn Fn(f64) -> Option<Forbidden>) -> Region {
+/// The region of a constraint with this gap and this depth that still counts as touching.
+fn bracketed(constraints: &Constraints, index: usize, gap: f64, touch: f64, scale: &Scale) -> Region {
+    let set = |gap: f64| forbidden(constraints, &constraints.list[index], gap);
     let error = |f: &Forbidden| f.tilt * scale.reach + scale.rounding;
     let grown = |f: &Forbidden| widened(&f.half_spaces, error(f));
+    let region = |outer, inner| Region { constraint: index, outer, inner };
     let exact = set(0.0);
     let Some(certain) = exact.as_ref().filter(|f| error(f) <= SUPERSET) else {
-        let outer = set(gap.max(FATTENED));
-        return Region { constraint, outer: outer.as_ref().map(grown), inner: Inner::Unknown };
+        return region(set(gap.max(FATTENED)).as_ref().map(grown), Inner::Unknown);
     };
     if gap > 0.0 {
         let inner = Inner::Own(widened(&certain.half_spaces, -touch - error(certain)));
-        return Region { constraint, outer: set(gap).as_ref().map(grown), inner };
+        return region(set(gap).as_ref().map(grown), inner);
     }
-    Region { constraint, outer: Some(grown(certain)), inner: Inner::Shrunk(-touch - 2.0 * error(certain)) }
+    region(Some(grown(certain)), Inner::Shrunk(-touch - 2.0 * error(certain)))
 }
 
 fn widened(half_spaces: &[HalfSpace], by: f64) -> Vec<HalfSpace> {
     half_spaces.iter().map(|h| h.widened(by)).collect()
 }
 
-/// Positions where a part of the platform meets a body: O ⊕ (-P), fattened.
-fn platform_obstacle(part: &Polytope, body: &Polytope, gap: f64) -> Option<Forbidden> {
-    let differences = body.vertices().iter().flat_map(|o| part.vertices().iter().map(move |p| o - p.coords));
-    let sum = Polytope::hull_of(&fattened(differences, gap)).ok().filter(Polytope::has_volume)?;
-    Some(Forbidden { half_spaces: sum.half_spaces(), tilt: 0.0 })
-}
-
-/// The shadow of a body, fattened, in other coordinates; none if it has none that planes describe.
-fn shadow_of(body: &Polytope, apex: &Point, gap: f64, placed: impl Fn(&HalfSpace) -> HalfSpace) -> Option<Forbidden> {
-    let Shadow { half_spaces, tilt } = if gap > 0.0 {
-        shadow(&Polytope::hull_of(&fattened(body.vertices().iter().copied(), gap)).ok()?, apex)?
-    } else if body.dimension() >= 2 {
-        shadow(body, apex)?
-    } else {
-        return None;
-    };
-    Some(Forbidden { half_spaces: half_spaces.iter().map(placed).collect(), tilt })
-}
-
-/// Points whose hull holds everything nearer than `gap` to the hull of `points`: their sum with a cube around the ball.
-fn fattened(points: impl Iterator<Item = Point>, gap: f64) -> Vec<Point> {
-    if gap == 0.0 {
-        return points.collect();
-    }
-    let signs: [Vector; 8] =
-        std::array::from_fn(|k| Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { gap } else { -gap }));
-    points.flat_map(|p| signs.map(|sign| p + sign)).collect()
-}
-
 /// Too short: inside a ball, which a cube holds. Too long: outside of another, which no polyhedron does.
-fn cable_length(
-    constraint: usize,
-    cable: &crate::collision::constraint::CableAt,
-    min: f64,
-    max: f64,
-    scale: &Scale,
-) -> Vec<Region> {
+fn cable_length(constraint: usize, cable: &CableAt, min: f64, max: f64, scale: &Scale) -> Vec<Region> {
     let center = cable.outlet - cable.arm;
     let faces = (0..6).map(|k| Vector::ith(k / 2, if k % 2 == 0 { 1.0 } else { -1.0 }));
     let cube = faces.map(|n| HalfSpace::through(&center, n).widened(min.max(MIN_CABLE_LENGTH) + scale.rounding));
