@@ -349,7 +349,8 @@ const IN_PARALLEL: usize = 256;
 fn cells_for(constraints: &Constraints) -> Cells {
     let (min, max) = constraints.position_box();
     let n = match constraints.list.len() {
-        0..1500 => 8,
+        0..100 => 4,
+        100..1500 => 8,
         1500..6000 => 16,
         _ => 32,
     };
