@@ -22,18 +22,26 @@ pub struct PlaneGroup {
     offset: [f64; WIDTH],
 }
 
-impl PlaneGroup {
-    /// Everything is inside of all four.
-    pub const ALL_INSIDE: Self = PlaneGroup { normal: [[0.0; WIDTH]; 3], offset: [f64::INFINITY; WIDTH] };
-    /// Everything is outside of all four.
-    pub const ALL_OUTSIDE: Self = PlaneGroup { normal: [[0.0; WIDTH]; 3], offset: [f64::NEG_INFINITY; WIDTH] };
+/// Four half-spaces in half the memory, each a little wider than the one it stands for: what is outside of it is outside of
+/// that one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C, align(64))]
+pub struct CoarseGroup {
+    normal: [[f32; WIDTH]; 3],
+    offset: [f32; WIDTH],
+}
 
-    /// Puts a half-space into a lane.
-    pub fn set(&mut self, lane: usize, half_space: &HalfSpace) {
+impl CoarseGroup {
+    /// Everything is outside of all four.
+    pub const ALL_OUTSIDE: Self = CoarseGroup { normal: [[0.0; WIDTH]; 3], offset: [f32::NEG_INFINITY; WIDTH] };
+
+    /// Puts a half-space into a lane, widened for positions whose coordinates are at most `largest`, m.
+    pub fn set(&mut self, lane: usize, half_space: &HalfSpace, largest: f64) {
         for axis in 0..3 {
-            self.normal[axis][lane] = half_space.normal[axis];
+            self.normal[axis][lane] = half_space.normal[axis] as f32;
         }
-        self.offset[lane] = half_space.offset;
+        let rounding = 4.0 * f64::from(f32::EPSILON) * (largest + half_space.offset.abs());
+        self.offset[lane] = (half_space.offset + rounding) as f32;
     }
 }
 
@@ -48,9 +56,11 @@ impl Planes {
     pub fn add(&mut self, half_spaces: &[HalfSpace]) -> Range<u32> {
         let first = self.groups.len() as u32;
         self.groups.extend(half_spaces.chunks(WIDTH).map(|chunk| {
-            let mut group = PlaneGroup::ALL_INSIDE;
-            chunk.iter().enumerate().for_each(|(k, h)| group.set(k, h));
-            group
+            let normal = |axis: usize| std::array::from_fn(|k| chunk.get(k).map_or(0.0, |h| h.normal[axis]));
+            PlaneGroup {
+                normal: std::array::from_fn(normal),
+                offset: std::array::from_fn(|k| chunk.get(k).map_or(f64::INFINITY, |h| h.offset)),
+            }
         }));
         first..self.groups.len() as u32
     }
@@ -72,6 +82,7 @@ pub trait Lanes: Copy {
     /// Four numbers.
     type Four: Copy;
     fn load(self, x: &[f64; WIDTH]) -> Self::Four;
+    fn widen(self, x: &[f32; WIDTH]) -> Self::Four;
     fn splat(self, x: f64) -> Self::Four;
     fn add(self, a: Self::Four, b: Self::Four) -> Self::Four;
     fn sub(self, a: Self::Four, b: Self::Four) -> Self::Four;
@@ -106,25 +117,37 @@ impl<L: Lanes> Segment<L> {
 
     /// Heights of an end over four planes.
     #[inline(always)]
-    fn heights(&self, group: &PlaneGroup, end: &[L::Four; 3]) -> L::Four {
+    fn heights(&self, normal: &[L::Four; 3], offset: L::Four, end: &[L::Four; 3]) -> L::Four {
         let l = self.lanes;
-        let [x, y, z] = &group.normal;
-        let xy = l.add(l.mul(l.load(x), end[0]), l.mul(l.load(y), end[1]));
-        l.sub(l.add(xy, l.mul(l.load(z), end[2])), l.load(&group.offset))
+        let xy = l.add(l.mul(normal[0], end[0]), l.mul(normal[1], end[1]));
+        l.sub(l.add(xy, l.mul(normal[2], end[2])), offset)
     }
 
-    /// One bit for each plane of a group that has the whole segment outside.
+    /// Heights of both ends over the planes of a group.
     #[inline(always)]
-    pub fn outside(&self, group: &PlaneGroup) -> u32 {
-        let (a, b) = (self.heights(group, &self.from), self.heights(group, &self.to));
-        self.lanes.not_negative(self.lanes.min(a, b))
+    fn both_heights(&self, group: &PlaneGroup) -> [L::Four; 2] {
+        let l = self.lanes;
+        let [x, y, z] = &group.normal;
+        let (normal, offset) = ([l.load(x), l.load(y), l.load(z)], l.load(&group.offset));
+        [self.heights(&normal, offset, &self.from), self.heights(&normal, offset, &self.to)]
+    }
+
+    /// One bit for each half-space of a group that has the whole segment outside.
+    #[inline(always)]
+    pub fn outside(&self, group: &CoarseGroup) -> u32 {
+        let l = self.lanes;
+        let [x, y, z] = &group.normal;
+        let (normal, offset) = ([l.widen(x), l.widen(y), l.widen(z)], l.widen(&group.offset));
+        let (a, b) = (self.heights(&normal, offset, &self.from), self.heights(&normal, offset, &self.to));
+        l.not_negative(l.min(a, b))
     }
 
     /// Whether one plane alone has the whole segment outside.
     #[inline(always)]
     pub fn apart(&self, polyhedron: &[PlaneGroup]) -> bool {
         for group in polyhedron {
-            if self.outside(group) != 0 {
+            let [a, b] = self.both_heights(group);
+            if self.lanes.not_negative(self.lanes.min(a, b)) != 0 {
                 return true;
             }
         }
@@ -139,8 +162,8 @@ impl<L: Lanes> Segment<L> {
         let by = l.splat(widen);
         let (mut low, mut high) = (l.splat(0.0), l.splat(1.0));
         for group in polyhedron {
-            let a = l.sub(self.heights(group, &self.from), by);
-            let b = l.sub(self.heights(group, &self.to), by);
+            let [a, b] = self.both_heights(group);
+            let (a, b) = (l.sub(a, by), l.sub(b, by));
             if l.not_negative(l.min(a, b)) != 0 {
                 return false;
             }
@@ -163,6 +186,11 @@ impl Lanes for Portable {
     #[inline(always)]
     fn load(self, x: &[f64; WIDTH]) -> [f64; WIDTH] {
         *x
+    }
+
+    #[inline(always)]
+    fn widen(self, x: &[f32; WIDTH]) -> [f64; WIDTH] {
+        x.map(f64::from)
     }
 
     #[inline(always)]
@@ -220,7 +248,7 @@ impl Lanes for Portable {
 mod avx2 {
     use super::{Lanes, Task, WIDTH};
     use pulp::x86::V3;
-    use pulp::{NullaryFnOnce, cast, f64x4};
+    use pulp::{NullaryFnOnce, cast, f32x4, f64x4};
     use std::arch::x86_64::__m256d;
 
     /// A task as pulp takes it.
@@ -244,6 +272,11 @@ mod avx2 {
         #[inline(always)]
         fn load(self, x: &[f64; WIDTH]) -> __m256d {
             cast(f64x4(x[0], x[1], x[2], x[3]))
+        }
+
+        #[inline(always)]
+        fn widen(self, x: &[f32; WIDTH]) -> __m256d {
+            self.avx._mm256_cvtps_pd(cast(f32x4(x[0], x[1], x[2], x[3])))
         }
 
         #[inline(always)]

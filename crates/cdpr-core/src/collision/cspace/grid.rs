@@ -1,7 +1,7 @@
 //! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
 //! cells it passes.
 
-use super::clip::{PlaneGroup, WIDTH};
+use super::clip::{CoarseGroup, WIDTH};
 use super::region::Region;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_OVERLAP;
@@ -97,6 +97,12 @@ impl Cells {
         x + self.n * (y + self.n * z)
     }
 
+    /// Largest coordinate of a position, or a little more.
+    fn largest(&self) -> f64 {
+        let extent = self.size * self.n as f64;
+        self.min.coords.abs().sup(&(self.min.coords + extent).abs()).sum()
+    }
+
     /// The middle of a cell.
     fn center(&self, cell: usize) -> Point {
         let at = [cell % self.n, cell / self.n % self.n, cell / (self.n * self.n)];
@@ -125,7 +131,7 @@ impl Cells {
 pub struct Lists {
     /// The groups of cell k are `starts[k]..starts[k + 1]`.
     starts: Vec<u32>,
-    planes: Vec<PlaneGroup>,
+    planes: Vec<CoarseGroup>,
     regions: Vec<[u32; WIDTH]>,
 }
 
@@ -152,11 +158,11 @@ impl Lists {
             starts[cell + 1] = starts[cell] + entries.div_ceil(WIDTH) as u32;
         }
         let groups = starts[cells.len()] as usize;
-        let mut planes = vec![PlaneGroup::ALL_OUTSIDE; groups];
+        let mut planes = vec![CoarseGroup::ALL_OUTSIDE; groups];
         let mut regions = vec![[0; WIDTH]; groups];
         let mut put = |cell: usize, lane: usize, plane: &HalfSpace, region: u32| {
             let group = starts[cell] as usize + lane / WIDTH;
-            planes[group].set(lane % WIDTH, plane);
+            planes[group].set(lane % WIDTH, plane, cells.largest());
             regions[group][lane % WIDTH] = region;
         };
         let mut filled = vec![0; cells.len()];
@@ -174,14 +180,14 @@ impl Lists {
 
     /// The planes and the regions of a cell.
     #[inline(always)]
-    pub fn of(&self, cell: usize) -> (&[PlaneGroup], &[[u32; WIDTH]]) {
+    pub fn of(&self, cell: usize) -> (&[CoarseGroup], &[[u32; WIDTH]]) {
         let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
         (&self.planes[range.clone()], &self.regions[range])
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        4 * self.starts.capacity() + self.planes.capacity() * (size_of::<PlaneGroup>() + 4 * WIDTH)
+        4 * self.starts.capacity() + self.planes.capacity() * (size_of::<CoarseGroup>() + 4 * WIDTH)
     }
 }
 
