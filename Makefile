@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 WHEELS := target/wheels
 
-.PHONY: test lint rust-test release-test wheel python-test demo bench viewer clean
+.PHONY: test lint rust-test release-test verify wheel python-test demo bench viewer clean
 
 test: lint rust-test release-test python-test
 
@@ -20,7 +20,12 @@ rust-test:
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
-	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle
+	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle \
+		--test engines_agree --test cspace
+
+# Both engines and exact tests on 1.8 million random and degenerate motions; every disagreement is printed.
+verify:
+	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
 
 $(VENV)/ready: requirements-dev.txt
 	$(PYTHON) -m venv $(VENV)

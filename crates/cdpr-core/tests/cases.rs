@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use cdpr_core::collision::{GjkEngine, Interference, Validity};
+use cdpr_core::Choice;
+use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::load_scene;
+use cdpr_core::plan::engine_for;
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -32,10 +34,10 @@ fn every_known_answer() {
     let text = std::fs::read_to_string(folder.join("cases.toml")).unwrap();
     let cases: Cases = toml::from_str(&text).unwrap();
     let mut failures = Vec::new();
-    for case in &cases.motion {
+    for (case, (engine, name, _)) in cases.motion.iter().flat_map(|c| Engine::ALL.iter().map(move |e| (c, *e))) {
         let interference =
             if case.interference.as_deref() == Some("swept") { Interference::Swept } else { Interference::Exact };
-        let engine = GjkEngine::new(&load_scene(&folder.join(&case.scene)).unwrap(), interference).unwrap();
+        let engine = engine_for(&load_scene(&folder.join(&case.scene)).unwrap(), engine, interference).unwrap();
         let (from, to) = (Point::from(case.from), Point::from(case.to));
         let found = engine.explain(&from, &to);
         let near = |expected: Option<f64>, found: Option<f64>| {
@@ -51,7 +53,7 @@ fn every_known_answer() {
                     && near(case.margin, v.margin)
             });
         if !agrees {
-            failures.push(format!("{}: {found:?}", case.name));
+            failures.push(format!("{name}, {}: {found:?}", case.name));
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
