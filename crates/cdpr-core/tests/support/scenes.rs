@@ -195,10 +195,11 @@ impl Oracle {
             return Verdict::Free;
         }
         let (a, d) = ends(start / (start - end));
-        match sampled_distance(&b, &a, &c, &d) {
-            // Coplanar segments: they cross, or an end is nearest. Ends that nearly touch are left open.
-            distance if distance < 1e-9 => Verdict::Hit,
-            distance if distance > 1e-5 => Verdict::Free,
+        // Coplanar segments: they cross, or an end is nearest. Ends that nearly touch are left open.
+        let end_distance = nearest_end(&b, &a, &c, &d);
+        match cross(&b, &a, &c, &d) {
+            true if end_distance > GAP_TOLERANCE => Verdict::Hit,
+            false if end_distance > 1e-5 => Verdict::Free,
             _ => Verdict::Either,
         }
     }
@@ -226,13 +227,15 @@ fn near_flat(triangle: &[Point; 3], part: &Polytope) -> Verdict {
     if clipped(triangle, &thick, 0.0).is_empty() { Verdict::Free } else { Verdict::Either }
 }
 
-/// Distance of two coplanar segments: 0 if they cross, else the least distance of an end from the other segment.
-fn sampled_distance(a: &Point, b: &Point, c: &Point, d: &Point) -> f64 {
+/// Whether two coplanar segments cross.
+fn cross(a: &Point, b: &Point, c: &Point, d: &Point) -> bool {
     let normal = (b - a).cross(&(d - c));
     let side = |p: &Point, q: &Point, r: &Point| (q - p).cross(&(r - p)).dot(&normal);
-    if side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0 {
-        return 0.0;
-    }
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// Least distance of an end of two segments from the other segment.
+fn nearest_end(a: &Point, b: &Point, c: &Point, d: &Point) -> f64 {
     let to = |p: &Point, q: &Point, r: &Point| {
         let t = ((p - q).dot(&(r - q)) / (r - q).norm_squared()).clamp(0.0, 1.0);
         (p - (q + (r - q) * t)).norm()
