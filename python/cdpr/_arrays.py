@@ -43,8 +43,9 @@ def _numbers(name: str, values: ArrayLike) -> Floats:
 
 
 def _finite(name: str, array: Floats) -> None:
-    good = np.abs(array) <= MAX_COORDINATE
-    if not good.all():
+    # Least and greatest carry NaN along, and need no array of their own.
+    if array.size and not (array.min() >= -MAX_COORDINATE and array.max() <= MAX_COORDINATE):
+        good = np.abs(array) <= MAX_COORDINATE
         index = tuple(int(i) for i in np.argwhere(~good)[0])
         place = name + "".join(f"[{i}]" for i in index)
         raise InputError(f"{place}: found {array[index]}, expected finite coordinates up to {MAX_COORDINATE:g} m")

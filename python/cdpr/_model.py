@@ -389,7 +389,7 @@ class Scene:
         --------
         >>> scene = Scene.load("testdata/scenes/hard1.toml")
         >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
-        array([0.05 , 0.175])
+        array([0.05    , 0.024121])
         """
         return self._core.clearance(rows("points", points), threads)
 

@@ -68,6 +68,8 @@ class Result(Path):
         Its length, m; NaN unless solved.
     reason : Violation or None
         Why the start or goal is invalid.
+    min_clearance : dict or None
+        Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
     """
@@ -76,6 +78,7 @@ class Result(Path):
     raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
     raw_cost: float = float("nan")
     reason: Violation | None = None
+    min_clearance: Mapping[str, Any] | None = None
     stats: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -184,6 +187,7 @@ def plan(
         raw_waypoints=_array(found["raw_waypoints"]),
         raw_cost=_number(found["raw_cost"]),
         reason=None if found["reason"] is None else violation_from(found["reason"]),
+        min_clearance=found["min_clearance"],
         stats=found["stats"],
         _json=text,
     )

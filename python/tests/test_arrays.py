@@ -2,6 +2,7 @@
 
 import threading
 import time
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -67,7 +68,7 @@ def test_other_nonsense_is_refused(hard1):
         hard1.states_valid([[1, 2, 3], [1, 2]])
     with pytest.raises(cdpr.InputError, match="points"):
         hard1.states_valid(np.ones((2, 3)) * 1j)
-    with pytest.raises(cdpr.InputError, match="engine: found \"magic\", expected one of gjk"):
+    with pytest.raises(cdpr.InputError, match="engine: found \"magic\", expected one of cspace, gjk"):
         hard1.states_valid([[1, 1, 1]], engine="magic")
     with pytest.raises(cdpr.InputError, match="interference"):
         hard1.states_valid([[1, 1, 1]], interference="none")
@@ -75,8 +76,39 @@ def test_other_nonsense_is_refused(hard1):
         hard1.states_valid([[1, 1, 1]], threads=0)
 
 
+@pytest.mark.parametrize("engine", ["cspace", "gjk"])
+def test_engines_by_name_give_the_same_answers(hard1, motions, engine):
+    starts, ends = motions
+    assert (hard1.motions_valid(starts, ends, engine=engine) == hard1.motions_valid(starts, ends)).all()
+
+
+def test_clearance_is_the_gap_in_the_world(hard1):
+    points = [[0.3, 1.0, 0.3], [1.0, 1.0, 1.7], [1.0, 1.0, 0.75]]
+    # Two cables end 0.05 m above each other; one passes the pillar's corner (0.85, 0.85, 1.5) on its way from the origin to
+    # (0.925, 0.925, 1.675): |corner x way| / |way| = 0.0241215 m; the last is deep inside.
+    found = hard1.clearance(points)
+    assert found[:2] == pytest.approx([0.05, 0.0241215], abs=1e-7)
+    assert found[2] < -0.15
+    many = np.random.default_rng(5).uniform(0.1, 1.9, (2000, 3))
+    assert (hard1.clearance(many, threads=1) == hard1.clearance(many, threads=2)).all()
+    valid = hard1.states_valid(many)
+    assert (hard1.clearance(many)[valid] >= 0).all() and (hard1.clearance(many)[~valid] <= 0).all()
+    assert hard1.clearance(np.empty((0, 3))).shape == (0,)
+    with pytest.raises(cdpr.InputError, match="threads"):
+        hard1.clearance(many, threads=0)
+
+
+def test_c_contiguous_input_is_not_copied(hard1):
+    points = np.zeros((1_000_000, 3))
+    tracemalloc.start()
+    hard1.states_valid(points, threads=1)
+    used = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert used < 2 * len(points)  # the answers and little more
+
+
 def test_the_interpreter_is_released_during_long_calls(hard1):
-    points = np.random.default_rng(2).uniform(0.1, 1.9, (200_000, 3))
+    points = np.random.default_rng(2).uniform(0.1, 1.9, (1_000_000, 3))
     ticks = []
 
     def count():

@@ -56,7 +56,9 @@ fn plan_writes_a_path_that_check_accepts_and_a_page() {
         (&file["version"], &file["status"], &file["planner"]),
         (&1.into(), &"solved".into(), &"modified-rrt".into())
     );
-    for key in ["cost", "waypoints", "raw_cost", "raw_waypoints", "engine", "interference", "seed", "options"] {
+    for key in
+        ["cost", "waypoints", "min_clearance", "raw_cost", "raw_waypoints", "engine", "interference", "seed", "options"]
+    {
         assert!(!file[key].is_null(), "no {key}");
     }
     for key in ["nodes", "motion_checks", "planning_seconds", "post_seconds"] {
@@ -104,19 +106,24 @@ struct Case {
 fn check_gives_every_known_answer() {
     let folder = folder();
     let cases: Cases = toml::from_str(&fs::read_to_string(testdata("cases/cases.toml")).unwrap()).unwrap();
-    for case in cases.motion {
+    for (case, engine) in cases.motion.iter().flat_map(|case| ["cspace", "gjk"].map(|engine| (case, engine))) {
         let row = |p: [f64; 3]| format!("{},{},{}\n", p[0], p[1], p[2]);
         fs::write(folder.path().join("m.csv"), format!("x,y,z\n{}{}", row(case.from), row(case.to))).unwrap();
-        let rule = case.interference.unwrap_or("exact".to_string());
+        let rule = case.interference.as_deref().unwrap_or("exact");
         let scene = testdata(&format!("cases/{}", case.scene));
-        let output = cdpr_in(folder.path(), &["check", &scene, "m.csv", "--format", "json", "--interference", &rule]);
+        let rules = ["--interference", rule, "--engine", engine];
+        let output = cdpr_in(folder.path(), &[&["check", &scene, "m.csv", "--format", "json"], &rules[..]].concat());
         let report = json(&output);
         assert_eq!((status(&output), &report["valid"]), (i32::from(!case.valid), &case.valid.into()), "{}", case.name);
         let first = &report["violations"][0];
         let near =
             |expected: Option<f64>, key: &str| expected.is_none_or(|e| (e - first[key].as_f64().unwrap()).abs() < 1e-6);
         assert_eq!(first["kind"].as_str(), case.kind.as_deref(), "{}", case.name);
-        assert!(case.culprits.is_none_or(|names| first["culprits"] == Value::from(names)), "{}: {first}", case.name);
+        assert!(
+            case.culprits.as_ref().is_none_or(|names| first["culprits"] == Value::from(names.clone())),
+            "{}: {first}",
+            case.name
+        );
         assert!(near(case.at, "at") && near(case.margin, "margin"), "{}: {first}", case.name);
     }
 }

@@ -6,6 +6,7 @@ mod errors;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
+use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
@@ -189,8 +190,10 @@ impl Scene {
             max_samples,
             budget: budget.map(seconds).transpose()?,
         };
+        let checker = engine_of(self, engine, interference)?;
         let found = interruptible(py, |interrupted| plan(&self.0, &options, interrupted))?;
-        Ok(io::plan_json(&self.0, &options, &found).to_string())
+        let nearest = min_clearance(&*checker, &found.waypoints);
+        Ok(io::plan_json(&self.0, &options, &found, nearest.as_ref()).to_string())
     }
 
     /// The rewound path as JSON.

@@ -1,6 +1,6 @@
 //! `cdpr plan`
 
-use cdpr_core::collision::check_path;
+use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::{PlanOptions, PlanResult, engine_for, plan};
 use cdpr_core::planning::Status;
@@ -21,16 +21,14 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     say_notes(engine.constraints());
     let found = with_sign_of_life("searching", |stop| plan(&scene, &options, stop))
         .map_err(|e| e.in_file(&args.scene.scene))?;
-    let json = io::plan_json(&scene, &options, &found);
+    let nearest = min_clearance(&*engine, &found.waypoints);
+    let json = io::plan_json(&scene, &options, &found, nearest.as_ref());
     match args.scene.format {
         Format::Json => result(&format!("{json:#}")),
         Format::Text => {
             result(&question(&scene, &options));
             result(&answer(&scene, &options, &found));
-            if found.status == Status::Solved {
-                let report = check_path(&*engine, &found.waypoints);
-                report.min_clearance.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
-            }
+            nearest.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
         }
     }
     if let Some(path) = &args.output {

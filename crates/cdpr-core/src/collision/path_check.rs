@@ -70,10 +70,14 @@ pub fn check_path(validity: &dyn Validity, waypoints: &[Point]) -> PathReport {
             })
         })
         .collect();
-    let nearest = segments()
-        .filter_map(|(segment, pair)| Some((segment, validity.clearance(&pair[0], &pair[1])?)))
-        .min_by(|a, b| a.1.value.total_cmp(&b.1.value));
-    let min_clearance =
-        nearest.map(|(segment, c)| PathClearance { value: c.value, segment, at: c.at, culprits: c.culprits });
-    PathReport { valid: violations.is_empty(), length: path_length(waypoints), min_clearance, violations }
+    let (length, min_clearance) = (path_length(waypoints), min_clearance(validity, waypoints));
+    PathReport { valid: violations.is_empty(), length, min_clearance, violations }
+}
+
+/// The nearest approach of a path to anything it must keep away from.
+pub fn min_clearance(validity: &dyn Validity, waypoints: &[Point]) -> Option<PathClearance> {
+    let of_segments = waypoints.windows(2).enumerate();
+    let found = of_segments.filter_map(|(segment, pair)| Some((segment, validity.clearance(&pair[0], &pair[1])?)));
+    let (segment, c) = found.min_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
+    Some(PathClearance { value: c.value, segment, at: c.at, culprits: c.culprits })
 }

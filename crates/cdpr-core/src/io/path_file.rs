@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::text::{self, shown};
 use crate::choice::Choice;
+use crate::collision::path_check::PathClearance;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::spec::FORMAT_VERSION;
@@ -52,8 +53,13 @@ pub struct SceneId {
     pub fingerprint: String,
 }
 
-/// The JSON of a planning result; costs of unsolved ones are null.
-pub fn plan_json(scene: &Scene, options: &PlanOptions, result: &PlanResult) -> Value {
+/// The JSON of a planning result and its nearest approach; costs of unsolved ones are null.
+pub fn plan_json(
+    scene: &Scene,
+    options: &PlanOptions,
+    result: &PlanResult,
+    min_clearance: Option<&PathClearance>,
+) -> Value {
     let post = options.post.map_or(NO_POST, Choice::name);
     json!({
         "version": FORMAT_VERSION,
@@ -61,6 +67,7 @@ pub fn plan_json(scene: &Scene, options: &PlanOptions, result: &PlanResult) -> V
         "reason": result.reason,
         "cost": finite(result.cost),
         "waypoints": rows(&result.waypoints),
+        "min_clearance": min_clearance,
         "raw_cost": finite(result.raw_cost),
         "raw_waypoints": rows(&result.raw_waypoints),
         "planner": options.planner,
