@@ -200,7 +200,8 @@ impl CspaceEngine {
         let segment = Segment::new(lanes, from, to);
         let pieces = self.cells.pieces(from, to);
         if pieces == 1 {
-            return self.refused_in(self.cells.cell(&nalgebra::center(from, to)), &segment, &segment, from, to);
+            let cell = self.cells.cell(&nalgebra::center(from, to));
+            return self.refused_in(cell, &segment, &segment, from, to).is_some();
         }
         let last = self.last_refuser.load(Ordering::Relaxed) as usize;
         if last < self.heads.len() && self.refuses(last, &segment, from, to) {
@@ -210,14 +211,16 @@ impl CspaceEngine {
         for k in 0..pieces {
             let start = from + step * k as f64;
             let piece = Segment::new(lanes, &start, &(start + step));
-            if self.refused_in(self.cells.cell(&(start + step * 0.5)), &piece, &segment, from, to) {
+            let cell = self.cells.cell(&(start + step * 0.5));
+            if let Some(region) = self.refused_in(cell, &piece, &segment, from, to) {
+                self.last_refuser.store(region, Ordering::Relaxed);
                 return true;
             }
         }
         false
     }
 
-    /// Whether a region that reaches into a cell says no to a motion of which a piece passes the cell.
+    /// The region that reaches into a cell and says no to a motion of which a piece passes the cell.
     #[inline(always)]
     fn refused_in<L: Lanes>(
         &self,
@@ -226,20 +229,19 @@ impl CspaceEngine {
         whole: &Segment<L>,
         from: &Point,
         to: &Point,
-    ) -> bool {
+    ) -> Option<u32> {
         let (planes, regions) = self.lists.of(cell);
         for (group, regions) in planes.iter().zip(regions) {
             let mut open = !piece.outside(group) & ALL_LANES;
             while open != 0 {
                 let region = regions[open.trailing_zeros() as usize];
                 if region & FULL != 0 || self.refuses(region as usize, whole, from, to) {
-                    self.last_refuser.store(region & !FULL, Ordering::Relaxed);
-                    return true;
+                    return Some(region & !FULL);
                 }
                 open &= open - 1;
             }
         }
-        false
+        None
     }
 
     /// Whether the triangles swept by two cables meet, where the rule asks for that.

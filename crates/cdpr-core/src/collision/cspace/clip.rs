@@ -167,6 +167,9 @@ impl<L: Lanes> Segment<L> {
             if l.not_negative(l.min(a, b)) != 0 {
                 return false;
             }
+            if l.not_negative(l.max(a, b)) == 0 {
+                continue; // all of it is inside of these planes
+            }
             let t = l.div(a, l.sub(a, b)); // where the segment passes the plane; anything where it does not
             low = l.where_not_negative(a, l.max(low, t), low);
             high = l.where_not_negative(b, l.min(high, t), high);
