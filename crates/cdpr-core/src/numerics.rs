@@ -43,8 +43,8 @@ pub const SUPERSET: f64 = 1e-8;
 /// By how much bodies without volume are fattened to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 
-/// How far grid cells overlap, relative to the size of the grid; covers the rounding in finding the cell of a point.
-pub const CELL_OVERLAP: f64 = 1e-9;
+/// What rounding may add to the way from the middle of a cell, in cells, when motions are cut into pieces of a cell's size.
+pub const CELL_ROUNDING: f64 = 1e-9;
 
 /// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding puts
 /// it: either reading gives the same set up to this.

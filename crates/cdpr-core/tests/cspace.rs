@@ -3,7 +3,7 @@
 mod support;
 
 use cdpr_core::Scene;
-use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity};
+use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, SceneSpec, WorkspaceSpec};
 use cdpr_core::plan::{PlanOptions, plan};
@@ -164,6 +164,117 @@ fn a_workspace_that_leaves_a_plane_or_nothing() {
     none.workspace = WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, 0.01] };
     none.query = Some(QuerySpec::default());
     assert!(!engines(&scene(none)).0.state_valid(&at(0.3, 0.3)));
+}
+
+/// A platform that is a point, on cables given by outlet and attachment.
+fn hung(cables: &[[[f64; 3]; 2]], obstacles: Vec<BodySpec>, half: [f64; 3], clearance: f64) -> Scene {
+    let cable = |[outlet, attachment]: &[[f64; 3]; 2]| CableSpec {
+        name: None,
+        outlet: *outlet,
+        attachment: *attachment,
+        tension: None,
+        diameter: None,
+        length: None,
+    };
+    let mut spec = with_robot(
+        |robot| {
+            robot.platform = vec![hull(vec![[0.0; 3]])];
+            robot.cables = cables.iter().map(cable).collect();
+        },
+        obstacles,
+    );
+    spec.workspace = WorkspaceSpec { min: half.map(|h| -h), max: half };
+    spec.query = None;
+    spec.clearance = Some(clearance);
+    Scene::new(spec).unwrap()
+}
+
+/// The answers of the gjk engine and of the cspace engine.
+fn both(scene: &Scene, rule: Interference, p: [f64; 3], q: [f64; 3]) -> [bool; 2] {
+    let (p, q) = (Point::from(p), Point::from(q));
+    [
+        GjkEngine::new(scene, rule).unwrap().motion_valid(&p, &q),
+        CspaceEngine::new(scene, rule).unwrap().motion_valid(&p, &q),
+    ]
+}
+
+#[test]
+fn swept_cables_that_are_parallel_half_way() {
+    // 10 mm apart where 50 mm are demanded; the common normal of the lines half way is rounding.
+    let (o, w) = ([-0.08160447454932651, 0.3, 4.0], [0.3638711867570829, -0.09945442189428133, -0.25716628767667166]);
+    let q = [0.4237797607540267, -0.05240228634478725, 0.3379782824085175];
+    let second = [o[0] + w[0], o[1] + w[1], o[2] + w[2]];
+    let scene = hung(&[[o, [0.0; 3]], [second, q]], Vec::new(), [20.0; 3], 0.05);
+    let (p, q) = (
+        [-0.751042707113462, 0.13323062891473053, 1.0560967147806601],
+        [-0.011251981954628731, -0.0037519844096714355, 0.9924575843674471],
+    );
+    assert_eq!(both(&scene, Interference::Swept, p, q), [false; 2]);
+    // Parallel all the way, typed with two decimals.
+    let cables = [[[-1.33, 0.65, 3.0], [0.1, 0.2, -0.26]], [[-1.03, 0.72, 2.97], [0.4, 0.27, -0.29000000000000004]]];
+    let (p, q) = (
+        [1.7419167147301629, 1.2576838846506337, -0.8037014711059494],
+        [1.9035684543789146, 1.311670146387843, -0.8063507953184006],
+    );
+    assert_eq!(both(&hung(&cables, Vec::new(), [3.0; 3], 0.1), Interference::Swept, p, q), [false; 2]);
+}
+
+#[test]
+fn thin_obstacles_far_from_the_outlet_have_ends() {
+    // A rod of 1 µm, 11 km away: beside its end nothing is hidden.
+    let slender = |x: f64, y: f64, z: f64| hull(cube_like([x, y, z]));
+    let scene = hung(&[[[1.1e4, 0.0, 0.0], [0.0; 3]]], vec![slender(5e-7, 5e-7, 0.5)], [50.0; 3], 0.0);
+    assert_eq!(both(&scene, Interference::Exact, [-10.0, 0.0, 20.0], [-10.0, 0.0, 20.0]), [true; 2]);
+    // A blade that is 0.1 mm thick below and 5 nm above, 60 m away, passed 20 µm above its edge.
+    let thickness = |z: f64| if z < 0.0 { 0.5e-4 } else { 2.5e-9 };
+    let blade = cube_like([0.05, 1.0, 0.5]).into_iter().map(|[x, y, z]| [x, y * thickness(z), z]).collect();
+    let scene = hung(&[[[60.0, 0.0, 0.0], [0.0; 3]]], vec![hull(blade)], [30.0; 3], 0.0);
+    let above = [-5.0, 0.0, (0.5 + 2e-5) * 65.0 / 59.95];
+    assert_eq!(both(&scene, Interference::Exact, above, above), [true; 2]);
+}
+
+fn cube_like(half: [f64; 3]) -> Vec<[f64; 3]> {
+    let corner = |k: usize| std::array::from_fn(|axis| if k >> axis & 1 == 1 { half[axis] } else { -half[axis] });
+    (0..8).map(corner).collect()
+}
+
+#[test]
+fn a_box_of_positions_thinner_than_touching() {
+    let scene = hung(&[[[0.0, 0.0, 3.0], [0.0; 3]]], vec![block("cube", [0.5; 3], [0.0; 3])], [1e-30, 1.0, 1.0], 0.0);
+    assert_eq!(both(&scene, Interference::Exact, [0.0; 3], [9e-10, 0.0, 0.0]), [false; 2]);
+}
+
+#[test]
+fn a_path_through_nan_is_not_valid() {
+    let scene = hard1();
+    let start = scene.start().unwrap();
+    let path = [start, Point::new(f64::NAN, 1.0, 0.3), start];
+    for engine in [&engines(&scene).0 as &dyn Validity, &engines(&scene).1] {
+        assert!(!check_path(engine, &path).valid);
+    }
+}
+
+#[test]
+fn round_bodies_with_a_clearance_compile_soon() {
+    // Fattened before the hull, their differences would be 40,000 points, compared pair by pair for minutes.
+    let ball = |count: usize, radius: f64| {
+        let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
+        let point = |k: usize| {
+            let z = 1.0 - (2 * k + 1) as f64 / count as f64;
+            let (sin, cos) = (golden * k as f64).sin_cos();
+            let around = (1.0 - z * z).sqrt();
+            [1.0 + radius * around * cos, 1.0 + radius * around * sin, 1.0 + radius * z]
+        };
+        (0..count).map(point).collect::<Vec<_>>()
+    };
+    let centred = |points: Vec<[f64; 3]>| points.into_iter().map(|p| p.map(|x| x - 1.0)).collect();
+    let round = |robot: &mut RobotSpec| {
+        robot.platform = vec![hull(centred(ball(50, 0.08)))];
+        robot.cables.truncate(1);
+        robot.cables[0].attachment = [0.0, 0.0, -0.2];
+    };
+    let spec = SceneSpec { clearance: Some(0.02), ..with_robot(round, vec![hull(ball(100, 0.3))]) };
+    assert_agree("round", spec);
 }
 
 #[test]

@@ -93,13 +93,17 @@ impl CablePair {
         }
     }
 
-    /// Whether the triangles that the cables sweep are further apart than `gap`, told by one plane: that which separates
-    /// the cables' lines half way, as far as the motion does not carry them through it.
+    /// Whether the triangles that the cables sweep are further apart than `gap`, told by one direction: that of the common
+    /// normal of the cables' lines half way. Whatever rounding makes of it, the room along it is measured, not assumed.
     pub fn sweeps_apart(&self, from: &Point, to: &Point, gap: f64) -> bool {
         let (u0, u1) = (self.u(from), self.u(to));
         let u = (u0 + u1) * 0.5;
         let normal = u.cross(&(u + self.q - self.w));
-        let room = normal.dot(&self.w).abs() - normal.dot(&(u1 - u0)).abs();
+        let first = [0.0, normal.dot(&u0), normal.dot(&u1)];
+        let second = [self.w, u0 + self.q, u1 + self.q].map(|corner| normal.dot(&corner));
+        let low = |h: [f64; 3]| h[0].min(h[1]).min(h[2]);
+        let high = |h: [f64; 3]| h[0].max(h[1]).max(h[2]);
+        let room = (low(second) - high(first)).max(low(first) - high(second));
         room > gap * normal.norm() && room > 0.0
     }
 

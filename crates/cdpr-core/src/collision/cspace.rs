@@ -356,22 +356,22 @@ fn cells_for(constraints: &Constraints) -> Cells {
         1500..6000 => 16,
         _ => 32,
     };
-    Cells::new(min, max, n)
+    let touch = Vector::repeat(TOUCH_DEPTH); // so that cells have a size where the box has none
+    Cells::new(min - touch, max + touch, n)
 }
 
 fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells) -> Vec<Compiled> {
     let piece = |region: Region| {
-        let reached = cells.reached(&|center, half| reach(constraints, &region, center, half));
+        let reached = cells.reached(&|center, half| reach(constraints, index, &region, center, half));
         Compiled { region, reached }
     };
     regions(constraints, index, scale).into_iter().map(piece).collect()
 }
 
 /// How a region lies to a box of positions.
-fn reach(constraints: &Constraints, region: &Region, center: &Point, half: &Vector) -> Reach {
+fn reach(constraints: &Constraints, index: usize, region: &Region, center: &Point, half: &Vector) -> Reach {
     let Some(outer) = &region.outer else {
-        let constraint = &constraints.list[region.constraint];
-        let far = explain::slack(constraints, constraint, center) > half.norm();
+        let far = explain::slack(constraints, &constraints.list[index], center) > half.norm();
         return if far { Reach::Outside } else { Reach::Partly };
     };
     let full = || match &region.inner {

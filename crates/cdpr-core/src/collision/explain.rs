@@ -62,6 +62,7 @@ fn boxes_apart(c: &Constraints, constraint: &Constraint, from: &Point, to: &Poin
 /// Room left in the workspace or in the length of a cable over a motion, m; negative outside.
 pub(super) fn room(constraints: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> f64 {
     match constraint {
+        Constraint::Workspace { .. } if !from.iter().chain(to.iter()).all(|x| x.is_finite()) => f64::NEG_INFINITY,
         Constraint::Workspace { min, max } => {
             let room = |p: &Point| (p - min).inf(&(max - p)).min();
             room(from).min(room(to))

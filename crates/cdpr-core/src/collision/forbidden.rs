@@ -8,6 +8,8 @@
 //!   the shadow of K seen from R a, mirrored: p ∈ B - (RK ⊕ cone(RK - R a));
 //! - a cable and a body that it ends on: the cone of directions below all facets that are active there.
 
+use std::borrow::Cow;
+
 use super::constraint::{Constraint, Constraints, Demand};
 use crate::geometry::{HalfSpace, Point, Polytope, Vector, shadow};
 
@@ -39,8 +41,9 @@ pub fn forbidden(constraints: &Constraints, constraint: &Constraint, gap: f64) -
             let (part, obstacle) = (&c.platform[*part], &c.obstacles[*body].body);
             let differences =
                 obstacle.vertices().iter().flat_map(|o| part.vertices().iter().map(move |p| o - p.coords));
-            let sum = Polytope::hull_of(&fattened(differences, gap)).ok().filter(Polytope::has_volume)?;
-            Some(Forbidden::exact(sum.half_spaces()))
+            let sum = Polytope::hull_of(&differences.collect::<Vec<_>>()).ok()?;
+            let fat = fattened(&sum, gap)?;
+            fat.has_volume().then(|| Forbidden::exact(fat.half_spaces()))
         }
         Constraint::CableObstacle { cable, body, demand } => {
             let cable = &c.cables[*cable];
@@ -67,19 +70,16 @@ fn behind(body: &Polytope, apex: &Point, demand: &Demand, gap: f64) -> Option<Fo
     if let Demand::Leave { normals } = demand {
         return Some(Forbidden::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
     }
-    let found = if gap > 0.0 {
-        shadow(&Polytope::hull_of(&fattened(body.vertices().iter().copied(), gap)).ok()?, apex)?
-    } else {
-        shadow(body, apex)?
-    };
+    let found = shadow(&*fattened(body, gap)?, apex)?;
     Some(Forbidden { half_spaces: found.half_spaces, tilt: found.tilt })
 }
 
-/// Points whose hull holds everything nearer than `gap` to the hull of `points`: their sum with a cube around the ball.
-fn fattened(points: impl Iterator<Item = Point>, gap: f64) -> Vec<Point> {
+/// A body that holds everything nearer than `gap` to another: its sum with a cube around the ball. None if it has no hull.
+fn fattened(body: &Polytope, gap: f64) -> Option<Cow<'_, Polytope>> {
     if gap == 0.0 {
-        return points.collect();
+        return Some(Cow::Borrowed(body));
     }
     let corner = |k: usize| Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { gap } else { -gap });
-    points.flat_map(|p| (0..8).map(move |k| p + corner(k))).collect()
+    let points: Vec<Point> = body.vertices().iter().flat_map(|p| (0..8).map(move |k| p + corner(k))).collect();
+    Polytope::hull_of(&points).ok().map(Cow::Owned)
 }

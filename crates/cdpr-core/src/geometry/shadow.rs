@@ -54,7 +54,8 @@ pub fn shadow(body: &Polytope, apex: &Point) -> Option<Shadow> {
 fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
     let (a, b) = (from - apex, to - apex);
     // The side between the nearer end and the edge carries the least rounding.
-    let cross = if a.norm_squared() <= b.norm_squared() { a.cross(&(to - from)) } else { b.cross(&(to - from)) };
+    let (nearer, edge) = (if a.norm_squared() <= b.norm_squared() { a } else { b }, to - from);
+    let cross = nearer.cross(&edge);
     let norm = cross.norm();
-    (norm > PARALLEL * a.norm() * b.norm()).then(|| cross / norm)
+    (norm > PARALLEL * nearer.norm() * edge.norm()).then(|| cross / norm)
 }

@@ -4,7 +4,7 @@
 use super::clip::{CoarseGroup, WIDTH};
 use super::region::Region;
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::CELL_OVERLAP;
+use crate::numerics::CELL_ROUNDING;
 
 /// Cells of equal size, `n` along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Cells {
 const OVERLAP: f64 = 0.5;
 
 /// A piece of a segment may extend by half of it on both sides of its middle; a little less, for rounding.
-const PIECES_PER_CELL: f64 = 0.5 / (OVERLAP - CELL_OVERLAP);
+const PIECES_PER_CELL: f64 = 0.5 / (OVERLAP - CELL_ROUNDING);
 
 /// How a region lies to a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -36,11 +36,9 @@ const SAMPLES: usize = 4;
 /// What one constraint forbids, or a convex piece of it, bracketed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
-    /// Index of the constraint in the list.
-    pub constraint: usize,
     /// Outside of these, no position breaks the constraint by way of this piece. None: nothing is known.
     pub outer: Option<Vec<HalfSpace>>,
-    /// Inside of this, every position breaks the constraint.
+    /// Inside of this, every position breaks the constraint: it is more than the depth of touching inside the set.
     pub inner: Inner,
 }
 
@@ -102,11 +100,9 @@ fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<
     let constraint = &constraints.list[index];
     match constraint {
         Constraint::Workspace { .. } => Vec::new(),
-        Constraint::CableLength { cable, min, max } => {
-            cable_length(index, &constraints.cables[*cable], *min, *max, scale)
-        }
+        Constraint::CableLength { cable, min, max } => cable_length(&constraints.cables[*cable], *min, *max, scale),
         Constraint::CableCable(pair) => {
-            let piece = |outer: Option<Vec<HalfSpace>>| Region { constraint: index, outer, inner: Inner::Unknown };
+            let piece = |outer: Option<Vec<HalfSpace>>| Region { outer, inner: Inner::Unknown };
             match pair.wedges() {
                 Some(wedges) => wedges.map(|w| piece(Some(widened(&w, scale.rounding)))).into(),
                 None => vec![piece(None)],
@@ -132,7 +128,7 @@ fn bracketed(constraints: &Constraints, index: usize, gap: f64, touch: f64, scal
     let set = |gap: f64| forbidden(constraints, &constraints.list[index], gap);
     let error = |f: &Forbidden| f.tilt * scale.reach + scale.rounding;
     let grown = |f: &Forbidden| widened(&f.half_spaces, error(f));
-    let region = |outer, inner| Region { constraint: index, outer, inner };
+    let region = |outer, inner| Region { outer, inner };
     let exact = set(0.0);
     let Some(certain) = exact.as_ref().filter(|f| error(f) <= SUPERSET) else {
         return region(set(gap.max(FATTENED)).as_ref().map(grown), Inner::Unknown);
@@ -149,11 +145,11 @@ fn widened(half_spaces: &[HalfSpace], by: f64) -> Vec<HalfSpace> {
 }
 
 /// Too short: inside a ball, which a cube holds. Too long: outside of another, which no polyhedron does.
-fn cable_length(constraint: usize, cable: &CableAt, min: f64, max: f64, scale: &Scale) -> Vec<Region> {
+fn cable_length(cable: &CableAt, min: f64, max: f64, scale: &Scale) -> Vec<Region> {
     let center = cable.outlet - cable.arm;
     let faces = (0..6).map(|k| Vector::ith(k / 2, if k % 2 == 0 { 1.0 } else { -1.0 }));
     let cube = faces.map(|n| HalfSpace::through(&center, n).widened(min.max(MIN_CABLE_LENGTH) + scale.rounding));
-    let short = Region { constraint, outer: Some(cube.collect()), inner: Inner::Unknown };
-    let long = max.is_finite().then_some(Region { constraint, outer: None, inner: Inner::Unknown });
+    let short = Region { outer: Some(cube.collect()), inner: Inner::Unknown };
+    let long = max.is_finite().then_some(Region { outer: None, inner: Inner::Unknown });
     std::iter::once(short).chain(long).collect()
 }
