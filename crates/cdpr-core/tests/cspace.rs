@@ -326,6 +326,40 @@ fn recompiling_after_a_change_gives_what_compiling_gives() {
 }
 
 #[test]
+fn a_margin_is_the_depth_of_the_deepest_state() {
+    const SAMPLES: usize = 100;
+    let mut rng = rng(14);
+    let mut seen = 0;
+    for _ in 0..400 {
+        let scene = support::scenes::scene(&mut rng, Kind::default());
+        let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
+        for _ in 0..4 {
+            let p = Point::from(support::vector(&mut rng, 2.0));
+            let q = p + direction(&mut rng) * uniform(&mut rng, 0.1, 2.0);
+            let at = |k: usize| p + (q - p) * (k as f64 / SAMPLES as f64);
+            let states: Vec<_> = (0..=SAMPLES).map(|k| engine.violations(&at(k), &at(k))).collect();
+            let half_step = 0.5 * (q - p).norm() / SAMPLES as f64;
+            for found in engine.violations(&p, &q) {
+                use cdpr_core::collision::Kind::{CableObstacle, PlatformObstacle};
+                if !matches!(found.kind, CableObstacle | PlatformObstacle) {
+                    continue;
+                }
+                let same =
+                    |v: &&cdpr_core::collision::Violation| (v.kind, &v.culprits) == (found.kind, &found.culprits);
+                let sampled =
+                    states.iter().flatten().filter(same).filter_map(|v| v.margin).fold(f64::INFINITY, f64::min);
+                if sampled.is_finite() {
+                    seen += 1;
+                    let margin = found.margin.unwrap();
+                    assert!(margin <= sampled + 1e-9 && margin >= sampled - half_step, "{sampled}, told {found:?}");
+                }
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+#[test]
 fn both_engines_plan_the_same_path() {
     for scene in [hard1(), hard3()] {
         for seed in 0..10 {

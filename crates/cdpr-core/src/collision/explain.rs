@@ -161,6 +161,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         Constraint::CableCable(_) | Constraint::Workspace { .. } | Constraint::CableLength { .. } => {
             distance(constraints, constraint, from, to)
         }
+        _ if from == to => distance(constraints, constraint, from, to),
         _ => least_between(first, last, |t| {
             let p = at(from, to, t);
             distance(constraints, constraint, &p, &p)
@@ -203,20 +204,33 @@ fn first_true(test: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-/// Least value of a function between two instants: samples, then golden sections around the best.
+/// Least value of a function between two instants: samples, then golden sections around each that is least among its
+/// neighbours. Exact to rounding for the depth of the platform, which has one minimum along a line.
 fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     const SAMPLES: usize = 16;
-    const SECTIONS: usize = 40;
     let step = (high - low).max(0.0) / SAMPLES as f64;
-    let sample = |k: usize| (value(low + step * k as f64), k);
-    let (mut least, k) = (0..=SAMPLES).map(sample).min_by(|a, b| a.0.total_cmp(&b.0)).expect("some samples");
+    let sampled: [f64; SAMPLES + 1] = std::array::from_fn(|k| value(low + step * k as f64));
+    let around = |k: usize| [k.saturating_sub(1), (k + 1).min(SAMPLES)];
+    let valleys = (0..=SAMPLES).filter(|&k| around(k).iter().all(|&neighbour| sampled[k] <= sampled[neighbour]));
+    let refined = valleys.map(|k| {
+        let [a, b] = around(k).map(|k| low + step * k as f64);
+        golden_sections(a, b, sampled[k], &value)
+    });
+    refined.fold(f64::INFINITY, f64::min)
+}
+
+/// Least value found in an interval by golden sections; exact where there is one minimum.
+fn golden_sections(mut a: f64, mut b: f64, known: f64, value: &impl Fn(f64) -> f64) -> f64 {
+    const SECTIONS: usize = 40;
     let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut a, mut b) = (low + step * k.saturating_sub(1) as f64, low + step * (k + 1).min(SAMPLES) as f64);
-    for _ in 0..SECTIONS {
+    (0..SECTIONS).fold(known, |least, _| {
         let (left, right) = (b - golden * (b - a), a + golden * (b - a));
         let (at_left, at_right) = (value(left), value(right));
-        least = least.min(at_left).min(at_right);
-        if at_left <= at_right { b = right } else { a = left }
-    }
-    least
+        if at_left <= at_right {
+            b = right
+        } else {
+            a = left
+        }
+        least.min(at_left).min(at_right)
+    })
 }
