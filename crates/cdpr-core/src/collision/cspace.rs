@@ -1,8 +1,8 @@
 //! The exact fast engine: a scene compiled to convex polyhedra in the space of positions.
 //!
 //! At fixed orientation a motion is a straight segment p(t) of positions, and what a constraint forbids is a convex
-//! polyhedron of positions ([`region`]). A motion is valid when its segment, clipped against the planes ([`clip`]), misses
-//! them all; a [`grid`] over the positions says which ones it can meet. Each polyhedron comes as a pair, one that certainly
+//! polyhedron of positions (`region`). A motion is valid when its segment, clipped against the planes (`clip`), misses
+//! them all; a `grid` over the positions says which ones it can meet. Each polyhedron comes as a pair, one that certainly
 //! holds the forbidden set and one that is certainly inside of it; only between the two, in contact, at the rounded edges of
 //! a clearance and at the crossing of two cables, the gjk engine is asked. So the answers are those of the gjk engine, at
 //! the price of a few multiplications.
