@@ -23,7 +23,7 @@ release-test:
 	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle \
 		--test engines_agree --test cspace
 
-# Both engines and exact tests on 1.8 million random and degenerate motions; every disagreement is printed.
+# Both engines and exact tests on 2 million random and degenerate motions; every disagreement is printed.
 verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
 
