@@ -3,6 +3,8 @@
 //! Lengths are absolute, in metres, because the product promises an absolute accuracy ([`GAP_TOLERANCE`]). With
 //! coordinates of hall size (up to 1e3 m) `f64` carries 1e-13 m, so all of them stand far above rounding.
 
+pub(crate) mod simd;
+
 /// Accuracy promised for every yes or no, m: two engines may differ only where the true gap is smaller than this.
 pub const GAP_TOLERANCE: f64 = 1e-7;
 

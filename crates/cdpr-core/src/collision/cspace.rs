@@ -25,7 +25,8 @@ use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
-use clip::{ALL_LANES, Kernel, Lanes, Planes, Segment, Task};
+use crate::numerics::simd::{ALL_LANES, Kernel, Lanes, Task};
+use clip::{Planes, Segment};
 use grid::{Cells, FULL, Lists, Reach, Reached, holds, outside};
 use region::{Inner, Region, Scale, regions};
 

@@ -1,10 +1,11 @@
 //! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
 //! cells it passes.
 
-use super::clip::{CoarseGroup, WIDTH};
+use super::clip::CoarseGroup;
 use super::region::Region;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_ROUNDING;
+use crate::numerics::simd::WIDTH;
 
 /// Cells of equal size, `n` along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
