@@ -1,0 +1,230 @@
+//! Four numbers at a time: one kernel, written once over [`Lanes`], compiled twice, portable and with AVX2 (chosen at run
+//! time, through pulp).
+//!
+//! Both do the same operations on the same numbers in the same order, without fused ones, so their answers are the same
+//! to the last bit. Inside a kernel stand loops, not closures: what is not inlined is not compiled for AVX2.
+
+/// Numbers to a group.
+pub const WIDTH: usize = 4;
+
+/// One bit for each lane.
+pub const ALL_LANES: u32 = (1 << WIDTH) - 1;
+
+/// Four numbers at a time, and what the kernel does with them.
+pub trait Lanes: Copy {
+    /// Four numbers.
+    type Four: Copy;
+    fn load(self, x: &[f64; WIDTH]) -> Self::Four;
+    fn widen(self, x: &[f32; WIDTH]) -> Self::Four;
+    fn splat(self, x: f64) -> Self::Four;
+    fn add(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn sub(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn mul(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn div(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn min(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn max(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    /// `a` where `sign` is not negative, else `b`.
+    fn where_not_negative(self, sign: Self::Four, a: Self::Four, b: Self::Four) -> Self::Four;
+    /// One bit for each of the four that is not negative.
+    fn not_negative(self, a: Self::Four) -> u32;
+    fn store(self, a: Self::Four) -> [f64; WIDTH];
+}
+
+/// Lanes as plain arrays, for any machine.
+#[derive(Debug, Clone, Copy)]
+pub struct Portable;
+
+impl Lanes for Portable {
+    type Four = [f64; WIDTH];
+
+    #[inline(always)]
+    fn load(self, x: &[f64; WIDTH]) -> [f64; WIDTH] {
+        *x
+    }
+
+    #[inline(always)]
+    fn widen(self, x: &[f32; WIDTH]) -> [f64; WIDTH] {
+        x.map(f64::from)
+    }
+
+    #[inline(always)]
+    fn splat(self, x: f64) -> [f64; WIDTH] {
+        [x; WIDTH]
+    }
+
+    #[inline(always)]
+    fn add(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k] + b[k])
+    }
+
+    #[inline(always)]
+    fn sub(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k] - b[k])
+    }
+
+    #[inline(always)]
+    fn mul(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k] * b[k])
+    }
+
+    #[inline(always)]
+    fn div(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k] / b[k])
+    }
+
+    #[inline(always)]
+    fn min(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| if a[k] < b[k] { a[k] } else { b[k] })
+    }
+
+    #[inline(always)]
+    fn max(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| if a[k] > b[k] { a[k] } else { b[k] })
+    }
+
+    #[inline(always)]
+    fn where_not_negative(self, sign: [f64; WIDTH], a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| if sign[k] >= 0.0 { a[k] } else { b[k] })
+    }
+
+    #[inline(always)]
+    fn not_negative(self, [a, b, c, d]: [f64; WIDTH]) -> u32 {
+        u32::from(a >= 0.0) | u32::from(b >= 0.0) << 1 | u32::from(c >= 0.0) << 2 | u32::from(d >= 0.0) << 3
+    }
+
+    #[inline(always)]
+    fn store(self, a: [f64; WIDTH]) -> [f64; WIDTH] {
+        a
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use super::{Lanes, Task, WIDTH};
+    use pulp::x86::V3;
+    use pulp::{NullaryFnOnce, cast, f32x4, f64x4};
+    use std::arch::x86_64::__m256d;
+
+    /// A task as pulp takes it.
+    pub struct OnLanes<T> {
+        pub task: T,
+        pub v3: V3,
+    }
+
+    impl<T: Task> NullaryFnOnce for OnLanes<T> {
+        type Output = T::Output;
+
+        #[inline(always)]
+        fn call(self) -> T::Output {
+            self.task.run(self.v3)
+        }
+    }
+
+    impl Lanes for V3 {
+        type Four = __m256d;
+
+        #[inline(always)]
+        fn load(self, x: &[f64; WIDTH]) -> __m256d {
+            cast(f64x4(x[0], x[1], x[2], x[3]))
+        }
+
+        #[inline(always)]
+        fn widen(self, x: &[f32; WIDTH]) -> __m256d {
+            self.avx._mm256_cvtps_pd(cast(f32x4(x[0], x[1], x[2], x[3])))
+        }
+
+        #[inline(always)]
+        fn splat(self, x: f64) -> __m256d {
+            self.avx._mm256_set1_pd(x)
+        }
+
+        #[inline(always)]
+        fn add(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_add_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn sub(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_sub_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn mul(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_mul_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn div(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_div_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn min(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_min_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn max(self, a: __m256d, b: __m256d) -> __m256d {
+            self.avx._mm256_max_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn where_not_negative(self, sign: __m256d, a: __m256d, b: __m256d) -> __m256d {
+            let mask = self.avx._mm256_cmp_pd::<{ std::arch::x86_64::_CMP_GE_OQ }>(sign, self.splat(0.0));
+            self.avx._mm256_blendv_pd(b, a, mask)
+        }
+
+        #[inline(always)]
+        fn not_negative(self, a: __m256d) -> u32 {
+            let mask = self.avx._mm256_cmp_pd::<{ std::arch::x86_64::_CMP_GE_OQ }>(a, self.splat(0.0));
+            self.avx._mm256_movemask_pd(mask) as u32
+        }
+
+        #[inline(always)]
+        fn store(self, a: __m256d) -> [f64; WIDTH] {
+            let f64x4(x, y, z, w) = cast(a);
+            [x, y, z, w]
+        }
+    }
+}
+
+/// Which compilation of the kernel runs.
+#[derive(Debug, Clone, Copy)]
+pub enum Kernel {
+    /// For any machine.
+    Portable,
+    /// With AVX2.
+    #[cfg(target_arch = "x86_64")]
+    Avx2(pulp::x86::V3),
+}
+
+impl Kernel {
+    /// The best that this machine has.
+    pub fn best() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(v3) = pulp::x86::V3::try_new() {
+            return Kernel::Avx2(v3);
+        }
+        Kernel::Portable
+    }
+}
+
+/// Work that a kernel does.
+pub trait Task {
+    type Output;
+
+    /// The work, over any lanes; it must be `#[inline(always)]`, with all that it calls on the way to the lanes.
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}
+
+impl Kernel {
+    /// Runs a task compiled for this kernel.
+    #[inline(always)]
+    pub fn run<T: Task>(self, task: T) -> T::Output {
+        match self {
+            Kernel::Portable => task.run(Portable),
+            #[cfg(target_arch = "x86_64")]
+            Kernel::Avx2(v3) => v3.vectorize(avx2::OnLanes { task, v3 }),
+        }
+    }
+}
