@@ -3,11 +3,11 @@
 use nalgebra::{DMatrix, Matrix6xX, Vector6};
 
 use crate::error::Error;
-use crate::geometry::Point;
-use crate::model::Scene;
+use crate::geometry::{Point, Rotation};
+use crate::model::Robot;
 use crate::numerics::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 
-/// Wrench matrix of all cables with the platform's origin at `position` and turned as the scene says: 6 × m.
+/// Wrench matrix of all cables with the platform's origin at `position`, turned by `orientation`: 6 × m.
 ///
 /// Column i is [uᵢ ; rᵢ × uᵢ] in world axes: uᵢ the unit vector from attachment i to its outlet, rᵢ from the platform's
 /// origin to the attachment. Rows 0 to 2 are unitless, rows 3 to 5 are metres. Equilibrium is `W t + w_ext = 0`.
@@ -21,16 +21,16 @@ use crate::numerics::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 /// # Example
 /// ```
 /// use cdpr_core::{geometry::Point, kinematics::wrench_matrix, testing};
-/// let w = wrench_matrix(&testing::empty(), &Point::new(1.0, 1.0, 1.0))?;
+/// let scene = testing::empty();
+/// let w = wrench_matrix(scene.robot(), scene.orientation(), &Point::new(1.0, 1.0, 1.0))?;
 /// let net = w * nalgebra::DVector::repeat(8, 1.0); // a symmetric robot in the middle, equal tensions:
 /// assert!(net.norm() < 1e-12); // forces and moments cancel
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn wrench_matrix(scene: &Scene, position: &Point) -> Result<Matrix6xX<f64>, Error> {
-    let cables = scene.robot().cables();
-    let mut columns = Vec::with_capacity(cables.len());
-    for cable in cables {
-        let arm = scene.orientation() * cable.attachment.coords;
+pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) -> Result<Matrix6xX<f64>, Error> {
+    let mut columns = Vec::with_capacity(robot.cables().len());
+    for cable in robot.cables() {
+        let arm = orientation * cable.attachment.coords;
         let line = cable.outlet - (position + arm);
         if !(line.norm() >= MIN_CABLE_LENGTH) {
             let problem =
@@ -46,6 +46,20 @@ pub fn wrench_matrix(scene: &Scene, position: &Point) -> Result<Matrix6xX<f64>, 
 
 /// Rank of a wrench matrix, singular values below [`RANK_RELATIVE`] of the largest counting as zero.
 pub fn rank(wrench_matrix: &Matrix6xX<f64>) -> usize {
-    let singular = DMatrix::from_column_slice(6, wrench_matrix.ncols(), wrench_matrix.as_slice()).singular_values();
-    singular.iter().filter(|s| **s > RANK_RELATIVE * singular.max()).count()
+    let singular = singular_values(wrench_matrix);
+    singular.iter().filter(|s| **s > RANK_RELATIVE * singular[0]).count()
+}
+
+/// Condition number of a wrench matrix: its largest singular value over its sixth; infinite where the rank is below 6.
+pub fn condition(wrench_matrix: &Matrix6xX<f64>) -> f64 {
+    let singular = singular_values(wrench_matrix);
+    if rank(wrench_matrix) == 6 { singular[0] / singular[5] } else { f64::INFINITY }
+}
+
+/// Singular values, largest first.
+fn singular_values(wrench_matrix: &Matrix6xX<f64>) -> Vec<f64> {
+    let matrix = DMatrix::from_column_slice(6, wrench_matrix.ncols(), wrench_matrix.as_slice());
+    let mut singular: Vec<f64> = matrix.singular_values().iter().copied().collect();
+    singular.sort_by(|a, b| b.total_cmp(a));
+    singular
 }

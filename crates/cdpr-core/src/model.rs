@@ -6,7 +6,8 @@ pub mod scene;
 pub mod spec;
 
 pub use robot::{Cable, Robot};
-pub use scene::{Member, Obstacle, Scene};
+pub use scene::{GRAVITY, Member, Obstacle, Scene};
 pub use spec::{
-    BodySpec, CableSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, SceneSpec, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableSpec, MarginSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, WorkspaceSpec,
+    WrenchSpec,
 };

@@ -76,6 +76,21 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
+/// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends on
+/// them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be; whatever
+/// its normal, the set lies below its support there, so no margin comes out too small by it.
+pub const DEPENDENT: f64 = 1e-9;
+
+/// Least share of the largest diagonal entry of R that the least one may have for the kernel of four positions to be sure
+/// of it: what it computes is then right to eleven digits.
+pub const KERNEL_CONDITION: f64 = 1e-5;
+
+/// Normals (in coordinates of a null space, where they are of order one) above this length are good to nine digits.
+pub const KERNEL_NORMAL: f64 = 1e-6;
+
+/// Normals below this length are those of dependent columns: rounding of zero.
+pub const KERNEL_NO_NORMAL: f64 = 1e-13;
+
 /// Relative slack when whole steps are counted, so that a segment of exactly n steps has n of them.
 pub const STEP_COUNT: f64 = 1e-12;
 

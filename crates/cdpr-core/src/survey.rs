@@ -71,7 +71,11 @@ pub fn survey(scene: &Scene) -> Result<Survey, Error> {
         let count = positions.par_iter().filter(|p| test(p)).count();
         (!positions.is_empty()).then(|| count as f64 / positions.len() as f64)
     };
-    let ranks = positions.iter().take(RANK_SAMPLES).filter_map(|p| wrench_matrix(scene, p).ok()).map(|w| rank(&w));
+    let ranks = positions
+        .iter()
+        .take(RANK_SAMPLES)
+        .filter_map(|p| wrench_matrix(scene.robot(), scene.orientation(), p).ok())
+        .map(|w| rank(&w));
     let ranks: Vec<usize> = ranks.collect();
     let at = |p: Option<Point>| p.and_then(|p| engine.explain(&p, &p));
     Ok(Survey {

@@ -1,6 +1,6 @@
 //! Bodies from their specs, and the checks of numbers that robots and scenes share.
 
-use super::spec::{BodySpec, PrismSpec};
+use super::spec::{BodySpec, MarginSpec, PrismSpec, WrenchSpec};
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, Rotation, Vector};
 use crate::numerics::{MAX_COORDINATE, UNIT_QUATERNION};
@@ -28,6 +28,46 @@ pub fn not_negative(place: &str, number: f64) -> Result<f64, Error> {
         return Ok(number);
     }
     Err(Error::invalid(place, format!("found {number}, expected a finite number of at least 0")))
+}
+
+/// Checks a number that must be finite and positive.
+pub fn positive(place: &str, number: f64) -> Result<f64, Error> {
+    if number > 0.0 && number.is_finite() {
+        return Ok(number);
+    }
+    Err(Error::invalid(place, format!("found {number}, expected a finite positive number")))
+}
+
+/// Checks that every number is finite.
+pub fn finite(place: &str, numbers: &[f64]) -> Result<(), Error> {
+    match numbers.iter().position(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(k) => {
+            Err(Error::invalid(format!("{place}[{k}]"), format!("found {}, expected a finite number", numbers[k])))
+        }
+    }
+}
+
+/// Checks the numbers of a demand of wrench feasibility.
+pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
+    for (key, radius) in [("force", spec.force), ("moment", spec.moment)] {
+        not_negative(key, radius.unwrap_or(0.0))?;
+    }
+    for (key, length) in [("grid", spec.grid), ("characteristic_length", spec.characteristic_length)] {
+        positive(key, length.unwrap_or(1.0))?;
+    }
+    finite("load", &spec.load.unwrap_or_default())?;
+    let Some(corners) = &spec.vertices else { return Ok(()) };
+    if spec.force.is_some() || spec.moment.is_some() {
+        return Err(Error::invalid("vertices", "found beside force or moment, expected either vertices or balls"));
+    }
+    if spec.margin == Some(MarginSpec::Projected) {
+        return Err(Error::invalid("margin", "found \"projected\" beside vertices, expected \"capacity\""));
+    }
+    if corners.is_empty() {
+        return Err(Error::invalid("vertices", "found none, expected at least one wrench"));
+    }
+    corners.iter().enumerate().try_for_each(|(k, corner)| finite(&format!("vertices[{k}]"), corner))
 }
 
 /// Checks an interval `0 <= least <= largest`.

@@ -7,11 +7,14 @@ use super::robot::Robot;
 use super::spec::{BodySpec, FORMAT_VERSION, RobotSource, SceneSpec, WrenchSpec};
 use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
-use crate::geometry::{Aabb, Point, Polytope, Rotation};
+use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
 use crate::numerics::ON_SURFACE;
 
 /// The name that stands for the platform in messages and in `ignore`.
 pub const PLATFORM: &str = "platform";
+
+/// Gravity where a scene does not say, world axes, m/s².
+pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// An obstacle: convex parts under one name, m, world.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +70,9 @@ impl Scene {
         };
         body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
         let clearance = body::not_negative("clearance", spec.clearance.unwrap_or(0.0))?;
+        if let Some(wrench) = &spec.wrench {
+            body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
+        }
         let workspace = workspace(&spec)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
         let seams = obstacle_seams(&obstacles);
@@ -121,6 +127,11 @@ impl Scene {
     /// Least distance to keep, m.
     pub fn clearance(&self) -> f64 {
         self.clearance
+    }
+
+    /// Gravity, world axes, m/s².
+    pub fn gravity(&self) -> Vector {
+        self.spec.gravity.unwrap_or(GRAVITY).into()
     }
 
     /// Start of the query, if given.

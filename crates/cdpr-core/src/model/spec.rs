@@ -167,7 +167,7 @@ pub struct PrismSpec {
 }
 
 /// The wrenches that the cables must be able to balance all along a path.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrenchSpec {
     /// Radius of the required force ball, N.
@@ -176,19 +176,20 @@ pub struct WrenchSpec {
     /// Radius of the required moment ball, N·m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
-    /// Corners of a required polytope instead, each fx fy fz mx my mz.
+    /// Corners of a required polytope instead of the balls, each fx fy fz mx my mz, N and N·m, on top of the wrench that
+    /// balances the loads.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertices: Option<Vec<[f64; 6]>>,
     /// A further constant load, world axes, its moment about the platform's origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<[f64; 6]>,
-    /// Which margin decides.
+    /// Which margin decides; default capacity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub margin: Option<MarginSpec>,
-    /// How a motion is judged.
+    /// How a motion is judged; default certified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rule: Option<RuleSpec>,
-    /// Cell size of the grid rule, m.
+    /// Cell size of the grid rule, m; default 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grid: Option<f64>,
     /// Length that turns moments into forces, m; default 1.

@@ -23,6 +23,8 @@ pub trait Lanes: Copy {
     fn div(self, a: Self::Four, b: Self::Four) -> Self::Four;
     fn min(self, a: Self::Four, b: Self::Four) -> Self::Four;
     fn max(self, a: Self::Four, b: Self::Four) -> Self::Four;
+    fn sqrt(self, a: Self::Four) -> Self::Four;
+    fn abs(self, a: Self::Four) -> Self::Four;
     /// `a` where `sign` is not negative, else `b`.
     fn where_not_negative(self, sign: Self::Four, a: Self::Four, b: Self::Four) -> Self::Four;
     /// One bit for each of the four that is not negative.
@@ -80,6 +82,16 @@ impl Lanes for Portable {
     #[inline(always)]
     fn max(self, a: [f64; WIDTH], b: [f64; WIDTH]) -> [f64; WIDTH] {
         std::array::from_fn(|k| if a[k] > b[k] { a[k] } else { b[k] })
+    }
+
+    #[inline(always)]
+    fn sqrt(self, a: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k].sqrt())
+    }
+
+    #[inline(always)]
+    fn abs(self, a: [f64; WIDTH]) -> [f64; WIDTH] {
+        std::array::from_fn(|k| a[k].abs())
     }
 
     #[inline(always)]
@@ -166,6 +178,16 @@ mod avx2 {
         #[inline(always)]
         fn max(self, a: __m256d, b: __m256d) -> __m256d {
             self.avx._mm256_max_pd(a, b)
+        }
+
+        #[inline(always)]
+        fn sqrt(self, a: __m256d) -> __m256d {
+            self.avx._mm256_sqrt_pd(a)
+        }
+
+        #[inline(always)]
+        fn abs(self, a: __m256d) -> __m256d {
+            self.avx._mm256_andnot_pd(self.splat(-0.0), a)
         }
 
         #[inline(always)]

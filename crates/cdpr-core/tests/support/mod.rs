@@ -3,9 +3,18 @@
 
 pub mod scenes;
 
+use std::path::Path;
+
+use cdpr_core::Robot;
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+
+/// A robot of `testdata/robots`, by the name of its file.
+pub fn built_robot(name: &str) -> Robot {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../testdata/robots").join(name).with_extension("toml");
+    cdpr_core::io::load_robot(&path).expect("a sound robot")
+}
 
 pub fn rng(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)

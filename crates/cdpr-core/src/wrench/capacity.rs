@@ -1,0 +1,93 @@
+//! The capacity margin of many positions.
+
+use super::kernel::{FourMargins, KernelRobot};
+use super::margins::{Limit, Required, capacity_limit};
+use super::statics::Statics;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::numerics::simd::{Kernel, WIDTH};
+
+/// Capacity margins of a robot for a set of required wrenches; see [`capacity_limit`] for the definition.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, io, wrench::{CapacityMargin, Loads, Required, Statics}};
+/// # std::env::set_current_dir("../..").unwrap();
+/// let robot = io::load_robot("testdata/robots/cogiro.toml".as_ref())?;
+/// let statics = Statics::new(&robot, &Loads::default())?;
+/// let margin = CapacityMargin::new(statics, Required::balls(50.0, 5.0)?)?;
+/// assert!(margin.at(&Point::new(0.0, 0.0, 2.0)) > 0.0); // in the middle
+/// assert!(margin.at(&Point::new(0.0, 0.0, 6.0)) < 0.0); // above all outlets
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct CapacityMargin {
+    statics: Statics,
+    required: Required,
+    robot: Option<KernelRobot>,
+    kernel: Kernel,
+}
+
+impl CapacityMargin {
+    /// Margins of a robot under its loads.
+    ///
+    /// # Errors
+    /// A moment required of a point mass, which can exert none.
+    pub fn new(statics: Statics, required: Required) -> Result<Self, Error> {
+        if statics.point_mass() && required.needs_moment() {
+            let problem =
+                "found a required moment, expected none: all attachments are one point, so there is no moment";
+            return Err(Error::invalid("moment", problem));
+        }
+        let robot = match required {
+            Required::Balls { force, moment } => {
+                KernelRobot::new(&statics, [force, moment / statics.characteristic_length()])
+            }
+            Required::Polytope(_) => None,
+        };
+        Ok(CapacityMargin { statics, required, robot, kernel: Kernel::best() })
+    }
+
+    /// The same without SIMD instructions, to compare with.
+    pub fn portable(mut self) -> Self {
+        self.kernel = Kernel::Portable;
+        self
+    }
+
+    /// The robot.
+    pub fn statics(&self) -> &Statics {
+        &self.statics
+    }
+
+    /// What is required.
+    pub fn required(&self) -> &Required {
+        &self.required
+    }
+
+    /// The margin at a position, N; NaN where a cable has no direction.
+    pub fn at(&self, position: &Point) -> f64 {
+        self.at_four(&[*position; WIDTH])[0]
+    }
+
+    /// The margins at four positions, N; each is the same number as [`CapacityMargin::at`] gives.
+    pub fn at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
+        let Some(robot) = &self.robot else { return positions.map(|p| self.defined_at(&p)) };
+        let mut margins = self.kernel.run(FourMargins { robot, positions: *positions });
+        for (margin, position) in margins.iter_mut().zip(positions) {
+            if margin.is_nan() {
+                *margin = self.defined_at(position);
+            }
+        }
+        margins
+    }
+
+    /// The facet that is nearest, by definition rather than by the kernel; none where a cable has no direction.
+    pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
+        capacity_limit(&self.statics, &self.required, position)
+    }
+
+    #[cold]
+    fn defined_at(&self, position: &Point) -> f64 {
+        self.limit(position).map_or(f64::NAN, |limit| limit.margin)
+    }
+}

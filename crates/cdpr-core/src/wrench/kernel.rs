@@ -1,0 +1,300 @@
+//! Capacity margins of four positions at a time, for robots of six to eight cables.
+//!
+//! A facet's normal c is orthogonal to five columns of W, so v = Wᵀc vanishes on five cables, and being in the row space
+//! of W it is orthogonal to its null space N. With eight cables (fewer are filled up with columns of zeros) N has two
+//! columns, and on the three cables that are left v is the cross product of their rows of N: 28 products of two give
+//! all 56 normals. Everything else follows from v, through P = W⁺ᵀ, c = P v:
+//!
+//! - how far the facet is out on both sides: Σ ρᵢ|vᵢ| ± Σ μᵢ vᵢ with μ, ρ middle and half-width of the tensions;
+//! - c·w_r = Σ vᵢ Pᵢ·w_r, and the lengths of the force and the moment part of c as quadratic forms of v.
+//!
+//! N and P come from a QR factorisation of Wᵀ by Householder reflections, which needs no pivots, so that lanes need not
+//! branch. Where a factor or a normal is too uncertain for that, the lane is left to [`super::margins`]. `sure` tells: it is
+//! negative then (and stands second in every minimum, which is where a number survives beside NaN).
+
+use super::statics::Statics;
+use crate::geometry::Point;
+use crate::numerics::simd::{Lanes, Task, WIDTH};
+use crate::numerics::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
+
+/// Cables that the kernel holds; fewer are filled up.
+pub const CABLES: usize = 8;
+
+/// Components of a wrench.
+const ROWS: usize = 6;
+
+/// The three cables outside of each facet: every choice of three of eight.
+const TRIPLES: [[usize; 3]; 56] = triples();
+
+const fn triples() -> [[usize; 3]; 56] {
+    let (mut all, mut n, mut i) = ([[0; 3]; 56], 0, 0);
+    while i < CABLES {
+        let mut j = i + 1;
+        while j < CABLES {
+            let mut k = j + 1;
+            while k < CABLES {
+                all[n] = [i, j, k];
+                n += 1;
+                k += 1;
+            }
+            j += 1;
+        }
+        i += 1;
+    }
+    all
+}
+
+/// A robot as the kernel takes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KernelRobot {
+    /// Outlet minus arm of each cable, m: the line of the cable is this minus the position.
+    anchors: [[f64; 3]; CABLES],
+    /// From the platform's origin to the attachment, over the characteristic length.
+    arms: [[f64; 3]; CABLES],
+    /// Middle and half-width of the tensions, N.
+    middle: [f64; CABLES],
+    half: [f64; CABLES],
+    cables: usize,
+    balance: [f64; ROWS],
+    /// Radii of the required balls of [force; moment / ℓ], N.
+    radii: [f64; 2],
+}
+
+impl KernelRobot {
+    /// The robot for the kernel, with balls of these radii of [force; moment / ℓ]; none if its count of cables does not
+    /// suit, or its platform is a point mass.
+    pub fn new(statics: &Statics, radii: [f64; 2]) -> Option<Self> {
+        let cables = statics.cables();
+        if !(ROWS..=CABLES).contains(&cables.len()) || statics.point_mass() {
+            return None;
+        }
+        let each =
+            |number: &dyn Fn(&super::StaticCable) -> f64| std::array::from_fn(|k| cables.get(k).map_or(0.0, number));
+        let triple = |v: crate::geometry::Vector| [v.x, v.y, v.z];
+        let length = statics.characteristic_length();
+        Some(KernelRobot {
+            anchors: std::array::from_fn(|k| cables.get(k).map_or([0.0; 3], |c| triple(c.outlet.coords - c.arm))),
+            arms: std::array::from_fn(|k| cables.get(k).map_or([0.0; 3], |c| triple(c.arm / length))),
+            middle: each(&|c| 0.5 * (c.tension[0] + c.tension[1])),
+            half: each(&|c| 0.5 * (c.tension[1] - c.tension[0])),
+            cables: cables.len(),
+            balance: (*statics.balance()).into(),
+            radii,
+        })
+    }
+}
+
+/// The margins of four positions, N; NaN where the kernel is not sure.
+pub struct FourMargins<'a> {
+    pub robot: &'a KernelRobot,
+    pub positions: [Point; WIDTH],
+}
+
+impl Task for FourMargins<'_> {
+    type Output = [f64; WIDTH];
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> [f64; WIDTH] {
+        let mut sure = l.splat(1.0);
+        let mut rows = transposed_wrench_matrix(l, self.robot, &self.positions, &mut sure);
+        let factors = Factors::new(l, &mut rows, &mut sure);
+        let margins = least_slack(l, self.robot, &factors, &mut sure);
+        l.store(l.where_not_negative(sure, margins, l.splat(f64::NAN)))
+    }
+}
+
+/// Wᵀ, a row for each cable.
+#[inline(always)]
+fn transposed_wrench_matrix<L: Lanes>(
+    l: L,
+    robot: &KernelRobot,
+    positions: &[Point; WIDTH],
+    sure: &mut L::Four,
+) -> [[L::Four; ROWS]; CABLES] {
+    let mut at = [l.splat(0.0); 3];
+    for axis in 0..3 {
+        at[axis] = l.load(&[positions[0][axis], positions[1][axis], positions[2][axis], positions[3][axis]]);
+    }
+    let mut rows = [[l.splat(0.0); ROWS]; CABLES];
+    for k in 0..robot.cables {
+        let (anchor, arm) = (&robot.anchors[k], &robot.arms[k]);
+        let mut u = [l.splat(0.0); 3];
+        for axis in 0..3 {
+            u[axis] = l.sub(l.splat(anchor[axis]), at[axis]);
+        }
+        let length = l.sqrt(dot(l, &u, &u));
+        *sure = l.min(l.sub(length, l.splat(MIN_CABLE_LENGTH)), *sure);
+        let inverse = l.div(l.splat(1.0), length);
+        for x in &mut u {
+            *x = l.mul(*x, inverse);
+        }
+        let [ax, ay, az] = [l.splat(arm[0]), l.splat(arm[1]), l.splat(arm[2])];
+        let [ux, uy, uz] = u;
+        rows[k] = [
+            ux,
+            uy,
+            uz,
+            l.sub(l.mul(ay, uz), l.mul(az, uy)),
+            l.sub(l.mul(az, ux), l.mul(ax, uz)),
+            l.sub(l.mul(ax, uy), l.mul(ay, ux)),
+        ];
+    }
+    rows
+}
+
+#[inline(always)]
+fn dot<L: Lanes, const N: usize>(l: L, a: &[L::Four; N], b: &[L::Four; N]) -> L::Four {
+    let mut sum = l.mul(a[0], b[0]);
+    for k in 1..N {
+        sum = l.add(sum, l.mul(a[k], b[k]));
+    }
+    sum
+}
+
+/// What the facets are read from.
+struct Factors<L: Lanes> {
+    /// Orthonormal null space of W, a row for each cable.
+    null: [[L::Four; 2]; CABLES],
+    /// W⁺ᵀ, a column of six for each cable.
+    dual: [[L::Four; ROWS]; CABLES],
+}
+
+impl<L: Lanes> Factors<L> {
+    /// Factors Wᵀ = Q R in place. `sure` becomes negative where R is too badly conditioned.
+    #[inline(always)]
+    fn new(l: L, rows: &mut [[L::Four; ROWS]; CABLES], sure: &mut L::Four) -> Self {
+        let mut diagonal = [l.splat(0.0); ROWS];
+        let mut factor = [l.splat(0.0); ROWS];
+        for k in 0..ROWS {
+            (diagonal[k], factor[k]) = reflect(l, rows, k);
+        }
+        let (mut least, mut largest) = (l.abs(diagonal[0]), l.abs(diagonal[0]));
+        for d in &diagonal[1..] {
+            (least, largest) = (l.min(least, l.abs(*d)), l.max(largest, l.abs(*d)));
+        }
+        *sure = l.min(l.sub(least, l.mul(largest, l.splat(KERNEL_CONDITION))), *sure);
+        // Q = H₀ … H₅, applied to the columns of the identity, last reflection first.
+        let mut q = [[l.splat(0.0); CABLES]; CABLES];
+        for column in 0..CABLES {
+            q[column][column] = l.splat(1.0);
+            for k in (0..ROWS.min(column + 1)).rev() {
+                let mut along = l.splat(0.0);
+                for r in k..CABLES {
+                    along = l.add(along, l.mul(rows[r][k], q[column][r]));
+                }
+                let along = l.mul(along, factor[k]);
+                for r in k..CABLES {
+                    q[column][r] = l.sub(q[column][r], l.mul(along, rows[r][k]));
+                }
+            }
+        }
+        let mut inverse = [l.splat(0.0); ROWS];
+        for k in 0..ROWS {
+            inverse[k] = l.div(l.splat(1.0), diagonal[k]);
+        }
+        let mut null = [[l.splat(0.0); 2]; CABLES];
+        let mut dual = [[l.splat(0.0); ROWS]; CABLES];
+        for cable in 0..CABLES {
+            null[cable] = [q[ROWS][cable], q[ROWS + 1][cable]];
+            // R x = Qᵀ e, from below; R stands above the diagonal of `rows`.
+            for k in (0..ROWS).rev() {
+                let mut x = q[k][cable];
+                for j in k + 1..ROWS {
+                    x = l.sub(x, l.mul(rows[k][j], dual[cable][j]));
+                }
+                dual[cable][k] = l.mul(x, inverse[k]);
+            }
+        }
+        Factors { null, dual }
+    }
+}
+
+/// One Householder reflection, which clears column `k` below its diagonal: leaves its vector v in the column, from the
+/// diagonal down, and returns the diagonal entry of R and 2 / v·v.
+#[inline(always)]
+fn reflect<L: Lanes>(l: L, rows: &mut [[L::Four; ROWS]; CABLES], k: usize) -> (L::Four, L::Four) {
+    let mut squared = l.mul(rows[k][k], rows[k][k]);
+    for r in k + 1..CABLES {
+        squared = l.add(squared, l.mul(rows[r][k], rows[r][k]));
+    }
+    let norm = l.sqrt(squared);
+    let head = rows[k][k];
+    let signed = l.where_not_negative(head, norm, l.sub(l.splat(0.0), norm));
+    rows[k][k] = l.add(head, signed);
+    let factor = l.div(l.splat(1.0), l.add(squared, l.mul(l.abs(head), norm)));
+    for j in k + 1..ROWS {
+        let mut along = l.splat(0.0);
+        for r in k..CABLES {
+            along = l.add(along, l.mul(rows[r][k], rows[r][j]));
+        }
+        let along = l.mul(along, factor);
+        for r in k..CABLES {
+            rows[r][j] = l.sub(rows[r][j], l.mul(along, rows[r][k]));
+        }
+    }
+    (l.sub(l.splat(0.0), signed), factor)
+}
+
+/// The least slack over all facets.
+#[inline(always)]
+fn least_slack<L: Lanes>(l: L, robot: &KernelRobot, factors: &Factors<L>, sure: &mut L::Four) -> L::Four {
+    let zero = l.splat(0.0);
+    let Factors { null, dual } = factors;
+    // Per cable: how far the balancing wrench is from the middle of the set, in the measure of v.
+    let mut offset = [zero; CABLES];
+    let mut half = [zero; CABLES];
+    for k in 0..CABLES {
+        let mut along = zero;
+        for r in 0..ROWS {
+            along = l.add(along, l.mul(dual[k][r], l.splat(robot.balance[r])));
+        }
+        offset[k] = l.sub(along, l.splat(robot.middle[k]));
+        half[k] = l.splat(robot.half[k]);
+    }
+    // Products of pairs of cables: two by two minors of N, and force and moment parts of P's columns.
+    let mut minor = [[zero; CABLES]; CABLES];
+    let mut forces = [[zero; CABLES]; CABLES];
+    let mut moments = [[zero; CABLES]; CABLES];
+    for i in 0..CABLES {
+        for j in i..CABLES {
+            minor[i][j] = l.sub(l.mul(null[i][0], null[j][1]), l.mul(null[i][1], null[j][0]));
+            let [fx, fy, fz, mx, my, mz] = dual[i];
+            let [gx, gy, gz, nx, ny, nz] = dual[j];
+            let twice = l.splat(if i == j { 1.0 } else { 2.0 });
+            forces[i][j] = l.mul(twice, dot(l, &[fx, fy, fz], &[gx, gy, gz]));
+            moments[i][j] = l.mul(twice, dot(l, &[mx, my, mz], &[nx, ny, nz]));
+        }
+    }
+    let (force, moment) = (l.splat(robot.radii[0]), l.splat(robot.radii[1]));
+    let mut least = l.splat(f64::INFINITY);
+    for [i, j, k] in TRIPLES {
+        let v = [minor[j][k], l.sub(zero, minor[i][k]), minor[i][j]];
+        let squares = [l.mul(v[0], v[0]), l.mul(v[1], v[1]), l.mul(v[2], v[2])];
+        let pairs = [l.mul(v[0], v[1]), l.mul(v[0], v[2]), l.mul(v[1], v[2])];
+        let f2 = quadratic(l, &forces, [i, j, k], &squares, &pairs);
+        let m2 = quadratic(l, &moments, [i, j, k], &squares, &pairs);
+        let out = dot(l, &[l.abs(v[0]), l.abs(v[1]), l.abs(v[2])], &[half[i], half[j], half[k]]);
+        let off = l.abs(dot(l, &v, &[offset[i], offset[j], offset[k]]));
+        let needed = l.add(off, l.add(l.mul(force, l.sqrt(f2)), l.mul(moment, l.sqrt(m2))));
+        let slack = l.div(l.sub(out, needed), l.sqrt(l.add(f2, m2)));
+        let size = l.add(squares[0], l.add(squares[1], squares[2]));
+        let no_normal = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);
+        least = l.min(least, l.where_not_negative(no_normal, l.splat(f64::INFINITY), slack));
+        let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
+        *sure = l.min(l.max(no_normal, clear), *sure);
+    }
+    least
+}
+
+/// Σ gᵢⱼ vᵢ vⱼ over three cables, not negative; off the diagonal `g` holds both halves.
+#[inline(always)]
+fn quadratic<L: Lanes>(
+    l: L,
+    g: &[[L::Four; CABLES]; CABLES],
+    [i, j, k]: [usize; 3],
+    squares: &[L::Four; 3],
+    pairs: &[L::Four; 3],
+) -> L::Four {
+    let own = dot(l, squares, &[g[i][i], g[j][j], g[k][k]]);
+    l.max(l.add(own, dot(l, pairs, &[g[i][j], g[i][k], g[j][k]])), l.splat(0.0))
+}

@@ -1,0 +1,160 @@
+//! How far the required wrenches are from the facets of the available wrench set: the definitions, for any robot.
+//!
+//! [`capacity_margins`](super::capacity_margins) gives the same numbers faster where the kernel of four poses applies.
+
+use nalgebra::{SVector, Vector3, Vector6};
+
+use super::statics::Statics;
+use super::zonotope::{Span, for_each_normal};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::body;
+
+/// The wrenches that the cables must be able to exert, around the one that balances the loads.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Required {
+    /// Any force up to `force` N together with any moment up to `moment` N·m.
+    Balls {
+        /// Radius of the force ball, N.
+        force: f64,
+        /// Radius of the moment ball, N·m.
+        moment: f64,
+    },
+    /// The hull of these wrenches, each [force; moment] in N and N·m.
+    Polytope(Vec<Vector6<f64>>),
+}
+
+impl Default for Required {
+    fn default() -> Self {
+        Required::Balls { force: 0.0, moment: 0.0 }
+    }
+}
+
+impl Required {
+    /// Balls of these radii, N and N·m.
+    ///
+    /// # Errors
+    /// A radius that is negative or not finite.
+    pub fn balls(force: f64, moment: f64) -> Result<Self, Error> {
+        Ok(Required::Balls {
+            force: body::not_negative("force", force)?,
+            moment: body::not_negative("moment", moment)?,
+        })
+    }
+
+    /// Whether a moment is asked for.
+    pub fn needs_moment(&self) -> bool {
+        match self {
+            Required::Balls { moment, .. } => *moment > 0.0,
+            Required::Polytope(corners) => corners.iter().any(|w| w.fixed_rows::<3>(3).norm() > 0.0),
+        }
+    }
+
+    /// How far the required wrenches reach in a direction of [force; moment / length].
+    fn reach(&self, direction: &Vector6<f64>, length: f64) -> f64 {
+        let (force, moment) = (direction.fixed_rows::<3>(0), direction.fixed_rows::<3>(3) / length);
+        match self {
+            Required::Balls { force: f, moment: m } => f * force.norm() + m * moment.norm(),
+            Required::Polytope(corners) => {
+                let reach = |w: &Vector6<f64>| force.dot(&w.fixed_rows::<3>(0)) + moment.dot(&w.fixed_rows::<3>(3));
+                corners.iter().map(reach).fold(f64::NEG_INFINITY, f64::max)
+            }
+        }
+    }
+}
+
+/// The facet of an available set that is nearest to what is required, and how near it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit<const N: usize> {
+    /// Signed distance, N (N·m for moments); negative outside.
+    pub margin: f64,
+    /// Outward unit normal of the facet.
+    pub normal: SVector<f64, N>,
+}
+
+/// The facet of {Σ tᵢ gᵢ : t in the limits} nearest to the set that reaches `reach(c)` beyond `center` in direction c.
+///
+/// A set of lower rank is flat: there the directions across it count as well, with nothing available. A set without any
+/// facet is a point, whose distance to `center` counts.
+fn nearest_facet<const N: usize>(
+    generators: &[SVector<f64, N>],
+    statics: &Statics,
+    center: &SVector<f64, N>,
+    reach: impl Fn(&SVector<f64, N>) -> f64,
+) -> Limit<N> {
+    let span = Span::of(generators);
+    let mut nearest = Limit { margin: f64::INFINITY, normal: SVector::zeros() };
+    let mut consider = |margin: f64, normal: SVector<f64, N>| {
+        if margin < nearest.margin {
+            nearest = Limit { margin, normal };
+        }
+    };
+    let mut any = false;
+    for_each_normal(generators, &span, &mut |normal| {
+        any = true;
+        for normal in [*normal, -normal] {
+            let available = |(g, cable): (&SVector<f64, N>, &super::StaticCable)| {
+                let height = normal.dot(g);
+                (cable.tension[0] * height).max(cable.tension[1] * height)
+            };
+            let out: f64 = generators.iter().zip(statics.cables()).map(available).sum();
+            consider(out - normal.dot(center) - reach(&normal), normal);
+        }
+    });
+    for across in span.left_null() {
+        for normal in [*across, -across] {
+            consider(-normal.dot(center) - reach(&normal), normal);
+        }
+    }
+    if !any {
+        let missed: SVector<f64, N> = span.left_null().iter().map(|n| n * n.dot(center)).sum();
+        let normal = missed.try_normalize(0.0).unwrap_or_else(SVector::zeros);
+        consider(-missed.norm(), normal);
+    }
+    nearest
+}
+
+/// Capacity margin: the least slack between the available wrench set and what is required, over all facets, N, with the
+/// facet. For a point mass the three force rows count. None where a cable has no direction.
+///
+/// With [f; m/ℓ] as measure, a facet c·w ≤ h and the balancing wrench w_r, the slack is
+/// h − c·w_r − r_F |c_f| − r_M |c_m| / ℓ. Where it is not negative, all that is required is available.
+///
+/// # Source
+/// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances in
+/// Mechanisms, Transmissions and Applications, 2014, doi:10.1007/978-94-007-7485-8_47.
+pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) -> Option<Limit<6>> {
+    let columns = statics.columns(position)?;
+    let length = statics.characteristic_length();
+    if statics.point_mass() {
+        let forces: Vec<Vector3<f64>> = columns.iter().map(force_part).collect();
+        let reach = |c: &Vector3<f64>| required.reach(&Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0), length);
+        let Limit { margin, normal } = nearest_facet(&forces, statics, &force_part(statics.balance()), reach);
+        return Some(Limit { margin, normal: Vector6::new(normal.x, normal.y, normal.z, 0.0, 0.0, 0.0) });
+    }
+    Some(nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length)))
+}
+
+/// Force margin: signed distance from the balancing force to the boundary of the forces that the cables can exert, N,
+/// whatever their moment; where it is positive, the radius of the largest ball of forces around it. The paper's effective
+/// set. None where a cable has no direction.
+pub fn force_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
+    let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
+    Some(nearest_facet(&forces, statics, &force_part(statics.balance()), |_| 0.0))
+}
+
+/// Moment margin: as [`force_limit`], of moments about the platform's origin, N·m, whatever their force. None where a
+/// cable has no direction, and for a point mass, which has no moments.
+pub fn moment_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
+    if statics.point_mass() {
+        return None;
+    }
+    let length = statics.characteristic_length();
+    let moment_part = |w: &Vector6<f64>| Vector3::new(w[3], w[4], w[5]) * length;
+    let moments: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(moment_part).collect();
+    Some(nearest_facet(&moments, statics, &moment_part(statics.balance()), |_| 0.0))
+}
+
+fn force_part(w: &Vector6<f64>) -> Vector3<f64> {
+    Vector3::new(w[0], w[1], w[2])
+}

@@ -1,0 +1,173 @@
+//! What the cables of a robot can pull with, and what they must balance, at one orientation.
+
+use nalgebra::Vector6;
+
+use crate::error::Error;
+use crate::geometry::{Point, Rotation, Vector};
+use crate::model::{Robot, Scene, body};
+use crate::numerics::{MIN_CABLE_LENGTH, SAME_POINT};
+
+/// What acts on the platform besides its cables, and how its wrenches are measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loads {
+    /// World-from-platform rotation.
+    pub orientation: Rotation,
+    /// Gravity, world axes, m/s².
+    pub gravity: Vector,
+    /// A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
+    pub load: Vector6<f64>,
+    /// Length by which moments are divided, so that they can be measured together with forces, m.
+    pub characteristic_length: f64,
+}
+
+impl Default for Loads {
+    fn default() -> Self {
+        Loads {
+            orientation: Rotation::identity(),
+            gravity: crate::model::GRAVITY.into(),
+            load: Vector6::zeros(),
+            characteristic_length: 1.0,
+        }
+    }
+}
+
+impl Loads {
+    /// The loads of a scene: its orientation and gravity, and what its `[wrench]` says.
+    pub fn of(scene: &Scene) -> Self {
+        let wrench = scene.wrench().cloned().unwrap_or_default();
+        let default = Loads::default();
+        Loads {
+            orientation: *scene.orientation(),
+            gravity: scene.gravity(),
+            load: wrench.load.map_or(default.load, Into::into),
+            characteristic_length: wrench.characteristic_length.unwrap_or(default.characteristic_length),
+        }
+    }
+}
+
+/// A cable of a platform that does not turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StaticCable {
+    /// Outlet, world, m.
+    pub outlet: Point,
+    /// From the platform's origin to the attachment, world axes, m.
+    pub arm: Vector,
+    /// Least and largest tension, N.
+    pub tension: [f64; 2],
+    /// Name.
+    pub name: String,
+}
+
+impl StaticCable {
+    /// Column of the wrench matrix, moments divided by `length`; not finite where the cable has no direction.
+    #[inline]
+    pub fn column(&self, position: &Point, length: f64) -> Vector6<f64> {
+        let line = self.outlet - (position + self.arm);
+        let norm = line.norm();
+        let unit = line / if norm >= MIN_CABLE_LENGTH { norm } else { f64::NAN };
+        let moment = self.arm.cross(&unit) / length;
+        Vector6::new(unit.x, unit.y, unit.z, moment.x, moment.y, moment.z)
+    }
+}
+
+/// A robot whose statics are known: tension limits of all cables, and the wrench they must balance.
+///
+/// Wrenches are measured as [force; moment / ℓ], N, with ℓ the characteristic length; forces and moments in world axes,
+/// moments about the platform's origin.
+///
+/// # Source
+/// The paper, section 3.3.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, testing, wrench::{Loads, Statics}};
+/// let scene = testing::empty(); // a platform of 10 kg
+/// let statics = Statics::new(scene.robot(), &Loads::of(&scene))?;
+/// assert!((statics.balance()[2] - 98.1).abs() < 1e-12); // the cables pull up with its weight
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statics {
+    cables: Vec<StaticCable>,
+    balance: Vector6<f64>,
+    length: f64,
+    point_mass: bool,
+}
+
+impl Statics {
+    /// The statics of a robot under these loads.
+    ///
+    /// # Errors
+    /// A robot without mass, a cable without tension limits, numbers that are not finite, a characteristic length that is
+    /// not positive.
+    pub fn new(robot: &Robot, loads: &Loads) -> Result<Self, Error> {
+        let Loads { orientation, gravity, load, characteristic_length: length } = loads;
+        body::positive("characteristic_length", *length)?;
+        body::coordinates("gravity", gravity.as_ref())?;
+        body::finite("load", load.as_slice())?;
+        let mass = robot.mass().ok_or_else(|| {
+            Error::invalid("robot.mass", "found none, expected the platform's mass in kg; wrench work needs it")
+        })?;
+        let weight = gravity * mass;
+        let moment = (orientation * robot.center_of_mass().coords).cross(&weight);
+        let (force, moment) = (weight + load.fixed_rows::<3>(0), moment + load.fixed_rows::<3>(3));
+        let moment = moment / *length;
+        let cables = (robot.cables().iter().enumerate())
+            .map(|(i, cable)| {
+                let problem = "found none, expected [least, greatest] in N; wrench work needs it";
+                let place = || Error::invalid(format!("robot.cables[{i}].tension"), problem);
+                Ok(StaticCable {
+                    outlet: cable.outlet,
+                    arm: orientation * cable.attachment.coords,
+                    tension: cable.tension.ok_or_else(place)?,
+                    name: cable.name.clone(),
+                })
+            })
+            .collect::<Result<Vec<_>, Error>>()?;
+        Ok(Statics {
+            balance: -Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z),
+            length: *length,
+            point_mass: cables.iter().all(|c| (c.arm - cables[0].arm).norm() <= SAME_POINT),
+            cables,
+        })
+    }
+
+    /// The statics of a scene's robot at its orientation, under its gravity and load.
+    ///
+    /// # Errors
+    /// As [`Statics::new`].
+    pub fn of(scene: &Scene) -> Result<Self, Error> {
+        Self::new(scene.robot(), &Loads::of(scene))
+    }
+
+    /// Cables in the order of the robot.
+    pub fn cables(&self) -> &[StaticCable] {
+        &self.cables
+    }
+
+    /// The wrench that the cables must exert for balance, −w_ext, as [force; moment / ℓ], N.
+    pub fn balance(&self) -> &Vector6<f64> {
+        &self.balance
+    }
+
+    /// The characteristic length ℓ, m.
+    pub fn characteristic_length(&self) -> f64 {
+        self.length
+    }
+
+    /// Whether all cables meet in one point of the platform: they can exert forces, but no moment about it.
+    pub fn point_mass(&self) -> bool {
+        self.point_mass
+    }
+
+    /// The largest tension of all cables, N: the scale of wrenches.
+    pub fn largest_tension(&self) -> f64 {
+        self.cables.iter().map(|cable| cable.tension[1]).fold(0.0, f64::max)
+    }
+
+    /// Columns of the wrench matrix at a position, moments divided by ℓ; none where a cable has no direction.
+    pub fn columns(&self, position: &Point) -> Option<Vec<Vector6<f64>>> {
+        let columns: Vec<_> = self.cables.iter().map(|cable| cable.column(position, self.length)).collect();
+        columns.iter().all(|column| column.x.is_finite()).then_some(columns)
+    }
+}
