@@ -91,6 +91,19 @@ pub const KERNEL_NORMAL: f64 = 1e-6;
 /// Normals below this length are those of dependent columns: rounding of zero.
 pub const KERNEL_NO_NORMAL: f64 = 1e-13;
 
+/// Slack below this share of the largest tension cannot be certified along a motion, and is refused.
+pub const SLACK_RELATIVE: f64 = 1e-9;
+
+/// Least length of a piece that certifying a motion still divides, m: below it lies rounding of positions.
+pub const CERTIFY_PIECE: f64 = 1e-11;
+
+/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only by
+/// motions that stay close to the boundary over a long way.
+pub const CERTIFY_DIVISIONS: usize = 1 << 14;
+
+/// Accuracy of the least slack of a motion, as a share of the largest tension.
+pub const LEAST_SLACK_RELATIVE: f64 = 1e-6;
+
 /// Relative slack when whole steps are counted, so that a segment of exactly n steps has n of them.
 pub const STEP_COUNT: f64 = 1e-12;
 

@@ -2,11 +2,15 @@
 //! section 3.3).
 
 pub mod capacity;
+pub mod certify;
 mod kernel;
 pub mod margins;
+pub mod measure;
 pub mod statics;
 pub mod zonotope;
 
 pub use capacity::CapacityMargin;
+pub use certify::{certified, first_failure, least_slack};
 pub use margins::{Limit, Required, capacity_limit, force_limit, moment_limit};
+pub use measure::Measure;
 pub use statics::{Loads, StaticCable, Statics};

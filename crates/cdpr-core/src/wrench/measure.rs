@@ -1,0 +1,117 @@
+//! A demand on the wrenches of a robot as one number: how much more than demanded is there, at positions and at least how
+//! much between them.
+
+use nalgebra::Vector6;
+
+use super::capacity::CapacityMargin;
+use super::margins::{Limit, force_limit, moment_limit};
+use super::statics::{StaticCable, Statics};
+use crate::geometry::Point;
+use crate::numerics::SLACK_RELATIVE;
+use crate::numerics::simd::WIDTH;
+
+/// What a demand is measured by.
+#[derive(Debug, Clone)]
+pub enum Measure {
+    /// The rigorous one: forces and moments together.
+    Capacity(Box<CapacityMargin>),
+    /// Forces alone: a ball of this radius, N.
+    Force(Statics, f64),
+    /// Moments alone: a ball of this radius, N·m.
+    Moment(Statics, f64),
+}
+
+impl Measure {
+    /// The robot.
+    pub fn statics(&self) -> &Statics {
+        match self {
+            Measure::Capacity(margin) => margin.statics(),
+            Measure::Force(statics, _) | Measure::Moment(statics, _) => statics,
+        }
+    }
+
+    /// Slack at four positions: margin minus demand; NaN where a cable has no direction.
+    pub fn slack_at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
+        match self {
+            Measure::Capacity(margin) => margin.at_four(positions),
+            Measure::Force(..) | Measure::Moment(..) => {
+                positions.map(|p| self.limit(&p).map_or(f64::NAN, |limit| limit.margin))
+            }
+        }
+    }
+
+    /// Slack at a position; NaN where a cable has no direction.
+    pub fn slack(&self, position: &Point) -> f64 {
+        match self {
+            Measure::Capacity(margin) => margin.at(position),
+            Measure::Force(..) | Measure::Moment(..) => self.limit(position).map_or(f64::NAN, |limit| limit.margin),
+        }
+    }
+
+    /// The nearest facet with the slack to it; none where a cable has no direction.
+    pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
+        match self {
+            Measure::Capacity(margin) => margin.limit(position),
+            Measure::Force(statics, radius) => {
+                let Limit { margin, normal: c } = force_limit(statics, position)?;
+                Some(Limit { margin: margin - radius, normal: Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0) })
+            }
+            Measure::Moment(statics, radius) => {
+                let Limit { margin, normal: c } = moment_limit(statics, position)?;
+                Some(Limit { margin: margin - radius, normal: Vector6::new(0.0, 0.0, 0.0, c.x, c.y, c.z) })
+            }
+        }
+    }
+
+    /// The least slack that counts: below it rounding could decide.
+    pub fn floor(&self) -> f64 {
+        SLACK_RELATIVE * self.statics().largest_tension()
+    }
+
+    /// How much a cable's column of the measured set moves at most for each unit that its direction moves.
+    fn lever(&self, cable: &StaticCable) -> f64 {
+        match self {
+            Measure::Capacity(margin) if margin.statics().point_mass() => 1.0,
+            Measure::Capacity(margin) => (cable.arm / margin.statics().characteristic_length()).norm().hypot(1.0),
+            Measure::Force(..) => 1.0,
+            Measure::Moment(..) => cable.arm.norm(),
+        }
+    }
+
+    /// How far slack can sag below its chord in the middle of a straight piece; see [`sagging`].
+    pub fn sag(&self, from: &Point, to: &Point) -> f64 {
+        let step = to - from;
+        let squared = step.norm_squared();
+        let sag = |cable: &StaticCable| {
+            let line = cable.outlet - (from + cable.arm);
+            let foot = (line.dot(&step) / squared).clamp(0.0, 1.0);
+            let nearest = (line - step * foot).norm_squared();
+            let across = (line.norm_squared() - line.dot(&step).powi(2) / squared).max(0.0);
+            // The direction turns at |step| D / l² a unit of the way, D the distance of the outlet from the whole line.
+            let turn = ((squared * across).sqrt() / nearest).min(2.0);
+            let bend = squared * BEND / nearest;
+            let [least, largest] = cable.tension;
+            self.lever(cable) * (0.25 * (largest - least) * turn + 0.125 * largest * bend)
+        };
+        if squared == 0.0 { 0.0 } else { self.statics().cables().iter().map(sag).sum() }
+    }
+}
+
+/// Largest second derivative of a direction to a fixed point l away, times l², along a line at unit speed: with x the sine
+/// of the angle between both, x √(4 − 3x²) is largest at x² = 2/3.
+const BEND: f64 = 1.154_700_538_379_251_5;
+
+/// The least slack there can be on a straight piece between two positions with slack `a` and `b` (not negative), where
+/// `sag` is [`Measure::sag`] of the piece.
+///
+/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) less constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and slack is the least of
+/// them all. Between the ends c·wᵢ departs from its chord by a second-order term, and |x| of a linear x is below its chord
+/// only where x changes sign, by at most 2λ(1−λ)|Δx|. So at fraction λ the slack is at least
+/// (1−λ) a + λ b − 4λ(1−λ) sag, a parabola whose least value is this.
+pub fn sagging(a: f64, b: f64, sag: f64) -> f64 {
+    let rise = b - a;
+    if rise.abs() >= 4.0 * sag {
+        return a.min(b);
+    }
+    a - (4.0 * sag - rise).powi(2) / (16.0 * sag)
+}
