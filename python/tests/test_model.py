@@ -105,14 +105,6 @@ def test_built_robots_load():
         assert len(cdpr.Robot.load(path).outlets) == 8
 
 
-def test_a_scene_with_wrench_is_refused_until_it_can_be_checked(hard1):
-    spec = hard1.to_dict() | {"wrench": {"force": 1.0}}
-    scene = cdpr.Scene.from_dict(spec)
-    with pytest.raises(cdpr.InputError, match="wrench feasibility"):
-        cdpr.plan(scene)
-    with pytest.raises(cdpr.InputError, match="wrench feasibility"):
-        scene.states_valid([[1, 1, 1]])
-
 
 def test_the_schema_accepts_every_shipped_file_and_refuses_what_the_program_refuses():
     scene, robot = cdpr.schema("scene"), cdpr.schema("robot")

@@ -162,7 +162,7 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
     let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
     fs::write(at("typo.toml"), hard1.replace("outlet = [2.0, 0.0, 0.0]", "outlett = [2.0, 0.0, 0.0]")).unwrap();
     fs::write(at("nan.toml"), hard1.replace("outlet = [2.0, 0.0, 0.0]", "outlet = [nan, 0.0, 0.0]")).unwrap();
-    fs::write(at("wrench.toml"), format!("{hard1}\n[wrench]\nforce = 1.0\n")).unwrap();
+    fs::write(at("wrench.toml"), format!("{hard1}\n[wrench]\nforce = -1.0\n")).unwrap();
     fs::write(at("hard1.toml"), &hard1).unwrap();
     fs::write(at("empty.json"), "{\"waypoints\": []}").unwrap();
     fs::write(at("other.json"), stdout(&cdpr(&["plan", &testdata("scenes/empty.toml"), "--format", "json"]))).unwrap();
@@ -173,7 +173,7 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
             vec!["typo.toml", "robot.cables[1]", "outlett", "did you mean `outlet`"],
         ),
         (vec!["plan", "nan.toml", "-o", "out.json"], vec!["nan.toml", "robot.cables[1].outlet", "NaN"]),
-        (vec!["plan", "wrench.toml", "-o", "out.json"], vec!["wrench.toml", "wrench", "remove"]),
+        (vec!["plan", "wrench.toml", "-o", "out.json"], vec!["wrench.toml", "wrench.force", "found -1"]),
         (vec!["plan", "hard1.toml", "-o", "out.yaml"], vec!["out.yaml", ".json or .csv"]),
         (vec!["plan", "hard1.toml", "--html", "out.pdf"], vec!["out.pdf", ".html"]),
         (vec!["plan", "hard1.toml", "--step", "-0.1", "-o", "out.json"], vec!["--step", "-0.1", "positive"]),

@@ -14,6 +14,7 @@ use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationSpace, Watch, modified_rrt};
 use crate::postprocess::{Order, RewindOptions, rewind};
+use crate::wrench::{WrenchChecker, WrenchConstraint};
 
 /// The planners there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -118,14 +119,18 @@ pub struct PlanResult {
     pub stats: Stats,
 }
 
-/// The engine that answers for a scene.
+/// The engine that answers for a scene: its geometry, and its wrenches if it asks for them.
 ///
 /// # Errors
-/// As [`crate::collision::Constraints::new`].
+/// As [`crate::collision::Constraints::new`] and [`WrenchConstraint::of`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
-    Ok(match engine {
+    let geometry: Box<dyn Checker> = match engine {
         Engine::Cspace => Box::new(CspaceEngine::new(scene, interference)?),
         Engine::Gjk => Box::new(GjkEngine::new(scene, interference)?),
+    };
+    Ok(match WrenchConstraint::of(scene, geometry.constraints())? {
+        Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
+        None => geometry,
     })
 }
 

@@ -211,9 +211,9 @@ fn a_report_names_segment_place_culprits_and_nearest_approach() {
     let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 0.4), Point::new(1.7, 1.0, 1.7)];
     let report = check_path(&engine, &path);
     assert!(!report.valid && report.violations.iter().all(|v| v.segment == 1));
-    let platform = report.violations.iter().find(|v| v.culprits == ["platform", "pillar"]).unwrap();
+    let platform = report.violations.iter().find(|v| v.violation.culprits == ["platform", "pillar"]).unwrap();
     // The platform's face x = p.x + 0.075 reaches the pillar's side x = 0.85 where p.x = 0.775.
-    assert!((platform.at - (0.775 - 0.3) / 1.4).abs() < 1e-8, "{platform:?}");
+    assert!((platform.violation.at - (0.775 - 0.3) / 1.4).abs() < 1e-8, "{platform:?}");
     assert!(report.min_clearance.unwrap().value < -0.1);
 }
 

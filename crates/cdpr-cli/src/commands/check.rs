@@ -1,7 +1,7 @@
 //! `cdpr check`
 
+use cdpr_core::collision::check_path;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
-use cdpr_core::collision::{check_path, validity};
 use cdpr_core::plan::engine_for;
 use cdpr_core::{Error, io};
 
@@ -38,7 +38,7 @@ fn verdict(report: &PathReport, waypoints: usize) -> String {
 }
 
 fn violation_line(v: &PathViolation) -> String {
-    format!("  segment {} at {:.3}: {}", v.segment, v.at, validity::sentence(v.kind, &v.culprits, v.margin))
+    format!("  segment {} at {:.3}: {}", v.segment, v.violation.at, v.violation.sentence())
 }
 
 /// The nearest approach in words.

@@ -149,15 +149,8 @@ impl Constraints {
     /// The constraints of a scene at its orientation.
     ///
     /// # Errors
-    /// A scene that demands wrench feasibility, which this version cannot check yet.
+    /// None today.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
-        if scene.wrench().is_some() {
-            return Err(Error::invalid(
-                "wrench",
-                "found a demand of wrench feasibility, which this version cannot check yet; \
-                 remove [wrench] to plan and check without it",
-            ));
-        }
         let rotation = scene.orientation();
         let robot = scene.robot();
         let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());

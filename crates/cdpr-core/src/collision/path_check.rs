@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::validity::{Kind, Validity};
+use super::validity::{Validity, Violation};
 use crate::geometry::Point;
 
 /// A broken condition on a path.
@@ -10,14 +10,9 @@ use crate::geometry::Point;
 pub struct PathViolation {
     /// Which segment, counting from 0.
     pub segment: usize,
-    /// Fraction of the segment at which it begins, 0 to 1.
-    pub at: f64,
-    /// The condition.
-    pub kind: Kind,
-    /// Who is involved.
-    pub culprits: Vec<String>,
-    /// Worst gap over the segment, m; see [`super::Violation::margin`].
-    pub margin: Option<f64>,
+    /// The condition; its `at` is a fraction of the segment.
+    #[serde(flatten)]
+    pub violation: Violation,
 }
 
 /// The nearest approach on a path.
@@ -61,13 +56,8 @@ pub fn check_path(validity: &dyn Validity, waypoints: &[Point]) -> PathReport {
     let segments = || waypoints.windows(2).enumerate();
     let violations: Vec<PathViolation> = segments()
         .flat_map(|(segment, pair)| {
-            validity.violations(&pair[0], &pair[1]).into_iter().map(move |v| PathViolation {
-                segment,
-                at: v.at,
-                kind: v.kind,
-                culprits: v.culprits,
-                margin: v.margin,
-            })
+            let found = validity.violations(&pair[0], &pair[1]);
+            found.into_iter().map(move |violation| PathViolation { segment, violation })
         })
         .collect();
     let (length, min_clearance) = (path_length(waypoints), min_clearance(validity, waypoints));

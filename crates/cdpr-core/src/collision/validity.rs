@@ -94,17 +94,61 @@ pub struct Violation {
     /// Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross,
     /// positive where only a demanded clearance is missed. None where no gap is defined (wrench).
     pub margin: Option<f64>,
+    /// What the wrenches lack, and which cables limit them; only where the kind is wrench.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub wrench: Option<WrenchLimit>,
+}
+
+/// The facet that limits the wrenches of a robot at a position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WrenchLimit {
+    /// Margin less what is demanded; negative where something is lacking. None where a cable has no direction.
+    pub wrench_margin: Option<f64>,
+    /// Rank of the wrench matrix; below 6 (3 for a point mass) some wrenches cannot be had at any tension.
+    pub rank: usize,
+    /// Whether the rank is lower than it could be.
+    #[serde(skip)]
+    pub rank_deficient: bool,
+    /// What it is measured by: capacity, force or moment.
+    pub measure: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Cables at their greatest tension there.
+    pub at_greatest: Vec<String>,
+    /// Cables at their least tension there.
+    pub at_least: Vec<String>,
+}
+
+impl WrenchLimit {
+    /// In plain words: "by 12.3 N, with cable 2 at greatest tension and cable 4 at least tension".
+    fn sentence(&self) -> String {
+        let amount = match self.wrench_margin {
+            None => return ": a cable has no direction".to_string(),
+            Some(margin) if margin < 0.0 && !self.rank_deficient => format!(" by {:.3} {}", -margin, self.unit),
+            Some(_) if self.rank_deficient => {
+                format!(": its wrench matrix has rank {}, so some wrenches cannot be had at any tension", self.rank)
+            }
+            Some(_) => ": what is left is too little to be certain".to_string(),
+        };
+        let side = |cables: &[String], which: &str| {
+            (!cables.is_empty()).then(|| format!("{} at {which} tension", cables.join(", ")))
+        };
+        let sides: Vec<String> =
+            [side(&self.at_greatest, "greatest"), side(&self.at_least, "least")].into_iter().flatten().collect();
+        if sides.is_empty() { amount } else { format!("{amount}, with {}", sides.join(" and ")) }
+    }
 }
 
 impl Violation {
     /// The violation in plain words: "cable 3 meets pillar, 12.0 mm deep".
     pub fn sentence(&self) -> String {
-        sentence(self.kind, &self.culprits, self.margin)
+        let limit = self.wrench.as_ref().map_or(String::new(), WrenchLimit::sentence);
+        sentence(self.kind, &self.culprits, self.margin) + &limit
     }
 }
 
 /// A broken condition in plain words.
-pub fn sentence(kind: Kind, culprits: &[String], margin: Option<f64>) -> String {
+fn sentence(kind: Kind, culprits: &[String], margin: Option<f64>) -> String {
     let name = |k: usize| culprits.get(k).map_or("?", String::as_str);
     let amount = margin.map_or(String::new(), |m| match m {
         m if m < 0.0 => format!(", {} deep", millimetres(-m)),

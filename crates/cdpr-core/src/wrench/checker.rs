@@ -1,0 +1,53 @@
+//! An engine that asks for wrench feasibility as well, after everything that is cheaper.
+
+use super::constraint::WrenchConstraint;
+use crate::collision::{Checker, Clearance, Constraints, Interference, Validity, Violation};
+use crate::geometry::Point;
+
+/// An engine of geometry with the constraint on wrenches behind it.
+pub struct WrenchChecker {
+    geometry: Box<dyn Checker>,
+    wrench: WrenchConstraint,
+}
+
+impl WrenchChecker {
+    /// Geometry first, wrenches then.
+    pub fn new(geometry: Box<dyn Checker>, wrench: WrenchConstraint) -> Self {
+        WrenchChecker { geometry, wrench }
+    }
+}
+
+impl Checker for WrenchChecker {
+    fn constraints(&self) -> &Constraints {
+        self.geometry.constraints()
+    }
+
+    fn interference(&self) -> Interference {
+        self.geometry.interference()
+    }
+
+    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        self.geometry.breaks(index, from, to)
+    }
+}
+
+impl Validity for WrenchChecker {
+    fn state_valid(&self, position: &Point) -> bool {
+        self.geometry.state_valid(position) && self.wrench.keeps(position, position)
+    }
+
+    fn motion_valid(&self, from: &Point, to: &Point) -> bool {
+        self.geometry.motion_valid(from, to) && self.wrench.keeps(from, to)
+    }
+
+    fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
+        let mut violations = self.geometry.violations(from, to);
+        violations.extend(self.wrench.violation(from, to));
+        violations.sort_by(|a, b| a.at.total_cmp(&b.at));
+        violations
+    }
+
+    fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
+        self.geometry.clearance(from, to)
+    }
+}

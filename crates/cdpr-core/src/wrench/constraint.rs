@@ -1,0 +1,144 @@
+//! The demand of a scene's `[wrench]` as a constraint on states and motions.
+
+use super::cells::FeasibleCells;
+use super::certify::{certified, first_failure, least_slack};
+use super::measure::Measure;
+use super::statics::{Loads, Statics};
+use super::zonotope::Span;
+use super::{CapacityMargin, Required};
+use crate::collision::{Constraints, Kind, Violation, WrenchLimit};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
+use crate::numerics::DEPENDENT;
+
+/// Cell size of the grid rule where a scene does not say, m.
+pub const GRID: f64 = 0.05;
+
+/// How a motion is judged.
+#[derive(Debug, Clone)]
+enum Rule {
+    Certified,
+    Grid(FeasibleCells),
+}
+
+/// Wrench feasibility as a scene asks for it.
+#[derive(Debug, Clone)]
+pub struct WrenchConstraint {
+    measures: Vec<Measure>,
+    rule: Rule,
+}
+
+/// What a scene measures wrench feasibility by; empty if it does not ask for it.
+///
+/// # Errors
+/// A robot without mass or tension limits, a moment required of a point mass.
+pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
+    let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
+    let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
+    let required = required(spec)?;
+    let capacity = CapacityMargin::new(statics.clone(), required).map_err(|e| e.under("wrench"))?;
+    Ok(match spec.margin.unwrap_or(MarginSpec::Capacity) {
+        MarginSpec::Capacity => vec![Measure::Capacity(Box::new(capacity))],
+        MarginSpec::Projected => {
+            let force = Measure::Force(statics.clone(), spec.force.unwrap_or(0.0));
+            let moment = Measure::Moment(statics.clone(), spec.moment.unwrap_or(0.0));
+            if statics.point_mass() { vec![force] } else { vec![force, moment] }
+        }
+    })
+}
+
+/// The required wrenches of a spec.
+///
+/// # Errors
+/// A radius that is negative or not finite.
+pub fn required(spec: &WrenchSpec) -> Result<Required, Error> {
+    match &spec.vertices {
+        Some(corners) => Ok(Required::Polytope(corners.iter().map(|corner| (*corner).into()).collect())),
+        None => Required::balls(spec.force.unwrap_or(0.0), spec.moment.unwrap_or(0.0)),
+    }
+}
+
+impl WrenchConstraint {
+    /// The constraint of a scene, whose geometric constraints are `constraints`; none if it does not ask for one.
+    ///
+    /// # Errors
+    /// As [`measures`]; a grid with too many cells.
+    pub fn of(scene: &Scene, constraints: &Constraints) -> Result<Option<Self>, Error> {
+        let measures = measures(scene)?;
+        let Some(spec) = scene.wrench() else { return Ok(None) };
+        let rule = match spec.rule.unwrap_or(RuleSpec::Certified) {
+            RuleSpec::Certified => Rule::Certified,
+            RuleSpec::Grid => {
+                Rule::Grid(FeasibleCells::new(&measures, constraints.position_box(), spec.grid.unwrap_or(GRID))?)
+            }
+        };
+        Ok(Some(WrenchConstraint { measures, rule }))
+    }
+
+    /// What it measures by.
+    pub fn measures(&self) -> &[Measure] {
+        &self.measures
+    }
+
+    /// Whether a motion keeps the demand: proved for every point of it, or by the cells that it crosses.
+    pub fn keeps(&self, from: &Point, to: &Point) -> bool {
+        match &self.rule {
+            Rule::Certified => self.measures.iter().all(|measure| certified(measure, from, to)),
+            Rule::Grid(cells) => cells.first_infeasible(from, to).is_none(),
+        }
+    }
+
+    /// The violation of a motion, if it does not keep the demand.
+    pub fn violation(&self, from: &Point, to: &Point) -> Option<Violation> {
+        let failure = match &self.rule {
+            Rule::Certified => self.measures.iter().filter_map(|m| first_failure(m, from, to)).min_by(f64::total_cmp),
+            Rule::Grid(cells) => cells.first_infeasible(from, to),
+        };
+        let at = failure?;
+        let (measure, worst) = self.worst(from, to);
+        let limit = limit_at(measure, &(from + (to - from) * worst));
+        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
+        Some(Violation { at, kind: Kind::Wrench, culprits, margin: None, wrench: Some(limit) })
+    }
+
+    /// The measure with the least slack on a motion, and the fraction where it is least.
+    fn worst(&self, from: &Point, to: &Point) -> (&Measure, f64) {
+        let least = self.measures.iter().map(|measure| (measure, least_slack(measure, from, to)));
+        let (measure, (_, at)) = least
+            .min_by(|(_, (a, _)), (_, (b, _))| if a.is_nan() { std::cmp::Ordering::Less } else { a.total_cmp(b) })
+            .expect("at least one measure");
+        (measure, at)
+    }
+}
+
+/// The facet that limits a robot at a position, in names.
+pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
+    let (name, unit) = match measure {
+        Measure::Capacity(_) => ("capacity", "N"),
+        Measure::Force(..) => ("force", "N"),
+        Measure::Moment(..) => ("moment", "N·m"),
+    };
+    let mut found = WrenchLimit {
+        wrench_margin: None,
+        rank: 0,
+        rank_deficient: false,
+        measure: name,
+        unit,
+        at_greatest: Vec::new(),
+        at_least: Vec::new(),
+    };
+    let statics = measure.statics();
+    let (Some(limit), Some(columns)) = (measure.limit(position), statics.columns(position)) else { return found };
+    found.wrench_margin = Some(limit.margin);
+    found.rank = Span::of(&columns).rank();
+    found.rank_deficient = found.rank < if statics.point_mass() { 3 } else { 6 };
+    for (cable, column) in statics.cables().iter().zip(&columns) {
+        match limit.normal.dot(column) {
+            height if height > DEPENDENT.sqrt() => found.at_greatest.push(cable.name.clone()),
+            height if height < -DEPENDENT.sqrt() => found.at_least.push(cable.name.clone()),
+            _ => {}
+        }
+    }
+    found
+}

@@ -1,0 +1,129 @@
+//! Planning and checking on scenes with [wrench].
+
+mod support;
+
+use cdpr_core::collision::{Engine, Interference, Kind, check_path};
+use cdpr_core::geometry::Point;
+use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec};
+use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::planning::Status;
+use cdpr_core::testing::{block, paper_scene};
+use cdpr_core::wrench::{Measure, measures};
+use support::built_robot;
+
+/// CoGiRo in its hall with two pillars, from one side to the other.
+fn cogiro(wrench: WrenchSpec) -> Scene {
+    let pillars: Vec<BodySpec> =
+        vec![block("west", [0.6, 0.6, 1.6], [-2.0, 0.5, 0.8]), block("east", [0.6, 0.6, 1.6], [2.0, -0.5, 0.8])];
+    let spec = SceneSpec {
+        robot: RobotSource::Inline(built_robot("cogiro").spec().clone()),
+        workspace: WorkspaceSpec { min: [-7.0, -5.0, 0.0], max: [7.0, 5.0, 5.3] },
+        query: Some(QuerySpec { start: Some([-4.0, 0.0, 0.5]), goal: Some([4.0, 0.0, 0.5]), orientation: None }),
+        wrench: Some(wrench),
+        ..paper_scene("cogiro hall", pillars)
+    };
+    Scene::new(SceneSpec { version: 1, ..spec }).expect("a sound scene")
+}
+
+fn balls(force: f64, moment: f64) -> WrenchSpec {
+    WrenchSpec { force: Some(force), moment: Some(moment), ..WrenchSpec::default() }
+}
+
+fn slack_along(measures: &[Measure], path: &[Point]) -> f64 {
+    let points = |pair: &[Point]| -> Vec<Point> {
+        (0..=200).map(|k| pair[0] + (pair[1] - pair[0]) * (f64::from(k) / 200.0)).collect()
+    };
+    let all = path.windows(2).flat_map(points);
+    all.flat_map(|p| measures.iter().map(move |m| m.slack(&p))).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
+    for rule in [RuleSpec::Certified, RuleSpec::Grid] {
+        let scene = cogiro(WrenchSpec { rule: Some(rule), grid: Some(0.25), ..balls(40.0, 10.0) });
+        for (engine, seed) in [(Engine::Cspace, 0), (Engine::Cspace, 1), (Engine::Gjk, 0)] {
+            let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::default() }, &|| false).unwrap();
+            assert_eq!(result.status, Status::Solved);
+            let slack = slack_along(&measures(&scene).unwrap(), &result.waypoints);
+            assert!(slack >= 0.0 || rule == RuleSpec::Grid && slack > -20.0, "{slack}");
+        }
+    }
+}
+
+#[test]
+fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_that_limit_it() {
+    let scene = cogiro(balls(5000.0, 30.0));
+    let result = plan(&scene, &PlanOptions::default(), &|| false).unwrap();
+    assert_eq!(result.status, Status::StartInvalid);
+    let reason = result.reason.expect("a reason");
+    let limit = reason.wrench.clone().expect("a wrench limit");
+    assert_eq!((reason.kind, reason.margin), (Kind::Wrench, None));
+    assert!(limit.wrench_margin.unwrap() < -1000.0);
+    assert_eq!(limit.at_greatest.len() + limit.at_least.len(), 3); // eight cables less the five that span the facet
+    assert_eq!(reason.culprits.len(), 3);
+    assert!(
+        reason.sentence().starts_with("the cables cannot balance the required wrenches by "),
+        "{}",
+        reason.sentence()
+    );
+}
+
+#[test]
+fn the_papers_robot_is_told_to_lack_a_rank() {
+    let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
+    let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap();
+    let words = "its wrench matrix has rank 5, so some wrenches cannot be had at any tension";
+    let sentence = result.reason.unwrap().sentence();
+    assert!(sentence.contains(words), "{sentence}");
+}
+
+#[test]
+fn a_path_that_leaves_the_feasible_positions_is_told_with_its_place() {
+    let scene = cogiro(balls(60.0, 10.0));
+    let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+    // Towards the wall, near the floor.
+    let path = [Point::new(-4.0, 0.0, 0.5), Point::new(-6.4, 0.0, 0.5), Point::new(-4.0, 0.0, 0.5)];
+    let report = check_path(&*engine, &path);
+    let wrench: Vec<_> = report.violations.iter().filter(|v| v.violation.kind == Kind::Wrench).collect();
+    assert_eq!(wrench.iter().map(|v| v.segment).collect::<Vec<_>>(), [0, 1]);
+    let up = &wrench[0].violation;
+    let edge = path[0] + (path[1] - path[0]) * up.at;
+    let slack = measures(&scene).unwrap()[0].slack(&edge);
+    assert!(slack.abs() < 1e-3, "{slack}");
+    assert_eq!(wrench[1].violation.at, 0.0);
+    assert_eq!(serde_json::json!(wrench[0])["margin"], serde_json::Value::Null);
+    assert!(serde_json::json!(wrench[0])["wrench_margin"].as_f64().unwrap() < 0.0);
+}
+
+#[test]
+fn what_a_scene_lacks_for_wrench_work_is_named() {
+    let without = |change: &dyn Fn(&mut SceneSpec)| {
+        let mut spec = cogiro(balls(1.0, 1.0)).spec().clone();
+        change(&mut spec);
+        match Scene::new(spec) {
+            Ok(scene) => engine_for(&scene, Engine::Cspace, Interference::Exact).err().expect("an error").to_string(),
+            Err(error) => error.to_string(),
+        }
+    };
+    let robot = |change: fn(&mut cdpr_core::model::RobotSpec)| {
+        without(&|spec| match &mut spec.robot {
+            RobotSource::Inline(robot) => change(robot),
+            RobotSource::File(_) => unreachable!(),
+        })
+    };
+    let wrench = |change: fn(&mut WrenchSpec)| without(&|spec| change(spec.wrench.as_mut().unwrap()));
+    assert!(robot(|r| r.mass = None).starts_with("robot.mass: found none"));
+    assert!(robot(|r| r.cables[3].tension = None).starts_with("robot.cables[3].tension: found none"));
+    assert!(robot(|r| r.cables[3].tension = Some([5.0, 1.0])).starts_with("robot.cables[3].tension: found [5, 1]"));
+    let together = robot(|r| r.cables.iter_mut().for_each(|cable| cable.attachment = [0.6, 0.0, 0.0]));
+    assert!(together.starts_with("wrench.moment: found a required moment"), "{together}");
+    assert!(wrench(|w| w.force = Some(-1.0)).starts_with("wrench.force: found -1"));
+    assert!(wrench(|w| w.moment = Some(f64::NAN)).starts_with("wrench.moment: found NaN"));
+    assert!(
+        wrench(|w| w.load = Some([0.0, 0.0, f64::INFINITY, 0.0, 0.0, 0.0])).starts_with("wrench.load[2]: found inf")
+    );
+    assert!(wrench(|w| w.characteristic_length = Some(0.0)).starts_with("wrench.characteristic_length: found 0"));
+    assert!(wrench(|w| w.vertices = Some(vec![[0.0; 6]])).starts_with("wrench.vertices: found beside force"));
+    let fine = wrench(|w| (w.rule, w.grid) = (Some(RuleSpec::Grid), Some(1e-3)));
+    assert!(fine.starts_with("wrench.grid: found 0.001 m, which makes"), "{fine}");
+}
