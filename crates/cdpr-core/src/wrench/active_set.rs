@@ -31,8 +31,8 @@ pub(super) struct Limit {
 
 /// The y nearest to 0 whose `point + null y` is in the box, from limits that are perhaps active.
 ///
-/// Where limits only just hold together, the active set may not settle. It then gets limits wider by half the tolerance,
-/// first with the same care about dependent limits, then with less.
+/// Where limits only just hold together, the active set may not settle. It then gets limits wider by half the
+/// tolerance, first with the same care about dependent limits, then with less.
 pub(super) fn nearest(slice: &Slice, guess: &[Limit]) -> Nearest {
     match attempt(slice, guess, LIMIT_ROUNDING, DEPENDENT_NORMALS) {
         Nearest::Unsettled => {}

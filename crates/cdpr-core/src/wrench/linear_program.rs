@@ -2,8 +2,8 @@
 //! be scaled up.
 //!
 //! Both are asked in the null space of the wrench matrix and in half ranges of the tensions (a wrench is balanced by
-//! `x = p + N y` with every entry between −1 and 1), so that eight cables leave three unknowns and sixteen rows. clarabel
-//! proposes; tensions or a separating plane, checked for themselves, decide.
+//! `x = p + N y` with every entry between −1 and 1), so that eight cables leave three unknowns and sixteen rows.
+//! clarabel proposes; tensions or a separating plane, checked for themselves, decide.
 
 use clarabel::solver::DefaultInfo;
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};

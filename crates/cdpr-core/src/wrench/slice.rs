@@ -167,8 +167,8 @@ impl Slice<'_> {
         DVector::from_fn(x.len(), |i, _| x[i].clamp(self.lower[i], self.upper[i]))
     }
 
-    /// Whether a direction, once freed of its part along the null space, proves that the slice misses the box: it is then
-    /// constant on the slice, and larger than anywhere in the box.
+    /// Whether a direction, once freed of its part along the null space, proves that the slice misses the box: it is
+    /// then constant on the slice, and larger than anywhere in the box.
     pub(super) fn separated_by(&self, direction: &DVector<f64>) -> bool {
         let Some(normal) = self.across(direction) else { return false };
         let slack = LIMIT_SLACK * normal.lp_norm(1);

@@ -61,8 +61,8 @@ impl TensionQp {
     /// unique and move continuously with the wrench.
     ///
     /// `wrench_matrix`, `limits` and `wrench` are those of
-    /// [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve). `reference` is one tension for each cable,
-    /// N, within limits or not; the middle of the limits if none is given.
+    /// [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve). `reference` is one tension for each
+    /// cable, N, within limits or not; the middle of the limits if none is given.
     ///
     /// # Errors
     /// Those of [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve), and the same for `reference`.
