@@ -118,3 +118,56 @@ pub const BISECTION_STEPS: usize = 45;
 
 /// Least gain, m, for which rewinding replaces part of a path; "strictly shorter" above rounding, so that it ends.
 pub const SHORTER: f64 = 1e-9;
+
+/// Error of `W t = w` that counts as none, as a share of the larger of |w| and the greatest tension: a wrench exactly
+/// on the boundary of what the cables can balance stays inside whatever rounding (about 1e-15) does.
+pub const BALANCE_RELATIVE: f64 = 1e-9;
+
+/// How far a tension may seem to pass its limits before it is put back onto them, as a share of half its range: a
+/// tenth of [`BALANCE_RELATIVE`], so that several cables at once still balance to that.
+pub const LIMIT_RELATIVE: f64 = 1e-10;
+
+/// Passing a limit by less is rounding, as a share of half a range; the active set moves on only for more.
+pub const LIMIT_ROUNDING: f64 = 1e-14;
+
+/// By how much a plane must part a wrench from the cables' limits to prove anything, as a share of half a range; by
+/// this limits are widened where they only just hold together. Half of [`LIMIT_RELATIVE`], so one of the two always
+/// holds.
+pub const LIMIT_SLACK: f64 = 5e-11;
+
+/// Share of a limit's normal across the limits already met (normals are at most 1 long) below which it counts as a
+/// sum of theirs: rounding over this stays below [`LIMIT_SLACK`].
+pub const DEPENDENT_NORMALS: f64 = 1e-5;
+
+/// The same where the first reading settled nothing; the point or the plane found is checked in any case.
+pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
+
+/// Share of a separating direction that must be left once its part along the null space is taken out, or it is
+/// rounding.
+pub const SEPARATING_LEFT: f64 = 1e-8;
+
+/// Largest entry of a wrench, a wrench matrix or a limit, in its own unit: products of three of them stay finite.
+pub const MAX_WRENCH: f64 = 1e100;
+
+/// Changes of the active set, for each limit, after which its answer is "unsettled". Two or three in all are usual.
+pub const ACTIVE_SET_STEPS: usize = 10;
+
+/// Accuracy asked of the interior-point solver, on problems scaled to half ranges. What it returns is checked and made
+/// exact afterwards, so this only has to tell which limits are active.
+pub const INTERIOR_POINT: f64 = 1e-8;
+
+/// Iterations after which the interior-point solver gives up; 5 to 15 are usual.
+pub const INTERIOR_POINT_ITERATIONS: u32 = 60;
+
+/// Regularisation of the interior-point solver's linear systems, which are small and scaled to 1. Without iterative
+/// refinement this is an error of its steps, so it stands below [`INTERIOR_POINT`].
+pub const INTERIOR_POINT_REGULARISATION: f64 = 1e-10;
+
+/// Distance from 1, in half ranges, at which a feasibility program may stop: the answer is then plain and is checked.
+pub const PLAIN_ANSWER: f64 = 1e-3;
+
+/// Residual up to which a program may stop at a plain answer.
+pub const PLAIN_RESIDUAL: f64 = 1e-6;
+
+/// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
+pub const SCALE_STEPS: usize = 100;

@@ -1,21 +1,28 @@
 //! Wrench feasibility: what the cables can exert, what they must, and how far the one is from the other (the paper,
 //! section 3.3).
 
+mod active_set;
 pub mod capacity;
 mod cells;
 pub mod certify;
 pub mod checker;
 pub mod constraint;
+mod interior_point;
 mod kernel;
+pub mod linear_program;
 pub mod margins;
 pub mod measure;
+mod slice;
 pub mod statics;
+pub mod tension_qp;
 pub mod zonotope;
 
 pub use capacity::CapacityMargin;
 pub use certify::{certified, first_failure, least_slack};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, measures};
+pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 pub use margins::{Limit, Required, capacity_limit, force_limit, moment_limit};
 pub use measure::Measure;
 pub use statics::{Loads, StaticCable, Statics};
+pub use tension_qp::{QpMethod, TensionQp};

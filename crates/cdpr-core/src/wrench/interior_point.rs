@@ -1,0 +1,96 @@
+//! clarabel on programs of one size, again and again: `minimise ½ h |x|² + c·x where A x <= b`,
+//! h and c given once, A and b each time.
+//!
+//! Programs here have some ten unknowns or fewer and dense matrices of numbers near 1. For those the time of a solve
+//! goes into equilibration and iterative refinement, which they do not need: their answers are checked and made exact
+//! by whoever asks.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
+use nalgebra::DMatrix;
+
+use crate::numerics::{INTERIOR_POINT, INTERIOR_POINT_ITERATIONS, INTERIOR_POINT_REGULARISATION};
+
+/// Says when an answer is plain enough to stop.
+pub(super) type Plain = fn(&DefaultInfo<f64>) -> bool;
+
+/// A program whose size seldom changes, and whose cost only changes with the size.
+pub(super) struct InteriorPoint {
+    hessian: f64,
+    plain: Option<Plain>,
+    program: Option<Program>,
+}
+
+struct Program {
+    shape: (usize, usize),
+    solver: DefaultSolver<f64>,
+    /// Entries of A, column by column, and b; clarabel wants vectors.
+    matrix: Vec<f64>,
+    bounds: Vec<f64>,
+}
+
+/// Where the solver stopped: unknowns, and a multiplier for each row. Not more than a proposal.
+pub(super) struct Proposal<'a> {
+    pub(super) x: &'a [f64],
+    pub(super) multipliers: &'a [f64],
+}
+
+impl InteriorPoint {
+    pub(super) fn new(hessian: f64, plain: Option<Plain>) -> Self {
+        Self { hessian, plain, program: None }
+    }
+
+    /// Runs the solver; nothing if it could not start or left numbers that are not finite.
+    pub(super) fn propose(&mut self, cost: &[f64], matrix: &DMatrix<f64>, bounds: &[f64]) -> Option<Proposal<'_>> {
+        if self.program.as_ref().is_none_or(|p| p.shape != matrix.shape()) {
+            self.program = None; // none is better than one of another size
+            self.program = Some(self.build(cost, matrix, bounds)?);
+        }
+        let program = self.program.as_mut()?;
+        program.matrix.copy_from_slice(matrix.as_slice());
+        program.bounds.copy_from_slice(bounds);
+        program.solver.update_A(&program.matrix).ok()?;
+        program.solver.update_b(&program.bounds).ok()?;
+        program.solver.solve();
+        let solution = &program.solver.solution;
+        let finite = solution.x.iter().chain(&solution.z).all(|x| x.is_finite());
+        finite.then_some(Proposal { x: &solution.x, multipliers: &solution.z })
+    }
+
+    fn build(&self, cost: &[f64], matrix: &DMatrix<f64>, bounds: &[f64]) -> Option<Program> {
+        let (rows, columns) = matrix.shape();
+        let mut hessian = CscMatrix::identity(columns);
+        hessian.nzval.fill(self.hessian);
+        let cones = [SupportedConeT::NonnegativeConeT(rows)];
+        let mut solver = DefaultSolver::new(&hessian, cost, &dense(matrix), bounds, &cones, settings()).ok()?;
+        if let Some(plain) = self.plain {
+            solver.set_termination_callback(plain);
+        }
+        Some(Program { shape: (rows, columns), solver, matrix: matrix.as_slice().to_vec(), bounds: bounds.to_vec() })
+    }
+}
+
+/// Every entry stored, zeros as well: the next matrix may have its zeros elsewhere.
+fn dense(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
+    let (rows, columns) = matrix.shape();
+    let starts = (0..=columns).map(|j| j * rows).collect();
+    let places = (0..columns).flat_map(|_| 0..rows).collect();
+    CscMatrix::new(rows, columns, starts, places, matrix.as_slice().to_vec())
+}
+
+fn settings() -> DefaultSettings<f64> {
+    DefaultSettings {
+        verbose: false,
+        max_iter: INTERIOR_POINT_ITERATIONS,
+        tol_gap_abs: INTERIOR_POINT,
+        tol_gap_rel: INTERIOR_POINT,
+        tol_feas: INTERIOR_POINT,
+        static_regularization_constant: INTERIOR_POINT_REGULARISATION,
+        direct_solve_method: "qdldl".into(),
+        max_threads: 1,
+        presolve_enable: false, // or the numbers could not be replaced
+        equilibrate_enable: false,
+        iterative_refinement_enable: false,
+        ..DefaultSettings::default()
+    }
+}
