@@ -22,6 +22,15 @@ from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
 from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
 from ._shadows import Mesh, save_shadows, shadows
+from ._wrench import (
+    Tensions,
+    capacity_margin,
+    force_margin,
+    moment_margin,
+    tension_distribution,
+    tensions_along,
+    wrench_matrix,
+)
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
@@ -36,15 +45,22 @@ __all__ = [
     "Result",
     "Robot",
     "Scene",
+    "Tensions",
     "Violation",
     "__version__",
+    "capacity_margin",
     "check",
     "distance",
+    "force_margin",
     "load_path",
+    "moment_margin",
     "plan",
     "rewind",
     "save_shadows",
     "save_view",
     "schema",
     "shadows",
+    "tension_distribution",
+    "tensions_along",
+    "wrench_matrix",
 ]

@@ -32,6 +32,17 @@ def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
     return x, y, z
 
 
+def numbers(name: str, values: ArrayLike, count: int) -> list[float]:
+    """A list of so many numbers."""
+    array = _numbers(name, values)
+    if array.shape != (count,):
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected ({count},)")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name}: found {array}, expected finite numbers")
+    found: list[float] = array.tolist()
+    return found
+
+
 def _numbers(name: str, values: ArrayLike) -> Floats:
     try:
         array = np.asarray(values)

@@ -36,6 +36,16 @@ class Violation:
         Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross.
     segment : int
         Which segment of a path, counting from 0.
+    wrench_margin : float or None
+        For the kind "wrench": margin less demand, in ``unit``, where it is least.
+    unit : str or None
+        "N" or "N·m".
+    measure : str or None
+        What it is measured by: "capacity", "force" or "moment".
+    rank : int or None
+        Rank of the wrench matrix there; below 6 some wrenches cannot be had at any tension.
+    at_greatest, at_least : tuple of str
+        Cables at their greatest and least tension there.
     """
 
     at: float
@@ -43,11 +53,18 @@ class Violation:
     culprits: tuple[str, ...]
     margin: float | None
     segment: int = 0
+    wrench_margin: float | None = None
+    unit: str | None = None
+    measure: str | None = None
+    rank: int | None = None
+    at_greatest: tuple[str, ...] = ()
+    at_least: tuple[str, ...] = ()
 
 
 def violation_from(values: Mapping[str, Any]) -> Violation:
     """A violation from the core's JSON."""
-    return Violation(**{**values, "culprits": tuple(values["culprits"])})
+    fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
+    return Violation(**fields)
 
 
 class Robot:

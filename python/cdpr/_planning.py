@@ -100,12 +100,20 @@ class Report:
         In order along the path.
     min_clearance : dict or None
         Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``.
+    min_wrench_margin : dict or None
+        On scenes with ``[wrench]`` the least margin beyond what is demanded: ``value``, ``unit``, ``measure``, ``segment``,
+        ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
+    tension_range : dict or None
+        On scenes with ``[wrench]`` the least and the greatest tension, ``min`` and ``max``: ``value`` (N), ``cable``,
+        ``segment``, ``at``. None where the loads cannot be balanced everywhere.
     """
 
     valid: bool
     length: float
     violations: tuple[Violation, ...]
     min_clearance: Mapping[str, Any] | None
+    min_wrench_margin: Mapping[str, Any] | None = None
+    tension_range: Mapping[str, Any] | None = None
 
 
 def plan(
@@ -199,7 +207,7 @@ def _whole(name: str, value: int) -> int:
     return int(value)
 
 
-def _path(name: str, waypoints: ArrayLike | Path) -> Floats:
+def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
     array = rows(name, waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
     if len(array) < 2:
         raise InputError(f"{name}: found {len(array)} waypoints, expected at least two")
@@ -250,7 +258,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    array = _path("waypoints", waypoints)
+    array = path_rows("waypoints", waypoints)
     text = scene._core.rewind(array, float(step), order, _whole("repeats", repeats), engine, interference)
     found = json.loads(text)
     return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
@@ -277,9 +285,9 @@ def check(
     >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
     False
     """
-    found = json.loads(scene._core.check(_path("waypoints", waypoints), engine, interference))
+    found = json.loads(scene._core.check(path_rows("waypoints", waypoints), engine, interference))
     violations = tuple(violation_from(values) for values in found["violations"])
-    return Report(found["valid"], found["length"], violations, found["min_clearance"])
+    return Report(**{**found, "violations": violations})
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Floats:

@@ -70,6 +70,17 @@ pub enum Command {
   cdpr shadows hall.toml -o shadows.obj --cable \"cable 3\" --obstacle pillar
   cdpr shadows hall.toml -o regions.stl --all")]
     Shadows(ShadowsArgs),
+    /// What the cables can balance: at a position or along a path.
+    ///
+    /// At a position: rank, margins, the cables that limit them, and the tensions nearest to the middle of their limits.
+    /// Along a path: position, length and tension of every cable and the margins at even steps, as CSV. Required balls are
+    /// those of the scene's [wrench] unless given here. Exit status 1 where the loads (with --at: all that is required)
+    /// cannot be balanced.
+    #[command(after_help = "Examples:
+  cdpr wrench hall.toml --at 0 0 2
+  cdpr wrench hall.toml --at 0 0 2 --force 50 --moment 5 --format json
+  cdpr wrench hall.toml --along path.json -o tensions.csv")]
+    Wrench(WrenchArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -236,6 +247,31 @@ pub struct ShadowsArgs {
     /// Only regions of these obstacles.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub obstacle: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("where").required(true).args(["at", "along"]))]
+pub struct WrenchArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// A position of the platform's origin, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub at: Option<Vec<f64>>,
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub along: Option<PathBuf>,
+    /// Distance of the rows along the path, m.
+    #[arg(long, value_name = "M", default_value_t = 0.01, value_parser = positive, allow_negative_numbers = true)]
+    pub step: f64,
+    /// Radius of the required force ball instead of the scene's, N.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub force: Option<f64>,
+    /// Radius of the required moment ball instead of the scene's, N·m.
+    #[arg(long, value_name = "NM", allow_negative_numbers = true)]
+    pub moment: Option<f64>,
+    /// Write the rows here (.csv).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

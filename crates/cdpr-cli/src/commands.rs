@@ -9,3 +9,4 @@ pub mod post;
 pub mod schema;
 pub mod shadows;
 pub mod view;
+pub mod wrench;

@@ -41,6 +41,7 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Schema(args) => commands::schema::run(&args),
         Command::Shadows(args) => commands::shadows::run(&args),
         Command::View(args) => commands::view::run(&args),
+        Command::Wrench(args) => commands::wrench::run(&args),
         Command::Completions(args) => commands::completions::run(&args),
     }
 }

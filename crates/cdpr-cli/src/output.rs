@@ -39,6 +39,11 @@ pub fn short(number: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
+/// A force or moment for people, three decimals, never minus zero.
+pub fn thousandths(number: f64) -> String {
+    format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0)
+}
+
 /// One line about a scene.
 pub fn scene_line(scene: &Scene) -> String {
     let robot = scene.robot();

@@ -365,3 +365,47 @@ fn view_and_schema_and_completions_and_help() {
         assert!(stdout(&cdpr(&[command, "--help"])).contains("Example"), "{command}");
     }
 }
+
+#[test]
+fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
+    let folder = TempDir::new().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let hall = format!(
+        "version = 1\nrobot = \"{}\"\nworkspace = {{ min = [-7, -5, 0], max = [7, 5, 5.3] }}\n\
+         wrench = {{ force = 60, moment = 10 }}\nquery = {{ start = [-4, 0, 0.5], goal = [4, 0, 0.5] }}\n",
+        testdata("robots/cogiro.toml")
+    );
+    fs::write(at("hall.toml"), hall).unwrap();
+    fs::write(at("path.csv"), "x,y,z\n-4,0,0.5\n-6.4,0,0.5\n").unwrap();
+    let found = cdpr(&["wrench", &at("hall.toml"), "--at", "-4", "0", "0.5", "--format", "json"]);
+    let report = json(&found);
+    assert_eq!((found.status.code(), &report["feasible"], &report["rank"]), (Some(0), &true.into(), &6.into()));
+    assert_eq!(report["wrench_matrix"].as_array().unwrap().len(), 6);
+    assert_eq!(report["tensions"].as_array().unwrap().len(), 8);
+    let wall = cdpr(&["wrench", &at("hall.toml"), "--at", "-6.4", "0", "0.5"]);
+    assert_eq!(wall.status.code(), Some(1));
+    assert!(stdout(&wall).contains("not feasible at (-6.4, 0, 0.5): capacity margin -"), "{}", stdout(&wall));
+    let arguments = ["wrench", &at("hall.toml"), "--along", &at("path.csv"), "--step", "0.5", "-o", &at("t.csv")];
+    assert_eq!(cdpr(&arguments).status.code(), Some(1)); // the loads cannot be balanced near the wall
+    let csv = fs::read_to_string(at("t.csv")).unwrap();
+    assert!(csv.starts_with("s,x,y,z,length_0,") && csv.lines().count() == 7, "{csv}");
+    assert!(csv.lines().last().unwrap().starts_with("2.4000000000000004,-6.4,0,0.5,"), "{csv}");
+    let check = cdpr(&["check", &at("hall.toml"), &at("path.csv"), "--format", "json"]);
+    let check = json(&check);
+    assert_eq!(check["violations"][0]["kind"], "wrench");
+    assert!(check["min_wrench_margin"]["value"].as_f64().unwrap() < 0.0 && check["tension_range"].is_null());
+    let plan = json(&cdpr(&["plan", &at("hall.toml"), "--format", "json"]));
+    assert!(plan["min_wrench_margin"]["value"].as_f64().unwrap() > 0.0, "{plan}");
+    assert!(plan["tension_range"]["min"]["value"].as_f64().unwrap() >= 100.0);
+    for (arguments, words) in [
+        (vec!["--at", "0", "0", "2", "--force", "-1"], "force: found -1"),
+        (vec!["--along", "nowhere.csv"], "nowhere.csv"),
+        (vec!["--at", "0", "0"], "--at"),
+        (vec![], "--at"),
+    ] {
+        let all: Vec<&str> = ["wrench"].into_iter().chain([at("hall.toml").leak() as &str]).chain(arguments).collect();
+        let output = cdpr(&all);
+        assert_eq!(output.status.code(), Some(2), "{all:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(words), "{all:?}: {output:?}");
+    }
+}

@@ -3,9 +3,11 @@
 pub mod mesh_file;
 pub mod path_file;
 pub mod scene_file;
+pub mod tension_file;
 pub mod text;
 
 pub use mesh_file::{RegionFormat, save_regions};
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
 pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
+pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
 pub use text::write_atomically;

@@ -7,14 +7,14 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
 use crate::choice::{Choice, choices};
-use crate::collision::path_check::{first_invalid_segment, path_length};
-use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation};
+use crate::collision::path_check::{PathReport, first_invalid_segment, path_length};
+use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationSpace, Watch, modified_rrt};
 use crate::postprocess::{Order, RewindOptions, rewind};
-use crate::wrench::{WrenchChecker, WrenchConstraint};
+use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
 /// The planners there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -132,6 +132,25 @@ pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> 
         Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
         None => geometry,
     })
+}
+
+/// All there is to say about a path of a scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckReport {
+    /// Its length, violations and nearest approach.
+    #[serde(flatten)]
+    pub path: PathReport,
+    /// Where its wrenches are scarcest and how its tensions range, if the scene asks for wrench feasibility.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub wrench: Option<PathWrench>,
+}
+
+/// Checks a path of a scene by the engine that [`engine_for`] gives.
+///
+/// # Errors
+/// As [`path_wrench`].
+pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result<CheckReport, Error> {
+    Ok(CheckReport { path: check_path(engine, waypoints), wrench: path_wrench(&measures(scene)?, waypoints)? })
 }
 
 /// Plans the query of a scene.

@@ -15,6 +15,7 @@ pub mod measure;
 mod slice;
 pub mod statics;
 pub mod tension_qp;
+pub mod tensions;
 pub mod zonotope;
 
 pub use capacity::CapacityMargin;
@@ -26,3 +27,4 @@ pub use margins::{Limit, Required, capacity_limit, force_limit, moment_limit};
 pub use measure::Measure;
 pub use statics::{Loads, StaticCable, Statics};
 pub use tension_qp::{QpMethod, TensionQp};
+pub use tensions::{PathWrench, TensionRow, WrenchReport, path_wrench, tensions_along, wrench_at};

@@ -2,6 +2,7 @@
 
 mod convert;
 mod errors;
+mod wrench;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -10,10 +11,11 @@ use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
-use cdpr_core::plan::{PlanOptions, engine_for, plan, post_named, rewind_path};
+use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
+use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, Robot};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -79,9 +81,6 @@ impl Scene {
 
     /// What is special about the scene.
     fn notes(&self) -> PyResult<Vec<String>> {
-        if self.0.wrench().is_some() {
-            return Ok(Vec::new()); // told when a question is asked
-        }
         Ok(cdpr_core::collision::Constraints::new(&self.0).map_err(raised)?.notes)
     }
 
@@ -157,7 +156,27 @@ impl Scene {
     ) -> PyResult<String> {
         let engine = engine_of(self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        Ok(py.detach(|| serialized(&check_path(&*engine, &waypoints))))
+        py.detach(|| check(&self.0, &*engine, &waypoints)).map(|report| serialized(&report)).map_err(raised)
+    }
+
+    /// Tensions and margins at even steps along a path, as JSON.
+    fn tensions_along(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        step: f64,
+        reference: Option<Vec<f64>>,
+    ) -> PyResult<String> {
+        let statics = core_wrench::Statics::of(&self.0).map_err(raised)?;
+        let required = match self.0.wrench() {
+            Some(spec) => core_wrench::constraint::required(spec).map_err(raised)?,
+            None => core_wrench::Required::default(),
+        };
+        let waypoints = points(waypoints.as_slice()?);
+        let along = |stop: &dyn Fn() -> bool| {
+            core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
+        };
+        interruptible(py, along).map(|rows| serialized(&rows))
     }
 
     /// The result of planning as JSON, as in a path file.
@@ -193,7 +212,9 @@ impl Scene {
         let checker = engine_of(self, engine, interference)?;
         let found = interruptible(py, |interrupted| plan(&self.0, &options, interrupted))?;
         let nearest = min_clearance(&*checker, &found.waypoints);
-        Ok(io::plan_json(&self.0, &options, &found, nearest.as_ref()).to_string())
+        let measures = core_wrench::measures(&self.0).map_err(raised)?;
+        let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
+        Ok(io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref()).to_string())
     }
 
     /// The rewound path as JSON.
@@ -352,6 +373,8 @@ fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
 
 #[pymodule(gil_used = false)]
 mod _core {
+    #[pymodule_export]
+    use super::wrench::Statics;
     use super::*;
     #[pymodule_export]
     use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema};

@@ -1,13 +1,13 @@
 //! `cdpr check`
 
-use cdpr_core::collision::check_path;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
-use cdpr_core::plan::engine_for;
+use cdpr_core::plan::{CheckReport, check, engine_for};
+use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, PathArgs};
-use crate::output::{count, result, say_notes, scene_line, short};
+use crate::output::{count, result, say_notes, scene_line, short, thousandths};
 
 pub fn run(args: &PathArgs) -> Result<Answer, Error> {
     let scene = io::load_scene(&args.scene.scene)?;
@@ -15,14 +15,16 @@ pub fn run(args: &PathArgs) -> Result<Answer, Error> {
     let engine =
         engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());
-    let report = check_path(&*engine, &path.waypoints);
+    let found = check(&scene, &*engine, &path.waypoints).map_err(|e| e.in_file(&args.scene.scene))?;
+    let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!(report))),
+        Format::Json => result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
             result(&scene_line(&scene));
-            result(&verdict(&report, path.waypoints.len()));
+            result(&verdict(report, path.waypoints.len()));
             report.violations.iter().for_each(|v| result(&violation_line(v)));
             report.min_clearance.iter().for_each(|nearest| result(&nearest_line(nearest)));
+            wrench.iter().flat_map(wrench_lines).for_each(|line| result(&line));
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
@@ -50,4 +52,22 @@ pub fn nearest_line(nearest: &PathClearance) -> String {
         nearest.at,
         nearest.segment
     )
+}
+
+/// The scarcest wrenches and the range of tensions in words.
+pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
+    let PathWrench { min_wrench_margin: least, tension_range } = wrench;
+    let place = |at: f64, segment: usize| format!("at {at:.3} of segment {segment}");
+    let margin = least.value.map_or("a cable without direction".to_string(), |value| {
+        format!("least {} margin {} {}", least.limit.measure, thousandths(value), least.limit.unit)
+    });
+    let mut lines = vec![format!("{margin} {}", place(least.at, least.segment))];
+    match tension_range {
+        None => lines.push("the loads cannot be balanced everywhere on it".to_string()),
+        Some(range) => {
+            let told = |t: &TensionPlace| format!("{:.3} N ({} {})", t.value, t.cable, place(t.at, t.segment));
+            lines.push(format!("tensions from {} to {}", told(&range.min), told(&range.max)));
+        }
+    }
+    lines
 }

@@ -5,6 +5,7 @@ use cdpr_core::geometry::Point;
 use cdpr_core::plan::{PlanOptions, PlanResult, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
+use cdpr_core::wrench::{measures, path_wrench};
 use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
@@ -22,13 +23,15 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     let found = with_sign_of_life("searching", |stop| plan(&scene, &options, stop))
         .map_err(|e| e.in_file(&args.scene.scene))?;
     let nearest = min_clearance(&*engine, &found.waypoints);
-    let json = io::plan_json(&scene, &options, &found, nearest.as_ref());
+    let wrench = path_wrench(&measures(&scene)?, &found.waypoints)?;
+    let json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
     match args.scene.format {
         Format::Json => result(&format!("{json:#}")),
         Format::Text => {
             result(&question(&scene, &options));
             result(&answer(&scene, &options, &found));
             nearest.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
+            wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| result(&line));
         }
     }
     if let Some(path) = &args.output {

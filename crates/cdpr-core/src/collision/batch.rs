@@ -72,7 +72,11 @@ pub fn clearances(
     answer_all(answers, question, options)
 }
 
-fn answer_all<T: Send>(
+/// Answers each question into its place: `question(k)` gives the k-th answer.
+///
+/// # Errors
+/// [`Error::interrupted`], or zero threads asked for.
+pub fn answer_all<T: Send>(
     answers: &mut [T],
     question: impl Fn(usize) -> T + Sync,
     options: &BatchOptions,

@@ -14,6 +14,7 @@ use crate::geometry::Point;
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::plan::{NO_POST, PlanOptions, PlanResult};
+use crate::wrench::PathWrench;
 
 /// What a path file must hold; more keys may stand beside these, and planning writes more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -53,15 +54,17 @@ pub struct SceneId {
     pub fingerprint: String,
 }
 
-/// The JSON of a planning result and its nearest approach; costs of unsolved ones are null.
+/// The JSON of a planning result, its nearest approach and, where the scene asks for it, its wrenches; costs of unsolved
+/// ones are null.
 pub fn plan_json(
     scene: &Scene,
     options: &PlanOptions,
     result: &PlanResult,
     min_clearance: Option<&PathClearance>,
+    wrench: Option<&PathWrench>,
 ) -> Value {
     let post = options.post.map_or(NO_POST, Choice::name);
-    json!({
+    let mut value = json!({
         "version": FORMAT_VERSION,
         "status": result.status,
         "reason": result.reason,
@@ -83,7 +86,11 @@ pub fn plan_json(
         },
         "stats": result.stats,
         "scene": scene_id(scene),
-    })
+    });
+    if let (Value::Object(all), Some(Value::Object(more))) = (&mut value, wrench.map(|wrench| json!(wrench))) {
+        all.extend(more);
+    }
+    value
 }
 
 /// The JSON of a bare path of a scene.

@@ -4,7 +4,6 @@ use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use super::statics::{Loads, Statics};
-use super::zonotope::Span;
 use super::{CapacityMargin, Required};
 use crate::collision::{Constraints, Kind, Violation, WrenchLimit};
 use crate::error::Error;
@@ -131,8 +130,8 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
     let statics = measure.statics();
     let (Some(limit), Some(columns)) = (measure.limit(position), statics.columns(position)) else { return found };
     found.wrench_margin = Some(limit.margin);
-    found.rank = Span::of(&columns).rank();
-    found.rank_deficient = found.rank < if statics.point_mass() { 3 } else { 6 };
+    let (rank, full) = statics.rank(&columns);
+    (found.rank, found.rank_deficient) = (rank, !full);
     for (cable, column) in statics.cables().iter().zip(&columns) {
         match limit.normal.dot(column) {
             height if height > DEPENDENT.sqrt() => found.at_greatest.push(cable.name.clone()),

@@ -1,0 +1,124 @@
+//! `cdpr wrench`
+
+use cdpr_core::geometry::Point;
+use cdpr_core::wrench::{Loads, Required, Statics, TensionRow, WrenchReport, constraint, tensions_along, wrench_at};
+use cdpr_core::{Error, Scene, io};
+
+use crate::Answer;
+use crate::args::{Format, WrenchArgs};
+use crate::output::{position, result, say, scene_line, thousandths};
+use crate::progress::interrupted;
+
+pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
+    let scene = io::load_scene(&args.scene.scene)?;
+    let in_scene = |e: Error| e.in_file(&args.scene.scene);
+    let statics = Statics::new(scene.robot(), &Loads::of(&scene)).map_err(in_scene)?;
+    let required = required(args, &scene)?;
+    if let Some(at) = &args.at {
+        let report = wrench_at(&statics, &required, &Point::from_slice(at)).map_err(in_scene)?;
+        return Ok(tell(args, &scene, &statics, &report));
+    }
+    let path = args.along.as_deref().expect("clap asks for one of the two");
+    args.output.as_deref().map(io::check_tensions_name).transpose()?;
+    let path = io::load_waypoints(path, Some(&scene))?;
+    let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted).map_err(in_scene)?;
+    let all_balanced = rows.iter().all(|row| row.tensions.is_some());
+    if let Some(output) = &args.output {
+        io::save_tensions(output, &rows)?;
+        say(&format!("wrote {}", output.display()));
+    }
+    match args.scene.format {
+        Format::Json => result(&format!("{:#}", serde_json::json!({ "rows": rows }))),
+        Format::Text if args.output.is_none() => result(io::tensions_csv(&rows).trim_end()),
+        Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| result(line)),
+    }
+    Ok(if all_balanced { Answer::Yes } else { Answer::No })
+}
+
+/// What is required: the scene's demand, with radii given on the command line instead.
+fn required(args: &WrenchArgs, scene: &Scene) -> Result<Required, Error> {
+    let of_scene = scene.wrench().cloned().unwrap_or_default();
+    if args.force.is_none() && args.moment.is_none() {
+        return constraint::required(&of_scene);
+    }
+    Required::balls(args.force.or(of_scene.force).unwrap_or(0.0), args.moment.or(of_scene.moment).unwrap_or(0.0))
+}
+
+fn tell(args: &WrenchArgs, scene: &Scene, statics: &Statics, report: &WrenchReport) -> Answer {
+    match args.scene.format {
+        Format::Json => result(&format!("{:#}", serde_json::json!(report))),
+        Format::Text => {
+            let at = Point::from_slice(args.at.as_deref().unwrap_or_default());
+            result(&scene_line(scene));
+            report_lines(statics, report, &position(&at)).iter().for_each(|line| result(line));
+        }
+    }
+    if report.feasible { Answer::Yes } else { Answer::No }
+}
+
+fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<String> {
+    let verdict = if report.feasible { "feasible" } else { "not feasible" };
+    let full = if statics.point_mass() { 3 } else { 6 };
+    let mut lines = vec![format!("{verdict} at {at}: capacity margin {} N", thousandths(report.capacity_margin))];
+    if report.rank < full {
+        lines.push(format!(
+            "rank {} of {full}: some wrenches cannot be had at any tension, and no ball of moments can be required",
+            report.rank
+        ));
+    }
+    let moment =
+        report.moment_margin.map_or("none (point mass)".to_string(), |margin| format!("{} N·m", thousandths(margin)));
+    lines.push(format!("force margin {} N, moment margin {moment}", thousandths(report.force_margin)));
+    lines.push(format!("limited by: {}", saturated(report)));
+    match &report.tensions {
+        None => lines.push("no tensions within the limits balance the loads".to_string()),
+        Some(tensions) => {
+            lines.push("tensions nearest to the middle of their limits:".to_string());
+            lines.extend(
+                statics
+                    .cables()
+                    .iter()
+                    .zip(tensions)
+                    .zip(&report.lengths)
+                    .map(|((cable, tension), length)| format!("  {}: {tension:.3} N, {length:.4} m", cable.name)),
+            );
+        }
+    }
+    lines
+}
+
+fn saturated(report: &WrenchReport) -> String {
+    let side =
+        |cables: &[String], which: &str| (!cables.is_empty()).then(|| format!("{} at {which}", cables.join(", ")));
+    let sides: Vec<String> =
+        [side(&report.limit.at_greatest, "greatest tension"), side(&report.limit.at_least, "least tension")]
+            .into_iter()
+            .flatten()
+            .collect();
+    if sides.is_empty() { "no cable (the set is flat)".to_string() } else { sides.join("; ") }
+}
+
+fn summary(scene: &Scene, statics: &Statics, rows: &[TensionRow]) -> Vec<String> {
+    let balanced: Vec<&TensionRow> = rows.iter().filter(|row| row.tensions.is_some()).collect();
+    let tensions = || {
+        balanced
+            .iter()
+            .flat_map(|row| row.tensions.iter().flatten().enumerate().map(|(cable, tension)| (*tension, cable, row.s)))
+    };
+    let told = |what: &str, found: Option<(f64, usize, f64)>| {
+        found.map(|(tension, cable, s)| {
+            format!("{what} tension {tension:.3} N: {} at {s:.4} m", statics.cables()[cable].name)
+        })
+    };
+    let scarcest = rows.iter().filter_map(|row| row.capacity_margin.map(|margin| (margin, row.s)));
+    let mut lines = vec![scene_line(scene)];
+    lines.push(format!("{} places, the loads balanced at {} of them", rows.len(), balanced.len()));
+    lines.extend(told("least", tensions().min_by(|a, b| a.0.total_cmp(&b.0))));
+    lines.extend(told("greatest", tensions().max_by(|a, b| a.0.total_cmp(&b.0))));
+    lines.extend(
+        scarcest
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(margin, s)| format!("least capacity margin {margin:.3} N at {s:.4} m")),
+    );
+    lines
+}

@@ -1,0 +1,340 @@
+//! Tensions and margins of a robot, at a position and along a path.
+
+use nalgebra::{Matrix6xX, Vector6};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::constraint::limit_at;
+use super::linear_program::{Balance, FeasibilityLp};
+use super::measure::Measure;
+use super::tension_qp::TensionQp;
+use super::zonotope::Span;
+use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, least_slack, moment_limit};
+use crate::collision::WrenchLimit;
+use crate::collision::batch::{BatchOptions, answer_all};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
+
+impl Statics {
+    /// Least and largest tension of each cable, N.
+    pub fn limits(&self) -> Vec<[f64; 2]> {
+        self.cables().iter().map(|cable| cable.tension).collect()
+    }
+
+    /// Rank of the wrench matrix at a position, and whether it is as high as it can be (6, or 3 for a point mass).
+    pub fn rank(&self, columns: &[Vector6<f64>]) -> (usize, bool) {
+        let rank = Span::of(columns).rank();
+        (rank, rank == if self.point_mass() { 3 } else { 6 })
+    }
+
+    /// Length of each cable at a position, m.
+    pub fn lengths(&self, position: &Point) -> Vec<f64> {
+        self.cables().iter().map(|cable| (cable.outlet - (position + cable.arm)).norm()).collect()
+    }
+
+    /// The tensions that balance the loads at a position and are nearest to `reference` (the middle of the limits if none is
+    /// given), N; none where no tensions within the limits do, or where a cable has no direction. The solver is re-used
+    /// from one position to the next.
+    ///
+    /// # Errors
+    /// A reference of the wrong length; a solver that came to no answer.
+    pub fn tensions(
+        &self,
+        solver: &mut TensionQp,
+        position: &Point,
+        reference: Option<&[f64]>,
+    ) -> Result<Option<Vec<f64>>, Error> {
+        let Some(columns) = self.columns(position) else { return Ok(None) };
+        match solver.solve(&Matrix6xX::from_columns(&columns), &self.limits(), self.balance(), reference)? {
+            Balance::Feasible(tensions) => Ok(Some(tensions.as_slice().to_vec())),
+            Balance::Infeasible => Ok(None),
+            Balance::Undecided => Err(undecided(position)),
+        }
+    }
+
+    /// Whether any tensions within the limits balance the loads, by linear program.
+    ///
+    /// # Errors
+    /// A solver that came to no answer.
+    pub fn balanced(&self, solver: &mut FeasibilityLp, position: &Point) -> Result<bool, Error> {
+        let Some(columns) = self.columns(position) else { return Ok(false) };
+        match solver.solve(&Matrix6xX::from_columns(&columns), &self.limits(), self.balance())? {
+            Balance::Feasible(_) => Ok(true),
+            Balance::Infeasible => Ok(false),
+            Balance::Undecided => Err(undecided(position)),
+        }
+    }
+}
+
+fn undecided(position: &Point) -> Error {
+    let at = [position.x, position.y, position.z];
+    Error::invalid("", format!("the solver came to no answer at {at:?}, neither yes nor no; please report this robot"))
+}
+
+/// Everything about the wrenches of a robot at one position; see [`wrench_at`].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WrenchReport {
+    /// Whether all required wrenches are available: full rank and a capacity margin of at least 0; where nothing but the
+    /// loads is required, whether the linear program finds tensions.
+    pub feasible: bool,
+    /// The wrench matrix, six rows; the last three in metres.
+    pub wrench_matrix: Vec<Vec<f64>>,
+    /// Its rank.
+    pub rank: usize,
+    /// See [`force_limit`], N.
+    pub force_margin: f64,
+    /// See [`moment_limit`], N·m; none for a point mass.
+    pub moment_margin: Option<f64>,
+    /// See [`capacity_limit`], N.
+    pub capacity_margin: f64,
+    /// The facet that limits the capacity.
+    pub limit: WrenchLimit,
+    /// The tensions nearest to the middle of the limits that balance the loads, N; none if there are none.
+    pub tensions: Option<Vec<f64>>,
+    /// Length of each cable, m.
+    pub lengths: Vec<f64>,
+}
+
+/// What the cables of a robot can do at a position.
+///
+/// # Errors
+/// A position where a cable has no direction; a moment required of a point mass; a solver that came to no answer.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, testing, wrench::{Loads, Required, Statics, wrench_at}};
+/// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
+/// let report = wrench_at(&statics, &Required::default(), &Point::new(1.0, 1.0, 1.0))?;
+/// assert!(report.feasible && report.rank == 5); // the weight alone can be carried, without yaw
+/// let tensions = report.tensions.unwrap();
+/// assert!(tensions[4] > tensions[0]); // cables to the ceiling pull more
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn wrench_at(statics: &Statics, required: &Required, position: &Point) -> Result<WrenchReport, Error> {
+    let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
+    let (Some(columns), Some(limit)) = (statics.columns(position), capacity_limit(statics, required, position)) else {
+        let short = statics.cables().iter().find(|cable| !cable.column(position, 1.0).x.is_finite());
+        let name = short.map_or("a cable", |cable| &cable.name);
+        let problem =
+            format!("has no direction at this position, expected a length of at least {MIN_CABLE_LENGTH:e} m");
+        return Err(Error::invalid(name, problem));
+    };
+    let (rank, full) = statics.rank(&columns);
+    let feasible = match required {
+        Required::Balls { force: 0.0, moment: 0.0 } => statics.balanced(&mut FeasibilityLp::new(), position)?,
+        _ => full && limit.margin >= 0.0,
+    };
+    let margin = |limit: Option<super::Limit<3>>| limit.map(|limit| limit.margin);
+    Ok(WrenchReport {
+        feasible,
+        wrench_matrix: (0..6).map(|row| metric_row(statics, position, row)).collect(),
+        rank,
+        force_margin: margin(force_limit(statics, position)).unwrap_or(f64::NAN),
+        moment_margin: margin(moment_limit(statics, position)),
+        capacity_margin: limit.margin,
+        limit: limit_at(&Measure::Capacity(Box::new(capacity)), position),
+        tensions: statics.tensions(&mut TensionQp::default(), position, None)?,
+        lengths: statics.lengths(position),
+    })
+}
+
+/// A row of the wrench matrix with moments in metres.
+fn metric_row(statics: &Statics, position: &Point, row: usize) -> Vec<f64> {
+    statics.cables().iter().map(|cable| cable.column(position, 1.0)[row]).collect()
+}
+
+/// The cables at one place of a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TensionRow {
+    /// Way along the path, m.
+    pub s: f64,
+    /// Which segment, counting from 0.
+    pub segment: usize,
+    /// Fraction of the segment, 0 to 1.
+    pub at: f64,
+    /// Position of the platform's origin, world, m.
+    pub position: [f64; 3],
+    /// Length of each cable, m.
+    pub lengths: Vec<f64>,
+    /// Tension of each cable, N; none where the loads cannot be balanced.
+    pub tensions: Option<Vec<f64>>,
+    /// See [`capacity_limit`], N; none where a cable has no direction.
+    pub capacity_margin: Option<f64>,
+    /// See [`force_limit`], N.
+    pub force_margin: Option<f64>,
+    /// See [`moment_limit`], N·m.
+    pub moment_margin: Option<f64>,
+}
+
+/// Positions, lengths, tensions and margins at even steps along a path, its end included; on all cores.
+///
+/// # Errors
+/// A step that is not positive or makes too many rows, a reference of the wrong length, a moment required of a point mass,
+/// [`Error::interrupted`].
+pub fn tensions_along(
+    statics: &Statics,
+    required: &Required,
+    waypoints: &[Point],
+    step: f64,
+    reference: Option<&[f64]>,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<Vec<TensionRow>, Error> {
+    let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
+    let places = even_steps(waypoints, step)?;
+    let row = |place: &Place| {
+        let position = place.position;
+        let finite = |margin: f64| margin.is_finite().then_some(margin);
+        Ok(TensionRow {
+            s: place.s,
+            segment: place.segment,
+            at: place.at,
+            position: position.into(),
+            lengths: statics.lengths(&position),
+            tensions: statics.tensions(&mut TensionQp::default(), &position, reference)?,
+            capacity_margin: finite(capacity.at(&position)),
+            force_margin: force_limit(statics, &position).map(|limit| limit.margin),
+            moment_margin: moment_limit(statics, &position).map(|limit| limit.margin),
+        })
+    };
+    let mut rows: Vec<Result<Option<TensionRow>, Error>> = places.iter().map(|_| Ok(None)).collect();
+    let options = BatchOptions { threads: None, interrupted };
+    answer_all(&mut rows, |k| row(&places[k]).map(Some), &options)?;
+    rows.into_iter().filter_map(Result::transpose).collect()
+}
+
+/// A place on a path.
+struct Place {
+    s: f64,
+    segment: usize,
+    at: f64,
+    position: Point,
+}
+
+/// Most rows along a path: beyond it lies a slip of the unit.
+const MOST_ROWS: f64 = 1e7;
+
+/// Places at even steps along a path, and its end.
+fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
+    let step = crate::model::body::positive("step", step)?;
+    let mut starts = vec![0.0];
+    for pair in waypoints.windows(2) {
+        starts.push(starts[starts.len() - 1] + (pair[1] - pair[0]).norm());
+    }
+    let length = starts[starts.len() - 1];
+    if length / step > MOST_ROWS {
+        let problem = format!("found {step} m on a path of {length} m, which makes more than {MOST_ROWS:e} rows");
+        return Err(Error::invalid("step", problem));
+    }
+    let whole = (length / step * (1.0 + STEP_COUNT)).floor() as usize;
+    let mut ways: Vec<f64> = (0..=whole).map(|k| (k as f64 * step).min(length)).collect();
+    if length - ways[whole] > step * STEP_COUNT {
+        ways.push(length);
+    }
+    let place = |s: f64| {
+        let segment = starts[1..].partition_point(|&end| end < s).min(waypoints.len().saturating_sub(2));
+        let (from, to) = (waypoints[segment], waypoints[(segment + 1).min(waypoints.len() - 1)]);
+        let at = ((s - starts[segment]) / (to - from).norm()).clamp(0.0, 1.0);
+        let at = if at.is_nan() { 0.0 } else { at };
+        Place { s, segment, at, position: from + (to - from) * at }
+    };
+    Ok(ways.into_iter().map(place).collect())
+}
+
+/// Where along a path the wrenches are scarcest, and how the tensions range.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PathWrench {
+    /// The least margin beyond what is demanded.
+    pub min_wrench_margin: MarginPlace,
+    /// Least and greatest tension, of those nearest to the middle of their limits; none if the loads cannot be balanced
+    /// everywhere.
+    pub tension_range: Option<TensionRange>,
+}
+
+/// The least margin on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MarginPlace {
+    /// Margin less demand, in the unit of its measure; none where a cable has no direction.
+    pub value: Option<f64>,
+    /// Which segment, counting from 0.
+    pub segment: usize,
+    /// Fraction of the segment, 0 to 1.
+    pub at: f64,
+    /// The facet that limits it there.
+    #[serde(flatten)]
+    pub limit: WrenchLimit,
+}
+
+/// Least and greatest tension on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TensionRange {
+    /// The slackest cable.
+    pub min: TensionPlace,
+    /// The tautest cable.
+    pub max: TensionPlace,
+}
+
+/// A tension on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TensionPlace {
+    /// Tension, N.
+    pub value: f64,
+    /// Name of the cable.
+    pub cable: String,
+    /// Which segment, counting from 0.
+    pub segment: usize,
+    /// Fraction of the segment, 0 to 1.
+    pub at: f64,
+}
+
+/// Steps into which a path is divided to find the range of tensions.
+const RANGE_STEPS: f64 = 1000.0;
+
+/// The wrenches of a whole path, by the measures of its scene; none if there are none. Margins are least up to
+/// [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are looked at in a thousand even steps and at the waypoints.
+///
+/// # Errors
+/// A solver that came to no answer.
+pub fn path_wrench(measures: &[Measure], waypoints: &[Point]) -> Result<Option<PathWrench>, Error> {
+    let Some(first) = measures.first() else { return Ok(None) };
+    let segments = || waypoints.windows(2).enumerate();
+    let of_measure = |measure: &Measure| {
+        segments().map(|(segment, pair)| (segment, least_slack(measure, &pair[0], &pair[1]))).collect::<Vec<_>>()
+    };
+    let least = measures.iter().flat_map(|measure| of_measure(measure).into_iter().map(move |found| (measure, found)));
+    // NaN, a cable without direction, counts as less than anything.
+    let rank = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
+    let scarcest = least.min_by(|(_, (_, (a, _))), (_, (_, (b, _)))| rank(*a).total_cmp(&rank(*b)));
+    let Some((measure, (segment, (_, at)))) = scarcest else { return Ok(None) };
+    let position = waypoints[segment] + (waypoints[segment + 1] - waypoints[segment]) * at;
+    let limit = limit_at(measure, &position);
+    let min_wrench_margin = MarginPlace { value: limit.wrench_margin, segment, at, limit };
+    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(first.statics(), waypoints)? }))
+}
+
+fn tension_range(statics: &Statics, waypoints: &[Point]) -> Result<Option<TensionRange>, Error> {
+    let length = crate::collision::path_check::path_length(waypoints);
+    let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
+    places.extend(waypoints.iter().enumerate().map(|(k, position)| {
+        let segment = k.min(waypoints.len().saturating_sub(2));
+        Place { s: 0.0, segment, at: (k - segment) as f64, position: *position }
+    }));
+    let found: Result<Vec<Option<Vec<f64>>>, Error> = places
+        .par_iter()
+        .map_init(TensionQp::default, |solver, place| statics.tensions(solver, &place.position, None))
+        .collect();
+    let mut all = Vec::new();
+    for (place, tensions) in places.iter().zip(found?) {
+        let Some(tensions) = tensions else { return Ok(None) };
+        all.extend(tensions.into_iter().enumerate().map(|(cable, value)| (place, cable, value)));
+    }
+    let told = |(place, cable, value): &(&Place, usize, f64)| TensionPlace {
+        value: *value,
+        cable: statics.cables()[*cable].name.clone(),
+        segment: place.segment,
+        at: place.at,
+    };
+    let min = all.iter().min_by(|a, b| a.2.total_cmp(&b.2)).map(told);
+    let max = all.iter().max_by(|a, b| a.2.total_cmp(&b.2)).map(told);
+    Ok(min.zip(max).map(|(min, max)| TensionRange { min, max }))
+}

@@ -1,0 +1,154 @@
+//! Wrenches of a robot on arrays of positions.
+
+use cdpr_core::collision::batch::{BatchOptions, answer_all};
+use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::io::{self, text::Notation};
+use cdpr_core::model::{self, Robot, RobotSpec};
+use cdpr_core::wrench::{self, CapacityMargin, Limit, Loads, Required, TensionQp, force_limit, moment_limit};
+use cdpr_core::{Error, kinematics};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::convert::{points, row};
+use crate::errors::{interruptible, raised};
+
+/// A robot with the loads that its cables must balance.
+#[pyclass(frozen, module = "cdpr._core")]
+pub struct Statics {
+    robot: Robot,
+    loads: Loads,
+}
+
+impl Statics {
+    fn core(&self) -> PyResult<wrench::Statics> {
+        wrench::Statics::new(&self.robot, &self.loads).map_err(raised)
+    }
+}
+
+#[pymethods]
+impl Statics {
+    /// A robot as JSON text, how it is turned, and what acts on it.
+    #[new]
+    fn new(
+        robot: &str,
+        orientation: Option<[f64; 4]>,
+        gravity: Option<[f64; 3]>,
+        load: Option<[f64; 6]>,
+        characteristic_length: f64,
+    ) -> PyResult<Self> {
+        let spec: RobotSpec = io::text::parse(robot, Notation::Json).map_err(raised)?;
+        let robot = Robot::try_from(spec).map_err(raised)?;
+        let default = Loads::default();
+        let turned = |q| model::body::unit_quaternion("orientation", q).map_err(raised);
+        let loads = Loads {
+            orientation: orientation.map(turned).transpose()?.unwrap_or(default.orientation),
+            gravity: gravity.map_or(default.gravity, Vector::from),
+            load: load.map_or(default.load, Into::into),
+            characteristic_length,
+        };
+        Ok(Statics { robot, loads })
+    }
+
+    /// Wrench matrices, (n, 6, m).
+    fn wrench_matrix<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let positions = points(positions.as_slice()?);
+        let mut numbers = Vec::with_capacity(positions.len() * 6 * self.robot.cables().len());
+        for (k, position) in positions.iter().enumerate() {
+            let matrix = kinematics::wrench_matrix(&self.robot, &self.loads.orientation, position);
+            let matrix = matrix.map_err(|e| raised(e.under(&format!("positions[{k}]"))))?;
+            numbers.extend(matrix.transpose().iter()); // column by column of the transpose: row by row
+        }
+        PyArray1::from_vec(py, numbers).reshape([positions.len(), 6, self.robot.cables().len()])
+    }
+
+    /// Capacity margins, N; NaN where a cable has no direction.
+    fn capacity_margin<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        force: f64,
+        moment: f64,
+        vertices: Option<Vec<[f64; 6]>>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let required = match vertices {
+            Some(corners) => Required::Polytope(corners.into_iter().map(Into::into).collect()),
+            None => Required::balls(force, moment).map_err(raised)?,
+        };
+        let margin = CapacityMargin::new(self.core()?, required).map_err(raised)?;
+        let rows = positions.as_slice()?;
+        let n = rows.len() / 3;
+        let mut fours = vec![[0.0; 4]; n.div_ceil(4)];
+        let at = |k: usize| row(rows, k.min(n - 1));
+        let question = |k: usize| margin.at_four(&std::array::from_fn(|lane| at(4 * k + lane)));
+        interruptible(py, |interrupted| answer_all(&mut fours, question, &BatchOptions { threads, interrupted }))?;
+        let mut margins = fours.into_flattened();
+        margins.truncate(n);
+        Ok(PyArray1::from_vec(py, margins))
+    }
+
+    /// Force margins, N.
+    fn force_margin<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        self.projected(py, &positions, threads, force_limit)
+    }
+
+    /// Moment margins, N·m; NaN for a point mass.
+    fn moment_margin<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        self.projected(py, &positions, threads, moment_limit)
+    }
+
+    /// Tensions nearest to a reference, (n, m), N; rows of NaN where the loads cannot be balanced.
+    fn tensions<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        reference: Option<Vec<f64>>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (statics, cables) = (self.core()?, self.robot.cables().len());
+        let rows = positions.as_slice()?;
+        let mut answers: Vec<Result<Option<Vec<f64>>, Error>> = (0..rows.len() / 3).map(|_| Ok(None)).collect();
+        let question = |k: usize| statics.tensions(&mut TensionQp::default(), &row(rows, k), reference.as_deref());
+        interruptible(py, |interrupted| answer_all(&mut answers, question, &BatchOptions { threads, interrupted }))?;
+        let mut numbers = Vec::with_capacity(answers.len() * cables);
+        let n = answers.len();
+        for answer in answers {
+            match answer.map_err(raised)? {
+                Some(tensions) => numbers.extend(tensions),
+                None => numbers.extend(std::iter::repeat_n(f64::NAN, cables)),
+            }
+        }
+        PyArray1::from_vec(py, numbers).reshape([n, cables])
+    }
+}
+
+impl Statics {
+    fn projected<'py>(
+        &self,
+        py: Python<'py>,
+        positions: &PyReadonlyArray2<'py, f64>,
+        threads: Option<usize>,
+        limit: impl Fn(&wrench::Statics, &Point) -> Option<Limit<3>> + Sync,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let statics = self.core()?;
+        let rows = positions.as_slice()?;
+        let mut margins = vec![0.0; rows.len() / 3];
+        let question = |k: usize| limit(&statics, &row(rows, k)).map_or(f64::NAN, |limit| limit.margin);
+        interruptible(py, |interrupted| answer_all(&mut margins, question, &BatchOptions { threads, interrupted }))?;
+        Ok(PyArray1::from_vec(py, margins))
+    }
+}

@@ -1,0 +1,292 @@
+"""Wrenches: what the cables can exert, how far that is from what they must, and with which tensions."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, numbers, point, rows
+from ._model import Robot, Scene
+from ._planning import Path, path_rows
+
+
+def _statics(
+    robot: Robot,
+    orientation: ArrayLike | None,
+    gravity: ArrayLike | None,
+    load: ArrayLike | None,
+    characteristic_length: float = 1.0,
+) -> _core.Statics:
+    return _core.Statics(
+        json.dumps(robot.to_dict()),
+        None if orientation is None else numbers("orientation", orientation, 4),
+        None if gravity is None else point("gravity", gravity),
+        None if load is None else numbers("load", load, 6),
+        float(characteristic_length),
+    )
+
+
+def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
+    """Wrench matrices W: column i is [uᵢ ; rᵢ × uᵢ], and equilibrium is W t + w_ext = 0.
+
+    Parameters
+    ----------
+    robot : Robot
+    positions : array_like (n, 3)
+        Positions of the platform's origin, world, m.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default no turn.
+
+    Returns
+    -------
+    ndarray (n, 6, m)
+        World axes; uᵢ is the unit vector from attachment to outlet, rᵢ runs from the platform's origin to the attachment.
+        Rows 0 to 2 have no unit, rows 3 to 5 are metres.
+
+    Raises
+    ------
+    InputError
+        A position where a cable has no length.
+
+    Examples
+    --------
+    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> w = wrench_matrix(robot, [[0, 0, 2], [1, 0, 2]])
+    >>> w.shape, int(np.linalg.matrix_rank(w[0]))
+    ((2, 6, 8), 6)
+    """
+    matrices: Floats = _statics(robot, orientation, None, None).wrench_matrix(rows("positions", positions))
+    return matrices
+
+
+def capacity_margin(
+    robot: Robot,
+    positions: ArrayLike,
+    *,
+    force: float = 0.0,
+    moment: float = 0.0,
+    vertices: ArrayLike | None = None,
+    load: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+    characteristic_length: float = 1.0,
+    threads: int | None = None,
+) -> Floats:
+    """Least slack between what the cables can exert and what they must, over all facets of the available wrench set.
+
+    Parameters
+    ----------
+    robot : Robot
+        With a mass and tension limits.
+    positions : array_like (n, 3)
+        Positions of the platform's origin, world, m.
+    force, moment : float
+        Radii of the required balls, N and N·m, around the wrench that balances weight and load.
+    vertices : array_like (k, 6), optional
+        Corners of a required polytope instead of the balls, N and N·m, on top of the balancing wrench.
+    load : array_like (6,), optional
+        A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default no turn.
+    characteristic_length : float
+        Length that turns moments into forces, m.
+    threads : int, optional
+        Default all cores; the answers do not depend on it.
+
+    Returns
+    -------
+    ndarray (n,)
+        N. Where it is not negative, all that is required is available; NaN where a cable has no length. Of a point mass
+        the three force rows count.
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits, negative radii, a moment required of a point mass.
+
+    Notes
+    -----
+    The paper's section 3.3 made rigorous: forces and moments count together. See ``docs/wrench.md``.
+
+    Examples
+    --------
+    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> capacity_margin(robot, [[0, 0, 2], [6, 5, 0]], force=50, moment=5).round(1)
+    array([ 316.4, -196.8])
+    """
+    corners = None if vertices is None else [tuple(corner) for corner in rows("vertices", vertices, 6).tolist()]
+    statics = _statics(robot, orientation, gravity, load, characteristic_length)
+    margins: Floats = statics.capacity_margin(rows("positions", positions), float(force), float(moment), corners, threads)
+    return margins
+
+
+def force_margin(
+    robot: Robot,
+    positions: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+    threads: int | None = None,
+) -> Floats:
+    """Radius of the largest ball of forces around the balancing one that the cables can exert, whatever their moment.
+
+    This is the paper's effective force set. It is optimistic: exerting a force may bring a moment along. Parameters are
+    those of `capacity_margin`.
+
+    Returns
+    -------
+    ndarray (n,)
+        N; negative where the balancing force itself is out of reach.
+
+    Examples
+    --------
+    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> force_margin(robot, [[0, 0, 2]]).round(1)
+    array([589.1])
+    """
+    return _statics(robot, orientation, gravity, load).force_margin(rows("positions", positions), threads)
+
+
+def moment_margin(
+    robot: Robot,
+    positions: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+    threads: int | None = None,
+) -> Floats:
+    """As `force_margin`, of moments about the platform's origin.
+
+    Returns
+    -------
+    ndarray (n,)
+        N·m; NaN for a point mass, which has no moments.
+
+    Examples
+    --------
+    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> moment_margin(robot, [[0, 0, 2]]).round(1)
+    array([5505.6])
+    """
+    return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), threads)
+
+
+def tension_distribution(
+    robot: Robot,
+    positions: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    reference: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+    characteristic_length: float = 1.0,
+    threads: int | None = None,
+) -> Floats:
+    """Tensions that balance the loads and are nearest to a reference: they minimise Σ (tᵢ − refᵢ)² within the limits.
+
+    Parameters
+    ----------
+    reference : array_like (m,), optional
+        N; default the middle of each cable's limits. Other parameters are those of `capacity_margin`.
+
+    Returns
+    -------
+    ndarray (n, m)
+        N; rows of NaN where no tensions within the limits balance the loads. They are continuous along a path.
+
+    Examples
+    --------
+    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> t = tension_distribution(robot, [[0, 0, 2]])
+    >>> weight = np.array([0, 0, -robot.mass * 9.81])
+    >>> bool(np.allclose((wrench_matrix(robot, [[0, 0, 2]])[0] @ t[0])[:3] + weight, 0, atol=1e-6))
+    True
+    """
+    wanted = None if reference is None else numbers("reference", reference, len(robot.outlets))
+    statics = _statics(robot, orientation, gravity, load, characteristic_length)
+    return statics.tensions(rows("positions", positions), wanted, threads)
+
+
+@dataclass(frozen=True, eq=False)
+class Tensions:
+    """Lengths, tensions and margins at even steps along a path.
+
+    Attributes
+    ----------
+    s : ndarray (n,)
+        Way along the path, m.
+    positions : ndarray (n, 3)
+        World, m.
+    lengths : ndarray (n, m)
+        Of each cable, m.
+    tensions : ndarray (n, m)
+        Of each cable, N; rows of NaN where the loads cannot be balanced.
+    capacity_margin, force_margin, moment_margin : ndarray (n,)
+        N, N, N·m; NaN where they do not exist.
+    """
+
+    s: Floats
+    positions: Floats = field(repr=False)
+    lengths: Floats = field(repr=False)
+    tensions: Floats = field(repr=False)
+    capacity_margin: Floats = field(repr=False)
+    force_margin: Floats = field(repr=False)
+    moment_margin: Floats = field(repr=False)
+
+
+def tensions_along(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    *,
+    step: float = 0.01,
+    reference: Sequence[float] | None = None,
+) -> Tensions:
+    """Compute lengths, tensions and margins at even steps along a path, its end included.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+    waypoints : array_like (k, 3), k >= 2
+        Positions of the platform's origin, world, m.
+    step : float
+        Distance of the rows, m.
+    reference : sequence of float (m,), optional
+        As in `tension_distribution`.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> along = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
+    >>> along.tensions.shape, bool(np.isfinite(along.tensions).all())
+    ((21, 8), True)
+    """
+    count = len(scene.robot.outlets)
+    wanted = None if reference is None else numbers("reference", reference, count)
+    found = json.loads(scene._core.tensions_along(path_rows("waypoints", waypoints), float(step), wanted))
+
+    def column(key: str) -> Floats:
+        return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)
+
+    def matrix(key: str, width: int) -> Floats:
+        empty = [float("nan")] * width
+        return np.array([empty if row[key] is None else row[key] for row in found], dtype=np.float64).reshape(-1, width)
+
+    return Tensions(
+        s=column("s"),
+        positions=matrix("position", 3),
+        lengths=matrix("lengths", count),
+        tensions=matrix("tensions", count),
+        capacity_margin=column("capacity_margin"),
+        force_margin=column("force_margin"),
+        moment_margin=column("moment_margin"),
+    )
