@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
-use cdpr_core::plan::{NO_POST, PlanOptions, Planner, post_named};
+use cdpr_core::plan::{NO_POST, PlanOptions, post_named};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::regions::{RegionOptions, Space};
 use cdpr_core::{Choice, Error};
@@ -29,7 +30,8 @@ pub enum Command {
     #[command(after_help = "Examples:
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
-  cdpr plan hall.toml --post none -o raw.csv")]
+  cdpr plan hall.toml --post none -o raw.csv
+  cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
     /// Check a path: every violation with culprits, place and margin, and the nearest approach.
     #[command(after_help = "Example:
@@ -124,12 +126,11 @@ pub struct PlanArgs {
     /// Search method.
     #[arg(long, value_parser = choice::<Planner>(), default_value = Planner::default().name())]
     pub planner: Planner,
-    /// Give up after this time, ms (the samples may run out first).
+    #[command(flatten)]
+    pub settings: PlannerArgs,
+    /// Stop after this time, ms (the samples may run out first).
     #[arg(long, value_name = "T", value_parser = positive)]
     pub budget_ms: Option<f64>,
-    /// Give up after this many random samples.
-    #[arg(long, value_name = "N", default_value_t = PlanOptions::default().max_samples)]
-    pub max_samples: usize,
     #[command(flatten)]
     pub checker: CheckerArgs,
     /// Seed of everything random.
@@ -154,10 +155,43 @@ pub struct PlanArgs {
     pub html: Option<PathBuf>,
 }
 
+/// Options of the planner; those that it does not have are refused.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct PlannerArgs {
+    /// Stop after this many random samples [default: 20000; rrt-star: 500000].
+    #[arg(long, value_name = "N")]
+    pub max_samples: Option<usize>,
+    /// Stop after this many nodes.
+    #[arg(long, value_name = "N")]
+    pub max_nodes: Option<usize>,
+    /// Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+    #[arg(long)]
+    pub keep_going: bool,
+    /// Go on after the first path until it is at most this long, m.
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub target_cost: Option<f64>,
+    /// Longest edge by which rrt and rrt-star grow, m [default: --step, as in the paper].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub extend_step: Option<f64>,
+    /// Probability with which rrt and rrt-star take the goal for a sample [default: 0].
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    pub goal_bias: Option<f64>,
+    /// Radius of the ball that rrt-star looks at around a new node, m [default: shrinks with the number of nodes].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub near_radius: Option<f64>,
+}
+
+impl PlannerArgs {
+    fn settings(self) -> PlannerSettings {
+        let PlannerArgs { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius } = self;
+        PlannerSettings { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius }
+    }
+}
+
 /// Options of rewinding.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct RewindArgs {
-    /// Distance of the points that rewinding tries, m.
+    /// Distance of the points that rewinding tries, m; also the step of rrt and rrt-star.
     #[arg(long, value_name = "M", default_value_t = PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,
     /// How often rewinding runs.
@@ -248,7 +282,7 @@ pub struct CompletionsArgs {
 impl PlanArgs {
     pub fn options(&self) -> Result<PlanOptions, Error> {
         Ok(PlanOptions {
-            planner: self.planner,
+            planner: PlannerOptions::new(self.planner, self.rewinding.step, &self.settings.settings())?,
             engine: self.checker.engine,
             interference: self.checker.interference,
             seed: self.seed,
@@ -257,7 +291,6 @@ impl PlanArgs {
             step: self.rewinding.step,
             post: post_named(&self.post)?,
             repeats: self.rewinding.repeats,
-            max_samples: self.max_samples,
             budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
         })
     }

@@ -365,3 +365,26 @@ fn view_and_schema_and_completions_and_help() {
         assert!(stdout(&cdpr(&[command, "--help"])).contains("Example"), "{command}");
     }
 }
+
+#[test]
+fn every_planner_plans_and_refuses_what_it_does_not_have() {
+    let hard1 = testdata("scenes/hard1.toml");
+    for (planner, options) in [
+        ("rrt", &["--goal-bias", "0.05"][..]),
+        ("rrt-star", &["--near-radius", "0.3", "--extend-step", "0.2"]),
+        ("modified-rrt", &["--keep-going", "--max-samples", "2000"]),
+    ] {
+        let arguments = ["plan", &hard1, "--planner", planner, "--format", "json"];
+        let found = cdpr(&[&arguments[..], options].concat());
+        assert_eq!((status(&found), &json(&found)["planner"]), (0, &planner.into()), "{}", stderr(&found));
+        for pair in options.chunks_exact(2).filter(|pair| pair[0] != "--keep-going") {
+            let key = pair[0].trim_start_matches("--").replace('-', "_");
+            assert_eq!(json(&found)["options"][&key], pair[1].parse::<f64>().unwrap(), "{key}");
+        }
+    }
+    let refused = cdpr(&["plan", &hard1, "--near-radius", "0.3"]);
+    assert_eq!(status(&refused), 2);
+    assert!(stderr(&refused).contains("near_radius: found 0.3, but the planner modified-rrt has no such setting"));
+    let refused = cdpr(&["plan", &hard1, "--planner", "rrt", "--goal-bias", "2"]);
+    assert!(stderr(&refused).contains("goal_bias: found 2, expected a probability from 0 to 1"));
+}

@@ -6,26 +6,14 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use crate::choice::{Choice, choices};
+use crate::choice::Choice;
 use crate::collision::path_check::{first_invalid_segment, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
-use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationSpace, Watch, modified_rrt};
+use crate::planning::{Outcome, PlannerOptions, Problem, Status, TranslationSpace, Watch};
 use crate::postprocess::{Order, RewindOptions, rewind};
-
-/// The planners there are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Planner {
-    /// Algorithm 3 of the paper.
-    #[default]
-    ModifiedRrt,
-}
-
-choices!(Planner, "planner", [
-    ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
-]);
 
 /// The name for "leave the planner's path as it is" where an order of rewinding is chosen.
 pub const NO_POST: &str = "none";
@@ -41,8 +29,8 @@ pub fn post_named(name: &str) -> Result<Option<Order>, Error> {
 /// How to plan; the question itself stands in the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
-    /// Search method.
-    pub planner: Planner,
+    /// Search method and its options.
+    pub planner: PlannerOptions,
     /// Who checks motions.
     pub engine: Engine,
     /// How cables are kept from each other.
@@ -59,8 +47,6 @@ pub struct PlanOptions {
     pub post: Option<Order>,
     /// Repeats of rewinding.
     pub repeats: usize,
-    /// Random samples after which the search gives up.
-    pub max_samples: usize,
     /// Time after which the search gives up.
     pub budget: Option<Duration>,
 }
@@ -69,7 +55,7 @@ impl Default for PlanOptions {
     fn default() -> Self {
         let RewindOptions { step, order, repeats } = RewindOptions::default();
         PlanOptions {
-            planner: Planner::default(),
+            planner: PlannerOptions::default(),
             engine: Engine::default(),
             interference: Interference::default(),
             seed: 0,
@@ -78,7 +64,6 @@ impl Default for PlanOptions {
             step,
             post: Some(order),
             repeats,
-            max_samples: ModifiedRrtOptions::default().max_samples,
             budget: None,
         }
     }
@@ -159,11 +144,7 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     let clock = Instant::now();
     let watch = Watch { deadline: options.budget.map(|budget| clock + budget), interrupted };
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = match options.planner {
-        Planner::ModifiedRrt => {
-            modified_rrt(&problem, engine, &ModifiedRrtOptions { max_samples: options.max_samples }, &mut rng, &watch)?
-        }
-    };
+    let outcome = options.planner.search(&problem, engine, &mut rng, &watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, nodes, motion_checks, samples } = outcome;
     let stats = Stats { nodes, motion_checks, samples, planning_seconds, post_seconds: 0.0 };
