@@ -129,12 +129,35 @@ pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> 
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool) -> Result<PlanResult, Error> {
-    let rewinding =
-        RewindOptions { step: options.step, order: options.post.unwrap_or_default(), repeats: options.repeats };
-    let rewinding = rewinding.checked()?;
+    plan_with(&*engine_for(scene, options.engine, options.interference)?, scene, options, interrupted)
+}
+
+/// As [`plan`], by an engine that is there already; the options' engine and interference are not looked at.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_with(
+    engine: &dyn Checker,
+    scene: &Scene,
+    options: &PlanOptions,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
+    let PlanOptions { step, repeats, .. } = *options;
+    let rewinding = options.post.map(|order| RewindOptions { step, order, repeats });
+    RewindOptions { step, ..RewindOptions::default() }.checked()?;
+    let raw = search(engine, scene, options, interrupted)?;
+    post_process(engine, &raw, rewinding.as_ref(), interrupted)
+}
+
+/// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
+fn search(
+    engine: &dyn Checker,
+    scene: &Scene,
+    options: &PlanOptions,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
     let start = end("start", options.start, scene.start())?;
     let goal = end("goal", options.goal, scene.goal())?;
-    let engine = &*engine_for(scene, options.engine, options.interference)?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if let Some(reason) = engine.explain(&state, &state) {
             return Ok(PlanResult::unsolved(status, Some(reason), Stats::default()));
@@ -148,18 +171,36 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, nodes, motion_checks, samples } = outcome;
     let stats = Stats { nodes, motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    if status != Status::Solved {
-        return Ok(PlanResult::unsolved(status, None, stats));
+    let unsolved = PlanResult::unsolved(status, None, stats);
+    Ok(match status {
+        Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
+        _ => unsolved,
+    })
+}
+
+/// A result with its raw path rewound anew, and every segment checked once more; none leaves the raw path as it is.
+///
+/// # Errors
+/// Bad options, [`Error::interrupted`].
+pub fn post_process(
+    engine: &dyn Checker,
+    raw: &PlanResult,
+    rewinding: Option<&RewindOptions>,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
+    if raw.status != Status::Solved {
+        return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let waypoints = match options.post {
-        Some(_) => rewind(&problem.space, engine, &raw_waypoints, &rewinding, &Watch { deadline: None, interrupted })?,
-        None => raw_waypoints.clone(),
+    let watch = Watch { deadline: None, interrupted };
+    let space = TranslationSpace::of(engine.constraints());
+    let (waypoints, post_seconds) = match rewinding {
+        Some(options) => (rewind(&space, engine, &raw.raw_waypoints, options, &watch)?, clock.elapsed().as_secs_f64()),
+        None => (raw.raw_waypoints.clone(), 0.0),
     };
-    let stats = Stats { post_seconds: clock.elapsed().as_secs_f64(), ..stats };
     verified(engine, &waypoints)?;
-    let (cost, raw_cost) = (path_length(&waypoints), path_length(&raw_waypoints));
-    Ok(PlanResult { status, reason: None, waypoints, cost, raw_waypoints, raw_cost, stats })
+    let stats = Stats { post_seconds, ..raw.stats };
+    Ok(PlanResult { cost: path_length(&waypoints), waypoints, stats, ..raw.clone() })
 }
 
 impl PlanResult {
