@@ -72,6 +72,19 @@ pub enum Command {
   cdpr shadows hall.toml -o shadows.obj --cable \"cable 3\" --obstacle pillar
   cdpr shadows hall.toml -o regions.stl --all")]
     Shadows(ShadowsArgs),
+    /// Run an experiment: scenarios × methods × trials, on all cores.
+    ///
+    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json. Ctrl-C leaves
+    /// complete rows behind; after it, or after any other end, --resume goes on.
+    #[command(after_help = "Examples:
+  cdpr batch experiments/table2.toml -o table2
+  cdpr batch experiments/table2.toml -o table2 --resume
+  cdpr batch experiments/table2.toml -o part3 --trials 200..300")]
+    Batch(BatchArgs),
+    /// Put runs of ranges of trials of one experiment together.
+    #[command(after_help = "Example:
+  cdpr merge part1 part2 part3 -o table2")]
+    Merge(MergeArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -270,6 +283,55 @@ pub struct ShadowsArgs {
     /// Only regions of these obstacles.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub obstacle: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct BatchArgs {
+    /// Experiment file (.toml or .json).
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub experiment: PathBuf,
+    /// Folder to write; new or empty, unless a run in it goes on.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// Go on with the run in the folder.
+    #[arg(long)]
+    pub resume: bool,
+    /// Threads [default: as many as there are cores].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Number of trials instead of the experiment's, or a range of them, the end not included.
+    #[arg(long, value_name = "N|A..B", value_parser = trials)]
+    pub trials: Option<Trials>,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// A range of trials; a type of its own, since clap takes ranges for lists.
+#[derive(Debug, Clone)]
+pub struct Trials(pub std::ops::Range<usize>);
+
+fn trials(text: &str) -> Result<Trials, String> {
+    let number =
+        |text: &str| text.parse::<usize>().map_err(|_| "expected a whole number N, or a range A..B".to_string());
+    let range = match text.split_once("..") {
+        Some((first, end)) => number(first)?..number(end)?,
+        None => 0..number(text)?,
+    };
+    if range.is_empty() { Err("found no trials, expected at least one".to_string()) } else { Ok(Trials(range)) }
+}
+
+#[derive(Debug, Args)]
+pub struct MergeArgs {
+    /// Folders of complete runs, in any order.
+    #[arg(required = true, value_hint = ValueHint::DirPath)]
+    pub folders: Vec<PathBuf>,
+    /// Folder to write; new or empty.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 #[derive(Debug, Args)]

@@ -41,6 +41,8 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Schema(args) => commands::schema::run(&args),
         Command::Shadows(args) => commands::shadows::run(&args),
         Command::View(args) => commands::view::run(&args),
+        Command::Batch(args) => commands::batch::run(&args),
+        Command::Merge(args) => commands::merge::run(&args),
         Command::Completions(args) => commands::completions::run(&args),
     }
 }
