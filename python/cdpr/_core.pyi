@@ -41,8 +41,8 @@ class Scene:
         step: float,
         post: str,
         repeats: int,
-        max_samples: int,
         budget: float | None,
+        settings: str,
     ) -> str: ...
     def rewind(
         self, waypoints: _Floats, step: float, order: str, repeats: int, engine: str, interference: str

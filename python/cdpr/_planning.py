@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -16,7 +17,7 @@ from ._arrays import Floats, point, rows
 from ._model import Engine, Interference, Scene, Violation, violation_from
 from .exceptions import InputError
 
-Planner: TypeAlias = Literal["modified-rrt"]
+Planner: TypeAlias = Literal["modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
 Post: TypeAlias = Literal["both", "backward", "forward", "none"]
 
@@ -127,7 +128,13 @@ def plan(
     post: Post = "both",
     budget: float | None = None,
     repeats: int = 1,
-    max_samples: int = 20_000,
+    max_samples: int | None = None,
+    max_nodes: int | None = None,
+    keep_going: bool = False,
+    target_cost: float | None = None,
+    extend_step: float | None = None,
+    goal_bias: float | None = None,
+    near_radius: float | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Result:
@@ -136,22 +143,35 @@ def plan(
     Parameters
     ----------
     scene : Scene
-    planner : {"modified-rrt"}
-        The paper's Algorithm 3.
+    planner : {"modified-rrt", "rrt", "rrt-star"}
+        The paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
     seed : int
         Everything random flows from it: the same seed gives the same path.
     start, goal : array_like (3,), optional
         Instead of the scene's, m.
     step : float
-        Distance of the points that rewinding tries, m.
+        Distance of the points that rewinding tries, m; also the step of "rrt" and "rrt-star".
     post : {"both", "backward", "forward", "none"}
         Rewinding (Algorithms 4 and 5), by which direction comes first; "both" keeps the shorter of the two orders.
     budget : float, optional
         Time after which the search gives up, s.
     repeats : int
         How often rewinding runs.
-    max_samples : int
-        Random samples after which the search gives up.
+    max_samples : int, optional
+        Random samples after which the search ends; default 20 000, with "rrt-star" 500 000.
+    max_nodes : int, optional
+        Nodes of the tree after which it ends.
+    keep_going : bool
+        Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+    target_cost : float, optional
+        Go on after the first path until it is at most this long, m.
+    extend_step : float, optional
+        Longest edge by which "rrt" and "rrt-star" grow, m; default ``step``, as in the paper.
+    goal_bias : float, optional
+        Probability with which "rrt" and "rrt-star" take the goal for a sample; default 0.
+    near_radius : float, optional
+        Radius of the ball that "rrt-star" looks at around a new node, m; default
+        min(γ (ln n / n)^(1/3), step) for n nodes.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
@@ -163,7 +183,7 @@ def plan(
     Raises
     ------
     InputError
-        A scene without start or goal where none is given, bad options.
+        A scene without start or goal where none is given, bad options, options that the planner does not have.
     KeyboardInterrupt
         On Ctrl-C, at once.
 
@@ -174,6 +194,15 @@ def plan(
     >>> result.solved, result.cost <= result.raw_cost
     (True, True)
     """
+    settings = {
+        "max_samples": None if max_samples is None else _whole("max_samples", max_samples),
+        "max_nodes": None if max_nodes is None else _whole("max_nodes", max_nodes),
+        "keep_going": bool(keep_going),
+        "target_cost": _finite("target_cost", target_cost),
+        "extend_step": _finite("extend_step", extend_step),
+        "goal_bias": _finite("goal_bias", goal_bias),
+        "near_radius": _finite("near_radius", near_radius),
+    }
     text = scene._core.plan(
         planner,
         engine,
@@ -184,8 +213,8 @@ def plan(
         float(step),
         post,
         _whole("repeats", repeats),
-        _whole("max_samples", max_samples),
         None if budget is None else float(budget),
+        json.dumps(settings),
     )
     found = json.loads(text)
     return Result(
@@ -205,6 +234,12 @@ def _whole(name: str, value: int) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
         raise InputError(f"{name}: found {value!r}, expected a whole number from 0 to 2**64 - 1")
     return int(value)
+
+
+def _finite(name: str, value: float | None) -> float | None:
+    if value is not None and not math.isfinite(value):
+        raise InputError(f"{name}: found {value!r}, expected a finite number")
+    return None if value is None else float(value)
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:

@@ -60,6 +60,11 @@ def test_invalid_ends_are_answers(hard1):
         ({"budget": -1.0}, "budget"),
         ({"seed": -1}, "seed"),
         ({"seed": 1.5}, "seed"),
+        ({"planner": "rrt", "goal_bias": 2.0}, "goal_bias: found 2, expected a probability"),
+        ({"near_radius": 0.3}, "near_radius: found 0.3, but the planner modified-rrt has no such setting"),
+        ({"planner": "rrt-star", "near_radius": math.nan}, "near_radius: found nan"),
+        ({"planner": "rrt-star", "extend_step": -1.0}, "extend_step: found -1 m"),
+        ({"max_nodes": -3}, "max_nodes: found -3"),
         ({"planner": "magic"}, "planner: found \"magic\""),
         ({"post": "sideways"}, "order: found \"sideways\""),
         ({"start": [0, 0]}, "start: found an array of shape"),
@@ -69,6 +74,23 @@ def test_invalid_ends_are_answers(hard1):
 def test_bad_options_are_refused(hard1, options, message):
     with pytest.raises(cdpr.InputError, match=message):
         cdpr.plan(hard1, **options)
+
+
+@pytest.mark.parametrize(("planner", "options"), [("rrt", {"goal_bias": 0.1}), ("rrt-star", {"near_radius": 0.3})])
+def test_the_other_planners_take_their_options(hard1, planner, options):
+    found = cdpr.plan(hard1, planner, seed=1, **options)
+    assert found.solved and cdpr.check(hard1, found).valid
+    assert (np.linalg.norm(np.diff(found.raw_waypoints, axis=0), axis=1) < 0.3 + 1e-9).all()
+    assert found.raw_cost > cdpr.plan(hard1, planner, seed=1, **options, extend_step=0.5).raw_cost > 2.4
+
+
+def test_going_on_shortens_and_ends(hard1):
+    first = cdpr.plan(hard1, seed=2)
+    longer = cdpr.plan(hard1, seed=2, keep_going=True, max_samples=5000)
+    assert longer.stats["samples"] == 5000 and longer.raw_cost < first.raw_cost
+    reached = cdpr.plan(hard1, seed=2, target_cost=first.raw_cost - 1e-3)
+    assert reached.raw_cost <= first.raw_cost - 1e-3
+    assert cdpr.plan(hard1, seed=2, keep_going=True, max_nodes=50).stats["nodes"] in (50, 51)
 
 
 def test_a_scene_without_a_query_needs_its_ends(hard1):

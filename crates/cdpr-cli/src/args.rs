@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
-use cdpr_core::plan::{NO_POST, PlanOptions, Planner, post_named};
+use cdpr_core::plan::{NO_POST, PlanOptions, post_named};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::regions::{RegionOptions, Space};
 use cdpr_core::{Choice, Error};
@@ -29,7 +30,8 @@ pub enum Command {
     #[command(after_help = "Examples:
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
-  cdpr plan hall.toml --post none -o raw.csv")]
+  cdpr plan hall.toml --post none -o raw.csv
+  cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
     /// Check a path: every violation with culprits, place and margin, and the nearest approach.
     #[command(after_help = "Example:
@@ -81,6 +83,19 @@ pub enum Command {
   cdpr wrench hall.toml --at 0 0 2 --force 50 --moment 5 --format json
   cdpr wrench hall.toml --along path.json -o tensions.csv")]
     Wrench(WrenchArgs),
+    /// Run an experiment: scenarios × methods × trials, on all cores.
+    ///
+    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json. Ctrl-C leaves
+    /// complete rows behind; after it, or after any other end, --resume goes on.
+    #[command(after_help = "Examples:
+  cdpr batch experiments/table2.toml -o table2
+  cdpr batch experiments/table2.toml -o table2 --resume
+  cdpr batch experiments/table2.toml -o part3 --trials 200..300")]
+    Batch(BatchArgs),
+    /// Put runs of ranges of trials of one experiment together.
+    #[command(after_help = "Example:
+  cdpr merge part1 part2 part3 -o table2")]
+    Merge(MergeArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -135,12 +150,11 @@ pub struct PlanArgs {
     /// Search method.
     #[arg(long, value_parser = choice::<Planner>(), default_value = Planner::default().name())]
     pub planner: Planner,
-    /// Give up after this time, ms (the samples may run out first).
+    #[command(flatten)]
+    pub settings: PlannerArgs,
+    /// Stop after this time, ms (the samples may run out first).
     #[arg(long, value_name = "T", value_parser = positive)]
     pub budget_ms: Option<f64>,
-    /// Give up after this many random samples.
-    #[arg(long, value_name = "N", default_value_t = PlanOptions::default().max_samples)]
-    pub max_samples: usize,
     #[command(flatten)]
     pub checker: CheckerArgs,
     /// Seed of everything random.
@@ -165,10 +179,43 @@ pub struct PlanArgs {
     pub html: Option<PathBuf>,
 }
 
+/// Options of the planner; those that it does not have are refused.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct PlannerArgs {
+    /// Stop after this many random samples [default: 20000; rrt-star: 500000].
+    #[arg(long, value_name = "N")]
+    pub max_samples: Option<usize>,
+    /// Stop after this many nodes.
+    #[arg(long, value_name = "N")]
+    pub max_nodes: Option<usize>,
+    /// Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+    #[arg(long)]
+    pub keep_going: bool,
+    /// Go on after the first path until it is at most this long, m.
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub target_cost: Option<f64>,
+    /// Longest edge by which rrt and rrt-star grow, m [default: --step, as in the paper].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub extend_step: Option<f64>,
+    /// Probability with which rrt and rrt-star take the goal for a sample [default: 0].
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    pub goal_bias: Option<f64>,
+    /// Radius of the ball that rrt-star looks at around a new node, m [default: shrinks with the number of nodes].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub near_radius: Option<f64>,
+}
+
+impl PlannerArgs {
+    fn settings(self) -> PlannerSettings {
+        let PlannerArgs { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius } = self;
+        PlannerSettings { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius }
+    }
+}
+
 /// Options of rewinding.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct RewindArgs {
-    /// Distance of the points that rewinding tries, m.
+    /// Distance of the points that rewinding tries, m; also the step of rrt and rrt-star.
     #[arg(long, value_name = "M", default_value_t = PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,
     /// How often rewinding runs.
@@ -275,6 +322,55 @@ pub struct WrenchArgs {
 }
 
 #[derive(Debug, Args)]
+pub struct BatchArgs {
+    /// Experiment file (.toml or .json).
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub experiment: PathBuf,
+    /// Folder to write; new or empty, unless a run in it goes on.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// Go on with the run in the folder.
+    #[arg(long)]
+    pub resume: bool,
+    /// Threads [default: as many as there are cores].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Number of trials instead of the experiment's, or a range of them, the end not included.
+    #[arg(long, value_name = "N|A..B", value_parser = trials)]
+    pub trials: Option<Trials>,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// A range of trials; a type of its own, since clap takes ranges for lists.
+#[derive(Debug, Clone)]
+pub struct Trials(pub std::ops::Range<usize>);
+
+fn trials(text: &str) -> Result<Trials, String> {
+    let number =
+        |text: &str| text.parse::<usize>().map_err(|_| "expected a whole number N, or a range A..B".to_string());
+    let range = match text.split_once("..") {
+        Some((first, end)) => number(first)?..number(end)?,
+        None => 0..number(text)?,
+    };
+    if range.is_empty() { Err("found no trials, expected at least one".to_string()) } else { Ok(Trials(range)) }
+}
+
+#[derive(Debug, Args)]
+pub struct MergeArgs {
+    /// Folders of complete runs, in any order.
+    #[arg(required = true, value_hint = ValueHint::DirPath)]
+    pub folders: Vec<PathBuf>,
+    /// Folder to write; new or empty.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
 pub struct CompletionsArgs {
     /// The shell.
     #[arg(value_enum)]
@@ -284,7 +380,7 @@ pub struct CompletionsArgs {
 impl PlanArgs {
     pub fn options(&self) -> Result<PlanOptions, Error> {
         Ok(PlanOptions {
-            planner: self.planner,
+            planner: PlannerOptions::new(self.planner, self.rewinding.step, &self.settings.settings())?,
             engine: self.checker.engine,
             interference: self.checker.interference,
             seed: self.seed,
@@ -293,7 +389,6 @@ impl PlanArgs {
             step: self.rewinding.step,
             post: post_named(&self.post)?,
             repeats: self.rewinding.repeats,
-            max_samples: self.max_samples,
             budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
         })
     }

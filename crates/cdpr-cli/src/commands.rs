@@ -1,8 +1,10 @@
 //! One module per command.
 
+pub mod batch;
 pub mod check;
 pub mod completions;
 pub mod info;
+pub mod merge;
 pub mod new;
 pub mod plan;
 pub mod post;

@@ -42,6 +42,8 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Shadows(args) => commands::shadows::run(&args),
         Command::View(args) => commands::view::run(&args),
         Command::Wrench(args) => commands::wrench::run(&args),
+        Command::Batch(args) => commands::batch::run(&args),
+        Command::Merge(args) => commands::merge::run(&args),
         Command::Completions(args) => commands::completions::run(&args),
     }
 }

@@ -13,9 +13,15 @@ pub fn interrupt() {
     INTERRUPTED.store(true, Ordering::Relaxed);
 }
 
-/// Whether somebody asked to stop.
+/// Whether Ctrl-C was pressed.
 pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
+}
+
+/// A bar on standard error, if that is a terminal. The work comes in an even mixture, so the remaining time holds.
+pub fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} trials, {elapsed}, about {eta} left (Ctrl-C stops)");
+    ProgressBar::new(0).with_style(style.expect("a sound template"))
 }
 
 /// Runs work that may take long. After half a second a line on standard error, if that is a terminal, says what is
@@ -24,13 +30,13 @@ pub fn with_sign_of_life<T>(doing: &str, work: impl FnOnce(&dyn Fn() -> bool) ->
     let style = ProgressStyle::with_template("{spinner} {msg} {elapsed} (Ctrl-C stops)").expect("a sound template");
     let sign = ProgressBar::new_spinner().with_style(style).with_message(doing.to_string());
     let patience = Duration::from_millis(500);
-    let asked = || {
+    let stop = || {
         if sign.elapsed() >= patience {
             sign.tick();
         }
         interrupted()
     };
-    let result = work(&asked);
+    let result = work(&stop);
     sign.finish_and_clear();
     result
 }

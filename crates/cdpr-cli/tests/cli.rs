@@ -409,3 +409,75 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
         assert!(String::from_utf8_lossy(&output.stderr).contains(words), "{all:?}: {output:?}");
     }
 }
+
+#[test]
+fn every_planner_plans_and_refuses_what_it_does_not_have() {
+    let hard1 = testdata("scenes/hard1.toml");
+    for (planner, options) in [
+        ("rrt", &["--goal-bias", "0.05"][..]),
+        ("rrt-star", &["--near-radius", "0.3", "--extend-step", "0.2"]),
+        ("modified-rrt", &["--keep-going", "--max-samples", "2000"]),
+    ] {
+        let arguments = ["plan", &hard1, "--planner", planner, "--format", "json"];
+        let found = cdpr(&[&arguments[..], options].concat());
+        assert_eq!((status(&found), &json(&found)["planner"]), (0, &planner.into()), "{}", stderr(&found));
+        for pair in options.chunks_exact(2).filter(|pair| pair[0] != "--keep-going") {
+            let key = pair[0].trim_start_matches("--").replace('-', "_");
+            assert_eq!(json(&found)["options"][&key], pair[1].parse::<f64>().unwrap(), "{key}");
+        }
+    }
+    let refused = cdpr(&["plan", &hard1, "--near-radius", "0.3"]);
+    assert_eq!(status(&refused), 2);
+    assert!(stderr(&refused).contains("near_radius: found 0.3, but the planner modified-rrt has no such setting"));
+    let refused = cdpr(&["plan", &hard1, "--planner", "rrt", "--goal-bias", "2"]);
+    assert!(stderr(&refused).contains("goal_bias: found 2, expected a probability from 0 to 1"));
+}
+
+#[test]
+fn a_batch_that_is_killed_ten_times_ends_with_the_same_bytes() {
+    let folder = folder();
+    let experiment = testdata("../experiments/table2.toml");
+    let arguments = ["batch", &experiment, "--trials", "40", "-o"];
+    let whole = cdpr_in(folder.path(), &[&arguments[..], &["whole", "--threads", "1", "--format", "json"]].concat());
+    assert_eq!(status(&whole), 0, "{}", stderr(&whole));
+    assert_eq!(json(&whole)["methods"].as_array().unwrap().len(), 8);
+    let expected = fs::read(folder.path().join("whole/trials.csv")).unwrap();
+    let mut random = 12345u64;
+    for _ in 0..10 {
+        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
+        command.current_dir(folder.path()).args(arguments).args(["torn", "--resume", "--threads", "2"]);
+        let mut child =
+            command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
+        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        std::thread::sleep(std::time::Duration::from_millis(random >> 58)); // up to 63 ms
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let resumed = cdpr_in(folder.path(), &[&arguments[..], &["torn", "--resume"]].concat());
+    assert_eq!(status(&resumed), 0, "{}", stderr(&resumed));
+    assert!(
+        stdout(&resumed).contains("modified RRT + post-processing")
+            && stdout(&resumed).contains("p of the t-tests: A ")
+    );
+    assert_eq!(fs::read(folder.path().join("torn/trials.csv")).unwrap(), expected);
+    let again = cdpr_in(folder.path(), &[&arguments[..], &["torn"]].concat());
+    assert_eq!(status(&again), 2);
+    assert!(stderr(&again).contains("found a folder that is not empty"));
+}
+
+#[test]
+fn parts_of_a_batch_merge() {
+    let folder = folder();
+    let experiment = testdata("../experiments/fig8.toml");
+    for (name, trials) in [("whole", "6"), ("a", "0..2"), ("b", "2..6")] {
+        let part = cdpr_in(folder.path(), &["batch", &experiment, "-o", name, "--trials", trials]);
+        assert_eq!(status(&part), 0, "{}", stderr(&part));
+    }
+    assert_eq!(status(&cdpr_in(folder.path(), &["merge", "b", "a", "-o", "merged"])), 0);
+    let table = |name: &str| fs::read(folder.path().join(name).join("trials.csv")).unwrap();
+    assert_eq!(table("whole"), table("merged"));
+    let bad = cdpr_in(folder.path(), &["batch", &experiment, "-o", "c", "--trials", "5..5"]);
+    assert!(status(&bad) == 2 && stderr(&bad).contains("found no trials"));
+    let bad = cdpr_in(folder.path(), &["batch", &experiment, "-o", "c", "--threads", "0"]);
+    assert!(status(&bad) == 2 && stderr(&bad).contains("threads: found 0, expected at least 1"));
+}

@@ -6,9 +6,10 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`regions`], [`view`], [`io`].
-//! [`error`] and [`choice`] are used by all, [`testing`] by examples and tests.
+//! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`], [`regions`], [`view`],
+//! [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by examples and tests.
 
+pub mod batch;
 pub mod choice;
 pub mod collision;
 pub mod error;

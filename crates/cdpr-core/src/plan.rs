@@ -6,27 +6,15 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use crate::choice::{Choice, choices};
+use crate::choice::Choice;
 use crate::collision::path_check::{PathReport, first_invalid_segment, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
-use crate::planning::{ModifiedRrtOptions, Outcome, Problem, Status, TranslationSpace, Watch, modified_rrt};
+use crate::planning::{Outcome, PlannerOptions, Problem, Status, TranslationSpace, Watch};
 use crate::postprocess::{Order, RewindOptions, rewind};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
-
-/// The planners there are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Planner {
-    /// Algorithm 3 of the paper.
-    #[default]
-    ModifiedRrt,
-}
-
-choices!(Planner, "planner", [
-    ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
-]);
 
 /// The name for "leave the planner's path as it is" where an order of rewinding is chosen.
 pub const NO_POST: &str = "none";
@@ -42,8 +30,8 @@ pub fn post_named(name: &str) -> Result<Option<Order>, Error> {
 /// How to plan; the question itself stands in the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
-    /// Search method.
-    pub planner: Planner,
+    /// Search method and its options.
+    pub planner: PlannerOptions,
     /// Who checks motions.
     pub engine: Engine,
     /// How cables are kept from each other.
@@ -60,8 +48,6 @@ pub struct PlanOptions {
     pub post: Option<Order>,
     /// Repeats of rewinding.
     pub repeats: usize,
-    /// Random samples after which the search gives up.
-    pub max_samples: usize,
     /// Time after which the search gives up.
     pub budget: Option<Duration>,
 }
@@ -70,7 +56,7 @@ impl Default for PlanOptions {
     fn default() -> Self {
         let RewindOptions { step, order, repeats } = RewindOptions::default();
         PlanOptions {
-            planner: Planner::default(),
+            planner: PlannerOptions::default(),
             engine: Engine::default(),
             interference: Interference::default(),
             seed: 0,
@@ -79,7 +65,6 @@ impl Default for PlanOptions {
             step,
             post: Some(order),
             repeats,
-            max_samples: ModifiedRrtOptions::default().max_samples,
             budget: None,
         }
     }
@@ -168,12 +153,35 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool) -> Result<PlanResult, Error> {
-    let rewinding =
-        RewindOptions { step: options.step, order: options.post.unwrap_or_default(), repeats: options.repeats };
-    let rewinding = rewinding.checked()?;
+    plan_with(&*engine_for(scene, options.engine, options.interference)?, scene, options, interrupted)
+}
+
+/// As [`plan`], by an engine that is there already; the options' engine and interference are not looked at.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_with(
+    engine: &dyn Checker,
+    scene: &Scene,
+    options: &PlanOptions,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
+    let PlanOptions { step, repeats, .. } = *options;
+    let rewinding = options.post.map(|order| RewindOptions { step, order, repeats });
+    RewindOptions { step, ..RewindOptions::default() }.checked()?;
+    let raw = search(engine, scene, options, interrupted)?;
+    post_process(engine, &raw, rewinding.as_ref(), interrupted)
+}
+
+/// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
+fn search(
+    engine: &dyn Checker,
+    scene: &Scene,
+    options: &PlanOptions,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
     let start = end("start", options.start, scene.start())?;
     let goal = end("goal", options.goal, scene.goal())?;
-    let engine = &*engine_for(scene, options.engine, options.interference)?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if let Some(reason) = engine.explain(&state, &state) {
             return Ok(PlanResult::unsolved(status, Some(reason), Stats::default()));
@@ -183,26 +191,40 @@ pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool
     let clock = Instant::now();
     let watch = Watch { deadline: options.budget.map(|budget| clock + budget), interrupted };
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = match options.planner {
-        Planner::ModifiedRrt => {
-            modified_rrt(&problem, engine, &ModifiedRrtOptions { max_samples: options.max_samples }, &mut rng, &watch)?
-        }
-    };
+    let outcome = options.planner.search(&problem, engine, &mut rng, &watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, nodes, motion_checks, samples } = outcome;
     let stats = Stats { nodes, motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    if status != Status::Solved {
-        return Ok(PlanResult::unsolved(status, None, stats));
+    let unsolved = PlanResult::unsolved(status, None, stats);
+    Ok(match status {
+        Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
+        _ => unsolved,
+    })
+}
+
+/// A result with its raw path rewound anew, and every segment checked once more; none leaves the raw path as it is.
+///
+/// # Errors
+/// Bad options, [`Error::interrupted`].
+pub fn post_process(
+    engine: &dyn Checker,
+    raw: &PlanResult,
+    rewinding: Option<&RewindOptions>,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<PlanResult, Error> {
+    if raw.status != Status::Solved {
+        return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let waypoints = match options.post {
-        Some(_) => rewind(&problem.space, engine, &raw_waypoints, &rewinding, &Watch { deadline: None, interrupted })?,
-        None => raw_waypoints.clone(),
+    let watch = Watch { deadline: None, interrupted };
+    let space = TranslationSpace::of(engine.constraints());
+    let (waypoints, post_seconds) = match rewinding {
+        Some(options) => (rewind(&space, engine, &raw.raw_waypoints, options, &watch)?, clock.elapsed().as_secs_f64()),
+        None => (raw.raw_waypoints.clone(), 0.0),
     };
-    let stats = Stats { post_seconds: clock.elapsed().as_secs_f64(), ..stats };
     verified(engine, &waypoints)?;
-    let (cost, raw_cost) = (path_length(&waypoints), path_length(&raw_waypoints));
-    Ok(PlanResult { status, reason: None, waypoints, cost, raw_waypoints, raw_cost, stats })
+    let stats = Stats { post_seconds, ..raw.stats };
+    Ok(PlanResult { cost: path_length(&waypoints), waypoints, stats, ..raw.clone() })
 }
 
 impl PlanResult {

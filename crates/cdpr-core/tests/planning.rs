@@ -9,7 +9,7 @@ use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{QuerySpec, Scene};
 use cdpr_core::plan::{PlanOptions, PlanResult, plan, rewind_path};
-use cdpr_core::planning::Status;
+use cdpr_core::planning::{PlannerOptions, Status};
 use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use rand::RngExt;
@@ -19,6 +19,13 @@ const STEP: f64 = 0.1;
 
 fn planned(scene: &Scene, options: PlanOptions) -> PlanResult {
     plan(scene, &options, &|| false).unwrap()
+}
+
+/// The default planner with so many samples.
+fn samples(max_samples: usize) -> PlannerOptions {
+    let mut planner = PlannerOptions::default();
+    planner.limits_mut().max_samples = max_samples;
+    planner
 }
 
 /// Every segment valid, and every state in steps of a millimetre.
@@ -111,14 +118,14 @@ fn walled_platform() -> Scene {
 
 #[test]
 fn a_spent_budget_is_told() {
-    let found = planned(&walled_platform(), PlanOptions { max_samples: 300, ..PlanOptions::default() });
+    let found = planned(&walled_platform(), PlanOptions { planner: samples(300), ..PlanOptions::default() });
     assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 300));
     assert!(found.raw_cost.is_nan());
 }
 
 #[test]
 fn a_time_budget_and_an_interruption_end_the_search() {
-    let endless = PlanOptions { max_samples: usize::MAX, ..PlanOptions::default() };
+    let endless = PlanOptions { planner: samples(usize::MAX), ..PlanOptions::default() };
     let clock = Instant::now();
     let budget = Some(Duration::from_millis(50));
     let found = planned(&walled_platform(), PlanOptions { budget, ..endless.clone() });
@@ -230,7 +237,7 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
         spec.clearance = Some([0.0, 0.01][seed as usize % 2]);
         let scene = scene(spec);
         let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-        let found = planned(&scene, PlanOptions { seed, max_samples: 500, ..PlanOptions::default() });
+        let found = planned(&scene, PlanOptions { seed, planner: samples(500), ..PlanOptions::default() });
         // As in the paper, only scenes count whose start and goal are free.
         asked += usize::from(matches!(found.status, Status::Solved | Status::BudgetSpent));
         if found.status == Status::Solved {

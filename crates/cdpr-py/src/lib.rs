@@ -12,6 +12,7 @@ use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path};
+use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
@@ -193,11 +194,12 @@ impl Scene {
         step: f64,
         post: &str,
         repeats: usize,
-        max_samples: usize,
         budget: Option<f64>,
+        settings: &str,
     ) -> PyResult<String> {
+        let settings: PlannerSettings = io::text::parse(settings, Notation::Json).map_err(raised)?;
         let options = PlanOptions {
-            planner: named(planner)?,
+            planner: PlannerOptions::new(named(planner)?, step, &settings).map_err(raised)?,
             engine: named(engine)?,
             interference: named(interference)?,
             seed,
@@ -206,7 +208,6 @@ impl Scene {
             step,
             post: post_named(post).map_err(raised)?,
             repeats,
-            max_samples,
             budget: budget.map(seconds).transpose()?,
         };
         let checker = engine_of(self, engine, interference)?;

@@ -67,7 +67,7 @@ fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
         cost: cost(found.cost),
         raw_waypoints: found.raw_waypoints.clone(),
         raw_cost: cost(found.raw_cost),
-        planner: name(serde_json::json!(options.planner)),
+        planner: name(serde_json::json!(options.planner.planner())),
     }
 }
 

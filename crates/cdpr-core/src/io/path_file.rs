@@ -63,7 +63,6 @@ pub fn plan_json(
     min_clearance: Option<&PathClearance>,
     wrench: Option<&PathWrench>,
 ) -> Value {
-    let post = options.post.map_or(NO_POST, Choice::name);
     let mut value = json!({
         "version": FORMAT_VERSION,
         "status": result.status,
@@ -73,17 +72,11 @@ pub fn plan_json(
         "min_clearance": min_clearance,
         "raw_cost": finite(result.raw_cost),
         "raw_waypoints": rows(&result.raw_waypoints),
-        "planner": options.planner,
+        "planner": options.planner.planner(),
         "engine": options.engine,
         "interference": options.interference,
         "seed": options.seed,
-        "options": {
-            "step": options.step,
-            "post": post,
-            "repeats": options.repeats,
-            "max_samples": options.max_samples,
-            "budget_ms": options.budget.map(|b| b.as_secs_f64() * 1e3),
-        },
+        "options": options_json(options),
         "stats": result.stats,
         "scene": scene_id(scene),
     });
@@ -91,6 +84,20 @@ pub fn plan_json(
         all.extend(more);
     }
     value
+}
+
+/// All options that a path depends on; those of the planner beside those of rewinding.
+fn options_json(options: &PlanOptions) -> Value {
+    let mut all = json!({
+        "step": options.step,
+        "post": options.post.map_or(NO_POST, Choice::name),
+        "repeats": options.repeats,
+        "budget_ms": options.budget.map(|b| b.as_secs_f64() * 1e3),
+    });
+    if let (Value::Object(all), Ok(Value::Object(own))) = (&mut all, serde_json::to_value(options.planner.settings())) {
+        all.extend(own);
+    }
+    all
 }
 
 /// The JSON of a bare path of a scene.

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
+use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
 
@@ -83,14 +84,27 @@ fn with_suggestion(message: &str) -> String {
 
 /// Writes a file whole or not at all: beside it first, then renamed over it.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
-    let problem = |e: std::io::Error| Error::file(path, format!("cannot be written: {e}"));
+    let mut file = temporary_beside(path)?;
+    file.write_all(contents).map_err(|e| unwritable(path, &e))?;
+    rename_into_place(file, path)
+}
+
+/// A file in the same folder, to be renamed when it is complete.
+pub(super) fn temporary_beside(path: &Path) -> Result<NamedTempFile, Error> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = tempfile::Builder::new().prefix(".cdpr-").tempfile_in(folder).map_err(problem)?;
-    file.write_all(contents).map_err(problem)?;
-    file.as_file().sync_all().map_err(problem)?;
-    set_ordinary_permissions(file.path()).map_err(problem)?;
-    file.persist(path).map_err(|e| problem(e.error))?;
+    tempfile::Builder::new().prefix(".cdpr-").tempfile_in(folder).map_err(|e| unwritable(path, &e))
+}
+
+/// Makes a temporary file the one of this name.
+pub(super) fn rename_into_place(file: NamedTempFile, path: &Path) -> Result<(), Error> {
+    file.as_file().sync_all().map_err(|e| unwritable(path, &e))?;
+    set_ordinary_permissions(file.path()).map_err(|e| unwritable(path, &e))?;
+    file.persist(path).map_err(|e| unwritable(path, &e.error))?;
     Ok(())
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> Error {
+    Error::file(path, format!("cannot be written: {error}"))
 }
 
 /// Temporary files are private; results are ordinary files.

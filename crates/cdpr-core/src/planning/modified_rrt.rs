@@ -2,7 +2,8 @@
 
 use rand::Rng;
 
-use super::outcome::{Outcome, Status, Watch};
+use super::outcome::{Outcome, Watch};
+use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace};
 use super::tree::Tree;
 use crate::collision::Validity;
@@ -11,20 +12,21 @@ use crate::error::Error;
 /// Options of [`modified_rrt`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModifiedRrtOptions {
-    /// Random samples after which the search gives up.
-    pub max_samples: usize,
+    /// What ends the search: the first path, or 20 000 samples.
+    pub limits: Limits,
 }
 
 impl Default for ModifiedRrtOptions {
     fn default() -> Self {
-        ModifiedRrtOptions { max_samples: 20_000 }
+        ModifiedRrtOptions { limits: Limits::samples(20_000) }
     }
 }
 
-/// Searches a path by Modified RRT; stops at the first connection to the goal.
+/// Searches a path by Modified RRT; stops at the first connection to the goal, or goes on as the limits say.
 ///
 /// Readings of the pseudocode: a sample is first tested as a state, which is no motion check. When the goal is tried
-/// again after an append, only the new node can have changed the answer, the others were refused before.
+/// again after an append, only the new node can have changed the answer, the others were refused before. Going on, a
+/// node becomes the goal's parent if the goal is cheaper through it than through the present parent (section 4).
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch says so.
@@ -51,37 +53,24 @@ pub fn modified_rrt<S: StateSpace>(
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
-    let (mut motion_checks, mut samples) = (0usize, 0usize);
-    let mut out_of_time = false;
-    let mut collision_free = |from: &S::State, to: &S::State| {
-        motion_checks += 1;
-        out_of_time |= motion_checks.is_multiple_of(POLL) && watch.expired()?;
-        Ok::<bool, Error>(!out_of_time && validity.motion_valid(from, to))
-    };
+    let mut search = Search::new(problem, validity, &options.limits, watch);
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
-    let mut newest = 0;
-    let mut check_goal = true;
-    let status = loop {
-        if check_goal {
-            check_goal = false;
-            if collision_free(tree.state(newest), goal)? {
-                newest = tree.append(space, newest, *goal);
-                break Status::Solved;
+    let mut newest = Some(0); // chkGoal <- true
+    let (mut goal_parent, mut best) = (None, f64::INFINITY);
+    loop {
+        if let Some(x) = newest.take() {
+            let cost = tree.cost_through(space, x, goal);
+            if cost < best && search.collision_free(tree.state(x), goal)? {
+                (goal_parent, best) = (Some(x), cost);
             }
         }
-        if samples == options.max_samples || (samples.is_multiple_of(POLL) && watch.expired()?) {
-            break Status::BudgetSpent;
+        if search.over(tree.len(), best)? {
+            return Ok(search.outcome(&mut tree, goal_parent));
         }
-        samples += 1;
-        let Some(x_rand) = space.sample(rng).filter(|x| validity.state_valid(x)) else { continue };
-        if let Some(x_cheap) = tree.feasible_cheapest(space, &x_rand, &mut collision_free)? {
-            newest = tree.append(space, x_cheap, x_rand);
-            check_goal = true;
+        let Some(x_rand) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
+        let x_cheap = tree.feasible_cheapest(space, &x_rand, |from, to| search.collision_free(from, to))?;
+        if let Some(x_cheap) = x_cheap {
+            newest = Some(tree.append(space, x_cheap, x_rand));
         }
-    };
-    let waypoints = if status == Status::Solved { tree.path_to(newest) } else { Vec::new() };
-    Ok(Outcome { status, waypoints, nodes: tree.len(), motion_checks, samples })
+    }
 }
-
-/// Motion checks, or samples, between two looks at the clock and the caller.
-const POLL: usize = 64;

@@ -18,6 +18,21 @@ pub trait StateSpace: Sync {
 
     /// The state at fraction `t` of the straight line from `a` to `b`.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
+
+    /// Where a state stands among the others, for finding neighbours: places are never farther apart than their states.
+    fn place(&self, state: &Self::State) -> Point;
+
+    /// γ of S. Karaman and E. Frazzoli (2011), (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space
+    /// and the volume ζ of the unit ball: with a ball of radius γ (ln n / n)^(1/d) around the n-th node RRT* tends to
+    /// the optimum.
+    fn gamma(&self) -> f64;
+}
+
+/// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` on the way to `to`, or `to` if that is
+/// nearer.
+pub fn steer<S: StateSpace>(space: &S, from: &S::State, to: &S::State, step: f64) -> S::State {
+    let distance = space.distance(from, to);
+    if distance <= step { *to } else { space.interpolate(from, to, step / distance) }
 }
 
 /// Positions of the platform's origin at fixed orientation, uniform over those where the platform is inside the
@@ -53,6 +68,16 @@ impl StateSpace for TranslationSpace {
 
     fn interpolate(&self, a: &Point, b: &Point, t: f64) -> Point {
         a + (b - a) * t
+    }
+
+    fn place(&self, state: &Point) -> Point {
+        *state
+    }
+
+    fn gamma(&self) -> f64 {
+        let size = self.max - self.min;
+        let unit_ball = 4.0 / 3.0 * std::f64::consts::PI;
+        (8.0 / 3.0 * size.map(|side| side.max(0.0)).product() / unit_ball).cbrt()
     }
 }
 

@@ -11,13 +11,25 @@ pub struct Tree<S: StateSpace> {
     states: Vec<S::State>,
     parents: Vec<usize>,
     costs: Vec<f64>,
+    kin: Vec<Kin>,
     queue: Vec<Reverse<(u64, usize)>>,
 }
+
+/// The children of a node as a list: its first child, and the next child of its own parent.
+#[derive(Debug, Clone, Copy, Default)]
+struct Kin {
+    first_child: Option<Child>,
+    next_sibling: Option<Child>,
+}
+
+/// A node that has a parent; the root is nobody's child.
+type Child = std::num::NonZeroUsize;
 
 impl<S: StateSpace> Tree<S> {
     /// A tree that is only its root.
     pub fn rooted_at(root: S::State) -> Self {
-        Tree { states: vec![root], parents: vec![0], costs: vec![0.0], queue: Vec::new() }
+        let (states, parents, costs, kin) = (vec![root], vec![0], vec![0.0], vec![Kin::default()]);
+        Tree { states, parents, costs, kin, queue: Vec::new() }
     }
 
     /// How many nodes there are.
@@ -35,17 +47,62 @@ impl<S: StateSpace> Tree<S> {
         &self.states[node]
     }
 
+    /// The parent of a node; the root is its own.
+    pub fn parent(&self, node: usize) -> usize {
+        self.parents[node]
+    }
+
     /// Length of the way from the root to a node.
     pub fn cost(&self, node: usize) -> f64 {
         self.costs[node]
     }
 
+    /// Length of the way from the root through a node straight to a state.
+    pub fn cost_through(&self, space: &S, node: usize, state: &S::State) -> f64 {
+        self.costs[node] + space.distance(&self.states[node], state)
+    }
+
     /// `Append(T, x_parent, x)` of the paper; returns the new node.
     pub fn append(&mut self, space: &S, parent: usize, state: S::State) -> usize {
-        self.costs.push(self.costs[parent] + space.distance(&self.states[parent], &state));
+        self.costs.push(self.cost_through(space, parent, &state));
         self.states.push(state);
         self.parents.push(parent);
-        self.states.len() - 1
+        self.kin.push(Kin::default());
+        let new = self.states.len() - 1;
+        self.adopt(parent, new);
+        new
+    }
+
+    /// Gives a node another parent, and it and all that hang on it their new costs.
+    ///
+    /// The parent must not hang on the node itself; a parent through which the node is reached at less cost never does.
+    pub fn rewire(&mut self, space: &S, node: usize, parent: usize) {
+        self.disown(node);
+        self.parents[node] = parent;
+        self.adopt(parent, node);
+        let mut stack = vec![node];
+        while let Some(node) = stack.pop() {
+            self.costs[node] = self.cost_through(space, self.parents[node], &self.states[node]);
+            let mut child = self.kin[node].first_child;
+            while let Some(next) = child {
+                stack.push(next.get());
+                child = self.kin[next.get()].next_sibling;
+            }
+        }
+    }
+
+    fn adopt(&mut self, parent: usize, node: usize) {
+        self.kin[node].next_sibling = self.kin[parent].first_child;
+        self.kin[parent].first_child = Child::new(node);
+    }
+
+    fn disown(&mut self, node: usize) {
+        let (parent, next) = (self.parents[node], self.kin[node].next_sibling);
+        let mut link = &mut self.kin[parent].first_child;
+        while let Some(child) = link.filter(|child| child.get() != node) {
+            link = &mut self.kin[child.get()].next_sibling;
+        }
+        *link = next;
     }
 
     /// `FeasibleCheapest(T, x)` of the paper: the node through which `target` is reached at the least cost, among those

@@ -1,0 +1,94 @@
+//! `cdpr batch`
+
+use std::path::Path;
+
+use cdpr_core::batch::{Progress, RunOptions};
+use cdpr_core::io::{self, BatchFolder};
+use cdpr_core::{Error, ErrorClass};
+use serde_json::Value;
+
+use crate::Answer;
+use crate::args::{BatchArgs, Format, Trials};
+use crate::output::{count, result, say};
+use crate::progress::{bar, interrupted};
+
+pub fn run(args: &BatchArgs) -> Result<Answer, Error> {
+    let experiment = io::load_experiment(&args.experiment)?;
+    let trials = args.trials.clone().map_or(0..experiment.trials, |Trials(range)| range);
+    let mut folder = BatchFolder::open(&args.output, &experiment, trials, args.resume)?;
+    if folder.done() > 0 {
+        say(&format!("{} already there", count(folder.done(), "trial")));
+    }
+    let bar = bar();
+    let mut progress = |progress: Progress| {
+        bar.set_length(progress.total as u64);
+        bar.set_position(progress.done as u64);
+        progress.failure.iter().for_each(|failure| bar.suspend(|| say(&format!("failed: {failure}"))));
+    };
+    let options = RunOptions { threads: args.threads, interrupted: &interrupted, progress: &mut progress };
+    let ended = folder.run(&experiment, options);
+    bar.finish_and_clear();
+    match ended {
+        Ok(()) => {
+            print_summary(&args.output, args.format)?;
+            Ok(Answer::Yes)
+        }
+        Err(error) if error.class() == ErrorClass::Interrupted => {
+            let done = count(folder.done(), "trial");
+            say(&format!("{done} in {}; go on with --resume", args.output.display()));
+            Err(error)
+        }
+        Err(error) => Err(error.in_file(&args.experiment)),
+    }
+}
+
+/// Prints what `summary.json` says.
+pub fn print_summary(folder: &Path, format: Format) -> Result<(), Error> {
+    let text = io::text::read(&folder.join("summary.json"))?;
+    if format == Format::Json {
+        result(text.trim_end());
+        return Ok(());
+    }
+    let summary: Value = io::text::parse(&text, io::text::Notation::Json)?;
+    for line in lines(&summary) {
+        result(&line);
+    }
+    say(&format!("wrote trials.csv, timings.csv and summary.json to {}", folder.display()));
+    Ok(())
+}
+
+fn lines(summary: &Value) -> Vec<String> {
+    let list = |key: &str| summary[key].as_array().cloned().unwrap_or_default();
+    let methods = list("methods");
+    let name =
+        |m: &Value| format!("{}, {}", m["scenario"].as_str().unwrap_or("?"), m["method"].as_str().unwrap_or("?"));
+    let width = methods.iter().map(|m| name(m).chars().count()).max().unwrap_or(0);
+    let head = "solved   planning, ms    median   rewinding, ms        raw, m           cost, m";
+    let mut lines = vec![format!("{:width$}  {head}", "mean ± standard deviation")];
+    for method in &methods {
+        let number = |measure: &str, key: &str| method[measure][key].as_f64().unwrap_or(f64::NAN);
+        let pair = |measure: &str, scale: f64, digits: usize| {
+            format!("{:.digits$} ± {:.digits$}", scale * number(measure, "mean"), scale * number(measure, "sd"))
+        };
+        lines.push(format!(
+            "{:width$}  {:>6} {:>15} {:>9.3} {:>15} {:>15} {:>15}",
+            name(method),
+            format!("{}/{}", method["solved"], method["n"]),
+            pair("planning_seconds", 1e3, 3),
+            1e3 * number("planning_seconds", "median"),
+            pair("post_seconds", 1e3, 3),
+            pair("raw_cost", 1.0, 3),
+            pair("cost", 1.0, 3),
+        ));
+    }
+    let tests = list("t_tests");
+    let p = |test: &Value| {
+        test["p"].as_f64().map_or("-".to_string(), |p| if p < 1e-3 { "<0.001".into() } else { format!("{p:.4}") })
+    };
+    let letters: Vec<String> =
+        tests.iter().map(|test| format!("{} {}", test["group"].as_str().unwrap_or("?"), p(test))).collect();
+    if !letters.is_empty() {
+        lines.push(format!("p of the t-tests: {}", letters.join(", ")));
+    }
+    lines
+}

@@ -1,0 +1,237 @@
+//! An experiment that has been checked, and the layout of its results.
+
+use std::path::Path;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use super::random_scene::RandomScenes;
+use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, TTestSpec};
+use crate::choice::Choice;
+use crate::error::{Error, nearest_name};
+use crate::model::Scene;
+use crate::model::spec::FORMAT_VERSION;
+use crate::plan::{PlanOptions, post_named};
+use crate::planning::{Planner, PlannerOptions};
+use crate::postprocess::RewindOptions;
+
+/// Level of confidence intervals unless the experiment gives one.
+const CONFIDENCE: f64 = 0.95;
+
+/// A checked experiment. Immutable; made by [`Experiment::new`].
+#[derive(Debug, Clone)]
+pub struct Experiment {
+    /// Name, for messages.
+    pub name: String,
+    /// Everything random flows from it.
+    pub seed: u64,
+    /// Trials of each method in each scenario.
+    pub trials: usize,
+    /// Where is planned.
+    pub scenarios: Vec<Scenario>,
+    /// How is planned.
+    pub methods: Vec<Method>,
+    /// What the results look like.
+    pub layout: Layout,
+    /// Identifies what the rows depend on: everything but name, number of trials, tests and confidence.
+    pub fingerprint: String,
+}
+
+/// A scene for all trials, or one for each.
+#[derive(Debug, Clone)]
+pub struct Scenario {
+    /// Name in tables.
+    pub name: String,
+    /// The scene, or the base around which scenes are drawn.
+    pub scene: Scene,
+    /// Draws a trial's scene.
+    pub random: Option<RandomScenes>,
+}
+
+/// A planner, and one or more ways of rewinding its raw path.
+#[derive(Debug, Clone)]
+pub struct Method {
+    /// Name; its random numbers derive from it.
+    pub name: String,
+    /// The planner, without rewinding.
+    pub options: PlanOptions,
+    /// Names in tables, and how the raw path is rewound.
+    pub variants: Vec<(String, Option<RewindOptions>)>,
+}
+
+/// What the tables of a run look like; kept beside its rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Layout {
+    /// Scenario and variants of each pair of scenario and method, in order of work within a trial.
+    pub groups: Vec<Group>,
+    /// Comparisons asked for.
+    pub t_tests: Vec<TTestSpec>,
+    /// Level of confidence intervals.
+    pub confidence: f64,
+}
+
+/// The methods of the table that one trial of a method in a scenario fills.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Names of the methods.
+    pub methods: Vec<String>,
+}
+
+impl Experiment {
+    /// Checks an experiment; `load` reads a scene that it names.
+    ///
+    /// # Errors
+    /// Names the key, what was found and what was expected.
+    pub fn new(spec: ExperimentSpec, load: impl Fn(&Path) -> Result<Scene, Error>) -> Result<Self, Error> {
+        if spec.version != FORMAT_VERSION {
+            return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+        }
+        if spec.trials == 0 {
+            return Err(Error::invalid("trials", "found 0, expected at least 1"));
+        }
+        let confidence = spec.confidence.unwrap_or(CONFIDENCE);
+        if !(confidence > 0.0 && confidence < 1.0) {
+            return Err(Error::invalid("confidence", format!("found {confidence}, expected a number between 0 and 1")));
+        }
+        let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
+        let methods = each("methods", &spec.methods, Method::new)?;
+        unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
+        let variants = || methods.iter().flat_map(|m| m.variants.iter().map(|(name, _)| name.as_str()));
+        unique("methods", variants())?;
+        for (k, test) in spec.t_tests.iter().enumerate() {
+            for (side, [scenario, method]) in [("a", &test.a), ("b", &test.b)] {
+                let place = format!("t_tests[{k}].{side}");
+                known(&place, "scenario", scenario, scenarios.iter().map(|s| s.name.as_str()))?;
+                known(&place, "method", method, variants())?;
+            }
+        }
+        let group = |scenario: &Scenario, method: &Method| Group {
+            scenario: scenario.name.clone(),
+            methods: method.variants.iter().map(|(name, _)| name.clone()).collect(),
+        };
+        let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
+        let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence };
+        let fingerprint = fingerprint(&spec, &scenarios);
+        let name = spec.name.unwrap_or_else(|| "experiment".to_string());
+        Ok(Experiment { name, seed: spec.seed, trials: spec.trials, scenarios, methods, layout, fingerprint })
+    }
+}
+
+impl Scenario {
+    fn new(spec: &ScenarioSpec, load: &impl Fn(&Path) -> Result<Scene, Error>) -> Result<Self, Error> {
+        named(&spec.name)?;
+        let scene = load(Path::new(&spec.scene)).map_err(|e| e.under("scene"))?;
+        let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
+        let random = random.transpose().map_err(|e| e.under("random"))?;
+        Ok(Scenario { name: spec.name.clone(), scene, random })
+    }
+}
+
+impl Method {
+    fn new(spec: &MethodSpec) -> Result<Self, Error> {
+        named(&spec.name)?;
+        let defaults = PlanOptions::default();
+        let step = spec.step.unwrap_or(defaults.step);
+        let planner = chosen(spec.planner.as_deref(), Planner::default())?;
+        let options = PlanOptions {
+            planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
+            engine: chosen(spec.engine.as_deref(), defaults.engine)?,
+            interference: chosen(spec.interference.as_deref(), defaults.interference)?,
+            budget: spec.budget_ms.map(budget).transpose()?,
+            step,
+            post: None,
+            ..defaults
+        };
+        Ok(Method { name: spec.name.clone(), options, variants: variants(spec, step)? })
+    }
+}
+
+/// All combinations of a sweep, or the one way of rewinding of a method without.
+fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<(String, Option<RewindOptions>)>, Error> {
+    let post = spec.post.clone().unwrap_or_else(|| RewindOptions::default().order.name().to_string());
+    let repeats = spec.repeats.unwrap_or(RewindOptions::default().repeats);
+    let sweep = spec.sweep.clone().unwrap_or_default();
+    if spec.sweep.is_some() && sweep.step.is_empty() && sweep.post.is_empty() && sweep.repeats.is_empty() {
+        return Err(Error::invalid("sweep", "found nothing to sweep, expected step, post or repeats"));
+    }
+    let or = |list: &[f64], one: f64| if list.is_empty() { vec![one] } else { list.to_vec() };
+    let steps = or(&sweep.step, step);
+    let posts = if sweep.post.is_empty() { vec![post] } else { sweep.post.clone() };
+    let counts = if sweep.repeats.is_empty() { vec![repeats] } else { sweep.repeats.clone() };
+    let digits = counts.iter().max().map_or(1, |most| most.to_string().len());
+    let mut variants = Vec::new();
+    for (step, post, repeats) in combinations(&steps, &posts, &counts) {
+        let options = match post_named(&post).map_err(|e| e.under("post"))? {
+            Some(order) => Some(RewindOptions { step, order, repeats }.checked()?),
+            None => None,
+        };
+        let mut name = spec.name.clone();
+        name += &if sweep.step.is_empty() { String::new() } else { format!(", step {step}") };
+        name += &if sweep.post.is_empty() { String::new() } else { format!(", {post}") };
+        name += &if sweep.repeats.is_empty() { String::new() } else { format!(", repeats {repeats:0digits$}") };
+        variants.push((name, options));
+    }
+    Ok(variants)
+}
+
+fn combinations<'a>(
+    steps: &'a [f64],
+    posts: &'a [String],
+    counts: &'a [usize],
+) -> impl Iterator<Item = (f64, String, usize)> + 'a {
+    let pairs = steps.iter().flat_map(move |step| posts.iter().map(move |post| (*step, post)));
+    pairs.flat_map(move |(step, post)| counts.iter().map(move |count| (step, post.clone(), *count)))
+}
+
+fn chosen<T: Choice>(name: Option<&str>, default: T) -> Result<T, Error> {
+    name.map_or(Ok(default), T::named)
+}
+
+fn budget(ms: f64) -> Result<Duration, Error> {
+    let budget = Duration::try_from_secs_f64(ms * 1e-3).ok().filter(|b| !b.is_zero());
+    budget.ok_or_else(|| Error::invalid("budget_ms", format!("found {ms} ms, expected a positive number")))
+}
+
+fn each<T, U>(key: &str, list: &[T], check: impl Fn(&T) -> Result<U, Error>) -> Result<Vec<U>, Error> {
+    if list.is_empty() {
+        return Err(Error::invalid(key, "found none, expected at least one"));
+    }
+    list.iter().enumerate().map(|(k, one)| check(one).map_err(|e| e.under(&format!("{key}[{k}]")))).collect()
+}
+
+fn named(name: &str) -> Result<(), Error> {
+    if name.trim().is_empty() || name.chars().any(char::is_control) {
+        return Err(Error::invalid("name", format!("found {name:?}, expected a name on one line")));
+    }
+    Ok(())
+}
+
+fn unique<'a>(key: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Error> {
+    let mut seen = std::collections::HashSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Error::invalid(key, format!("found the name \"{name}\" twice, expected names to differ")));
+        }
+    }
+    Ok(())
+}
+
+fn known<'a>(place: &str, what: &str, name: &str, names: impl Iterator<Item = &'a str> + Clone) -> Result<(), Error> {
+    if names.clone().any(|known| known == name) {
+        return Ok(());
+    }
+    let hint = nearest_name(name, names).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+    Err(Error::invalid(place, format!("found \"{name}\", expected the name of a {what}{hint}")))
+}
+
+fn fingerprint(spec: &ExperimentSpec, scenarios: &[Scenario]) -> String {
+    let scenes: Vec<_> = scenarios.iter().map(|s| json!({"name": s.name, "scene": s.scene.spec()})).collect();
+    let random: Vec<_> = spec.scenarios.iter().map(|s| &s.random).collect();
+    let rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
+    let text = rows.to_string();
+    Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,376 @@
+//! Runs the trials of an experiment on several threads and hands over their rows in order.
+//!
+//! Trial 0 of every method in every scenario comes first, then trial 1 of all: so a rate measured early holds to the
+//! end. A trial draws from a stream of its own, so neither threads nor interruptions change a row.
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::derived_seed;
+use super::experiment::{Experiment, Method, Scenario};
+use crate::collision::{Checker, Engine, Interference};
+use crate::error::{Error, ErrorClass};
+use crate::model::Scene;
+use crate::plan::{PlanOptions, PlanResult, engine_for, plan_with, post_process};
+use crate::planning::Status;
+
+/// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
+const AHEAD: usize = 4096;
+/// Time between two looks at whether the caller wants to stop.
+const PATIENCE: Duration = Duration::from_millis(20);
+
+/// How a trial ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TrialStatus {
+    /// A path was found.
+    Solved,
+    /// The samples or the time ran out first.
+    BudgetSpent,
+    /// The start is not a valid state.
+    StartInvalid,
+    /// The goal is not a valid state.
+    GoalInvalid,
+    /// The program failed; the progress says how.
+    Failed,
+}
+
+/// A row of the tables: a trial of a method in a scenario.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Name of the method.
+    pub method: String,
+    /// Number of the trial.
+    pub trial: usize,
+    /// Seed of the trial: planning the scene with it gives the same path.
+    pub seed: u64,
+    /// How it ended.
+    pub status: TrialStatus,
+    /// Length of the planner's path, m.
+    pub raw_cost: Option<f64>,
+    /// Length of the final path, m.
+    pub cost: Option<f64>,
+    /// Waypoints of the planner's path.
+    pub raw_waypoints: Option<usize>,
+    /// Waypoints of the final path.
+    pub waypoints: Option<usize>,
+    /// Nodes of the tree.
+    pub nodes: Option<usize>,
+    /// Motions checked by the planner.
+    pub motion_checks: Option<usize>,
+    /// Time of the planner, s.
+    pub planning_seconds: Option<f64>,
+    /// Time of rewinding, s.
+    pub post_seconds: Option<f64>,
+}
+
+/// How a run goes about it.
+pub struct RunOptions<'a> {
+    /// Threads; none means all there are.
+    pub threads: Option<usize>,
+    /// Asked often; true ends the run with [`Error::interrupted`], all rows so far handed over.
+    pub interrupted: &'a dyn Fn() -> bool,
+    /// Told after each trial.
+    pub progress: &'a mut dyn FnMut(Progress),
+}
+
+/// How far a run has come.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress {
+    /// Trials done, of all methods and scenarios.
+    pub done: usize,
+    /// Trials to do.
+    pub total: usize,
+    /// What went wrong in the trial just done, if the program failed.
+    pub failure: Option<String>,
+}
+
+/// Where the rows of a trial go: its group, and a row for each variant.
+pub type Sink<'a> = dyn FnMut(usize, &[Row]) -> Result<(), Error> + 'a;
+
+/// A trial of a method in a scenario.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Unit {
+    group: usize,
+    trial: usize,
+}
+
+/// Runs all trials below `end` that are not done yet; `next[group]` is the first one of a group that is not.
+///
+/// # Errors
+/// What the sink answers, a scenario in which no free scene is found, zero threads, [`Error::interrupted`].
+pub fn run(
+    experiment: &Experiment,
+    next: &[usize],
+    end: usize,
+    options: RunOptions,
+    sink: &mut Sink,
+) -> Result<(), Error> {
+    let threads = options.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    if threads == 0 {
+        return Err(Error::invalid("threads", "found 0, expected at least 1"));
+    }
+    let total = next.iter().map(|first| end.saturating_sub(*first)).sum();
+    let first = next.iter().copied().min().unwrap_or(end);
+    let queue = Queue::new(Units { trial: first, group: 0, end, next });
+    let (sender, results) = sync_channel(2 * threads);
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(total) {
+            let (sender, queue) = (sender.clone(), &queue);
+            scope.spawn(move || work(experiment, queue, &sender));
+        }
+        drop(sender);
+        let written = (|| {
+            let mut early = BTreeMap::new();
+            let mut done = 0;
+            while done < total {
+                if (options.interrupted)() {
+                    return Err(Error::interrupted());
+                }
+                match results.recv_timeout(PATIENCE) {
+                    Ok((index, result)) => early.insert(index, result),
+                    Err(RecvTimeoutError::Timeout) => continue,
+                    Err(RecvTimeoutError::Disconnected) => return Err(Error::invalid("", "all threads have ended")),
+                };
+                while let Some(result) = early.remove(&done) {
+                    let Trial { group, rows, failure } = result?;
+                    sink(group, &rows)?;
+                    done += 1;
+                    queue.written(done);
+                    (options.progress)(Progress { done, total, failure });
+                }
+            }
+            Ok(())
+        })();
+        queue.stop();
+        drop(results); // threads that wait to hand over a result find nobody there, and end
+        written
+    })
+}
+
+/// What a trial came to.
+struct Trial {
+    group: usize,
+    rows: Vec<Row>,
+    failure: Option<String>,
+}
+
+/// The units in order of work.
+struct Units<'a> {
+    trial: usize,
+    group: usize,
+    end: usize,
+    next: &'a [usize],
+}
+
+impl Iterator for Units<'_> {
+    type Item = Unit;
+
+    fn next(&mut self) -> Option<Unit> {
+        while self.trial < self.end {
+            let unit = Unit { group: self.group, trial: self.trial };
+            self.group += 1;
+            if self.group >= self.next.len() {
+                (self.trial, self.group) = (self.trial + 1, 0);
+            }
+            if self.next.get(unit.group).is_some_and(|next| unit.trial >= *next) {
+                return Some(unit);
+            }
+        }
+        None
+    }
+}
+
+/// Hands out units, and holds threads back that are too far ahead of what has been written.
+struct Queue<'a> {
+    state: Mutex<QueueState<'a>>,
+    moved: Condvar,
+    stop: AtomicBool,
+}
+
+struct QueueState<'a> {
+    units: std::iter::Enumerate<Units<'a>>,
+    given: usize,
+    written: usize,
+}
+
+impl<'a> Queue<'a> {
+    fn new(units: Units<'a>) -> Self {
+        let state = QueueState { units: units.enumerate(), given: 0, written: 0 };
+        Queue { state: Mutex::new(state), moved: Condvar::new(), stop: AtomicBool::new(false) }
+    }
+
+    fn take(&self) -> Option<(usize, Unit)> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        while state.given >= state.written + AHEAD && !self.stopped() {
+            state = self.moved.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        state.given += 1;
+        if self.stopped() { None } else { state.units.next() }
+    }
+
+    fn written(&self, done: usize) {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).written = done;
+        self.moved.notify_all();
+    }
+
+    fn stop(&self) {
+        let _state = self.state.lock().unwrap_or_else(PoisonError::into_inner); // nobody is about to wait
+        self.stop.store(true, Ordering::Relaxed);
+        self.moved.notify_all();
+    }
+
+    fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+type Handover = SyncSender<(usize, Result<Trial, Error>)>;
+
+/// What one thread does.
+fn work(experiment: &Experiment, queue: &Queue, sender: &Handover) {
+    let mut engines = Engines::default();
+    while let Some((index, unit)) = queue.take() {
+        let attempt = AssertUnwindSafe(|| trial(experiment, unit, &mut engines, &|| queue.stopped()));
+        let result = catch_unwind(attempt).unwrap_or_else(|panic| {
+            engines = Engines::default();
+            Ok(failed(experiment, unit, &panic_message(&*panic)))
+        });
+        if sender.send((index, result)).is_err() {
+            return;
+        }
+    }
+}
+
+/// Engines that this thread has compiled: threads share none, so that they do not fight over its hint.
+#[derive(Default)]
+struct Engines {
+    fixed: BTreeMap<usize, Vec<Compiled>>,
+    drawn: Option<(usize, usize, Scene, Vec<Compiled>)>,
+}
+
+type Compiled = ((Engine, Interference), Box<dyn Checker>);
+
+impl Engines {
+    /// The scene of a trial, and the engine for it.
+    fn of<'a>(
+        &'a mut self,
+        experiment: &'a Experiment,
+        (number, scenario): (usize, &'a Scenario),
+        trial: usize,
+        options: &PlanOptions,
+    ) -> Result<(&'a Scene, &'a dyn Checker), Error> {
+        let (scene, known) = match &scenario.random {
+            None => (&scenario.scene, self.fixed.entry(number).or_default()),
+            Some(random) => {
+                if !matches!(&self.drawn, Some((n, t, ..)) if (*n, *t) == (number, trial)) {
+                    let seed = derived_seed(experiment.seed, &["scene", &scenario.name], trial);
+                    let scene = random.draw(seed).map_err(|e| e.under(&format!("scenarios[{number}]")))?;
+                    self.drawn = Some((number, trial, scene, Vec::new()));
+                }
+                let (.., scene, known) = self.drawn.as_mut().expect("just drawn");
+                (&*scene, known)
+            }
+        };
+        let wanted = (options.engine, options.interference);
+        let at = match known.iter().position(|(key, _)| *key == wanted) {
+            Some(at) => at,
+            None => {
+                known.push((wanted, engine_for(scene, wanted.0, wanted.1)?));
+                known.len() - 1
+            }
+        };
+        Ok((scene, &*known[at].1))
+    }
+}
+
+fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
+    let (scenario, method) = (group / experiment.methods.len(), group % experiment.methods.len());
+    (scenario, &experiment.scenarios[scenario], &experiment.methods[method])
+}
+
+fn trial(
+    experiment: &Experiment,
+    unit: Unit,
+    engines: &mut Engines,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<Trial, Error> {
+    let (number, scenario, method) = parts(experiment, unit.group);
+    let (scene, engine) = engines.of(experiment, (number, scenario), unit.trial, &method.options)?;
+    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let options = PlanOptions { seed, ..method.options.clone() };
+    let planned = || {
+        let raw = plan_with(engine, scene, &options, interrupted)?;
+        let variants = method.variants.iter();
+        variants.map(|(_, how)| post_process(engine, &raw, how.as_ref(), interrupted)).collect::<Result<Vec<_>, _>>()
+    };
+    match planned() {
+        Ok(results) => {
+            let row = |((name, _), found): (&(String, _), _)| row(&scenario.name, name, unit.trial, seed, found);
+            let rows = method.variants.iter().zip(&results).map(row).collect();
+            Ok(Trial { group: unit.group, rows, failure: None })
+        }
+        Err(error) if error.class() == ErrorClass::Interrupted => Err(error),
+        Err(error) => Ok(failed(experiment, unit, &error.to_string())),
+    }
+}
+
+fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
+    let status = match found.status {
+        Status::Solved => TrialStatus::Solved,
+        Status::BudgetSpent => TrialStatus::BudgetSpent,
+        Status::StartInvalid => TrialStatus::StartInvalid,
+        Status::GoalInvalid => TrialStatus::GoalInvalid,
+    };
+    let solved = status == TrialStatus::Solved;
+    Row {
+        scenario: scenario.to_string(),
+        method: method.to_string(),
+        trial,
+        seed,
+        status,
+        raw_cost: solved.then_some(found.raw_cost),
+        cost: solved.then_some(found.cost),
+        raw_waypoints: solved.then_some(found.raw_waypoints.len()),
+        waypoints: solved.then_some(found.waypoints.len()),
+        nodes: solved.then_some(found.stats.nodes),
+        motion_checks: solved.then_some(found.stats.motion_checks),
+        planning_seconds: Some(found.stats.planning_seconds),
+        post_seconds: solved.then_some(found.stats.post_seconds),
+    }
+}
+
+/// The rows of a trial in which the program failed.
+fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
+    let (_, scenario, method) = parts(experiment, unit.group);
+    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let nothing = PlanResult {
+        status: Status::BudgetSpent,
+        reason: None,
+        waypoints: Vec::new(),
+        cost: f64::NAN,
+        raw_waypoints: Vec::new(),
+        raw_cost: f64::NAN,
+        stats: Default::default(),
+    };
+    let failed = |(name, _): &(String, _)| Row {
+        status: TrialStatus::Failed,
+        planning_seconds: None,
+        ..row(&scenario.name, name, unit.trial, seed, &nothing)
+    };
+    let failure = format!("{}, {}, trial {} (seed {seed}): {problem}", scenario.name, method.name, unit.trial);
+    Trial { group: unit.group, rows: method.variants.iter().map(failed).collect(), failure: Some(failure) }
+}
+
+fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|s| (*s).to_string());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "panic".to_string())
+}

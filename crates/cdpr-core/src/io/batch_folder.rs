@@ -1,0 +1,350 @@
+//! The folder of a run: rows as they come, from which the tables are made.
+//!
+//! `rows/` holds one file for each method and scenario, to which a trial appends its lines in one write. A run that was
+//! killed leaves at most one torn trial at the end of each; resuming cuts it off. `trials.csv`, `timings.csv` and
+//! `summary.json` are written whole, when a run ends or is interrupted.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufRead, BufReader, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::text;
+use crate::batch::experiment::Group;
+use crate::batch::run::{Row, RunOptions, run};
+use crate::batch::{Experiment, ExperimentSpec, Layout, Summary};
+use crate::error::Error;
+use crate::model::spec::FORMAT_VERSION;
+
+/// The file that says which run a folder belongs to.
+const RUN_FILE: &str = "run.json";
+/// The folder of rows as they come.
+const ROWS: &str = "rows";
+
+/// Loads an experiment; scenes it names are read relative to its file.
+///
+/// # Errors
+/// Names the file, the key, what was found and what was expected.
+pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
+    let mut spec: ExperimentSpec =
+        text::parse(&text::read(path)?, text::Notation::of(path)?).map_err(|e| e.in_file(path))?;
+    if spec.name.is_none() {
+        spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    Experiment::new(spec, |scene| super::load_scene(&folder.join(scene))).map_err(|e| e.in_file(path))
+}
+
+/// What a folder says about its run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct RunFile {
+    version: u32,
+    experiment: String,
+    fingerprint: String,
+    first_trial: usize,
+    end_trial: usize,
+    layout: Layout,
+}
+
+/// The folder of a run.
+#[derive(Debug)]
+pub struct BatchFolder {
+    path: PathBuf,
+    run: RunFile,
+    /// Trials of each group whose rows are complete.
+    done: Vec<usize>,
+}
+
+impl BatchFolder {
+    /// Makes the folder of a run of these trials, or with `resume` goes on with one that is there.
+    ///
+    /// # Errors
+    /// A folder that is not empty without `resume`; with it, one of another experiment or of another first trial, or
+    /// without any run in it; a folder that cannot be written; no trials.
+    pub fn open(path: &Path, experiment: &Experiment, trials: Range<usize>, resume: bool) -> Result<Self, Error> {
+        if trials.is_empty() {
+            let problem = format!("found {} to {}, expected at least one trial", trials.start, trials.end);
+            return Err(Error::invalid("trials", problem));
+        }
+        let run = RunFile {
+            version: FORMAT_VERSION,
+            experiment: experiment.name.clone(),
+            fingerprint: experiment.fingerprint.clone(),
+            first_trial: trials.start,
+            end_trial: trials.end,
+            layout: experiment.layout.clone(),
+        };
+        BatchFolder::with(path, run, resume)
+    }
+
+    fn with(path: &Path, run: RunFile, resume: bool) -> Result<Self, Error> {
+        fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be made: {e}")))?;
+        let used = fs::read_dir(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?.next().is_some();
+        match (used, resume) {
+            (true, false) => {
+                return Err(Error::file(
+                    path,
+                    "found a folder that is not empty, expected a new one; with --resume a run in it goes on",
+                ));
+            }
+            (true, true) => same_run(path, &run)?,
+            (false, _) => {}
+        }
+        let rows = path.join(ROWS);
+        fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be made: {e}")))?;
+        let json = serde_json::to_string_pretty(&run).expect("names and numbers");
+        text::write_atomically(&path.join(RUN_FILE), format!("{json}\n").as_bytes())?;
+        let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new() };
+        folder.done = (0..folder.run.layout.groups.len()).map(|g| folder.recover(g)).collect::<Result<_, _>>()?;
+        Ok(folder)
+    }
+
+    /// Runs what is missing, then writes the tables; interrupted, it writes those of the rows that are there.
+    ///
+    /// # Errors
+    /// As [`run`], and files that cannot be written.
+    pub fn run(&mut self, experiment: &Experiment, options: RunOptions) -> Result<(), Error> {
+        let next: Vec<usize> = self.done.iter().map(|done| self.run.first_trial + done).collect();
+        let (rows, done) = (self.path.join(ROWS), &mut self.done);
+        let ended = run(experiment, &next, self.run.end_trial, options, &mut |group, lines| {
+            append(&rows.join(file_name(group)), lines)?;
+            done[group] += 1;
+            Ok(())
+        });
+        match ended {
+            Err(error) if error.class() != crate::ErrorClass::Interrupted => Err(error),
+            ended => self.write_tables().and(ended),
+        }
+    }
+
+    /// Trials whose rows are there, of all methods and scenarios.
+    pub fn done(&self) -> usize {
+        self.done.iter().sum()
+    }
+
+    /// Cuts a torn trial off the rows of a group; how many are complete.
+    fn recover(&self, group: usize) -> Result<usize, Error> {
+        let path = self.path.join(ROWS).join(file_name(group));
+        let problem = |e: std::io::Error| Error::file(&path, format!("cannot be read: {e}"));
+        let Ok(file) = File::open(&path) else { return Ok(0) };
+        let variants = self.run.layout.groups[group].methods.len();
+        let (mut reader, mut line) = (BufReader::new(file), Vec::new());
+        let (mut lines, mut at, mut complete) = (0, 0, 0);
+        loop {
+            line.clear();
+            at += reader.read_until(b'\n', &mut line).map_err(problem)? as u64;
+            if line.last() != Some(&b'\n') {
+                break;
+            }
+            lines += 1;
+            if lines % variants == 0 {
+                complete = at;
+            }
+        }
+        let file = OpenOptions::new().write(true).open(&path).map_err(problem)?;
+        file.set_len(complete).map_err(|e| Error::file(&path, format!("cannot be written: {e}")))?;
+        Ok(lines / variants)
+    }
+
+    /// Writes `trials.csv`, `timings.csv` and `summary.json`, sorted by the names of scenario and method.
+    fn write_tables(&self) -> Result<(), Error> {
+        let RunFile { layout, .. } = &self.run;
+        let groups = layout.groups.iter().enumerate();
+        let mut order: Vec<(&str, &str, usize, usize)> = groups
+            .flat_map(|(g, group)| {
+                let variants = group.methods.iter().enumerate();
+                variants.map(move |(v, method)| (group.scenario.as_str(), method.as_str(), g, v))
+            })
+            .collect();
+        order.sort_unstable();
+        let mut summary = Summary::default();
+        let (trials_path, timings_path) = (self.path.join("trials.csv"), self.path.join("timings.csv"));
+        let mut trials = Table::new(&trials_path, &TRIAL_COLUMNS)?;
+        let mut timings = Table::new(&timings_path, &TIMING_COLUMNS)?;
+        for (scenario, method, group, variant) in order {
+            let mut rows = Vec::new();
+            self.each_row(group, variant, |row| {
+                trials.write(&trial_columns(&row))?;
+                timings.write(&timing_columns(&row))?;
+                rows.push(row);
+                Ok(())
+            })?;
+            summary.add(scenario, method, rows.into_iter(), layout.confidence);
+        }
+        trials.finish()?;
+        timings.finish()?;
+        let json = summary.json(layout, &self.run.experiment, &self.run.fingerprint);
+        text::write_atomically(&self.path.join("summary.json"), format!("{json:#}\n").as_bytes())
+    }
+
+    /// Reads the rows of one variant of a group, up to the last trial of the run.
+    fn each_row(
+        &self,
+        group: usize,
+        variant: usize,
+        mut see: impl FnMut(Row) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let path = self.path.join(ROWS).join(file_name(group));
+        let Ok(file) = File::open(&path) else { return Ok(()) };
+        let Group { scenario, methods } = &self.run.layout.groups[group];
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file));
+        let rows = reader.deserialize::<Row>().skip(variant).step_by(methods.len());
+        for (trial, row) in (self.run.first_trial..self.run.end_trial).zip(rows) {
+            let row = row.map_err(|e| Error::file(&path, e.to_string()))?;
+            if (&row.scenario, &row.method, row.trial) != (scenario, &methods[variant], trial) {
+                let problem = format!(
+                    "found trial {} of {}, {} where trial {trial} of {scenario}, {} is expected; it has been changed",
+                    row.trial, row.scenario, row.method, methods[variant]
+                );
+                return Err(Error::file(&path, problem));
+            }
+            see(row)?;
+        }
+        Ok(())
+    }
+}
+
+/// Puts the runs of ranges of trials together: complete ones of one experiment, that follow each other without a gap.
+///
+/// # Errors
+/// Says which folder does not fit and why; a folder to write that is not empty.
+pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
+    let mut runs = folders.iter().map(|path| Ok((run_file(path)?, path))).collect::<Result<Vec<_>, Error>>()?;
+    runs.sort_by_key(|(run, _)| run.first_trial);
+    let Some((first, _)) = runs.first().cloned() else {
+        return Err(Error::invalid("folders", "found none, expected at least one"));
+    };
+    let mut end = first.first_trial;
+    let mut parts = Vec::new();
+    for (run, path) in &runs {
+        if run.fingerprint != first.fingerprint || run.layout.groups != first.layout.groups {
+            let problem = format!("found a run of another experiment ({}, not {})", run.fingerprint, first.fingerprint);
+            return Err(Error::file(path, problem));
+        }
+        if run.first_trial != end {
+            let problem = format!("found trials from {}, expected trials from {end} on", run.first_trial);
+            return Err(Error::file(path, problem));
+        }
+        end = run.end_trial;
+        parts.push(BatchFolder::with(path, run.clone(), true)?);
+        let wanted = (run.end_trial - run.first_trial) * run.layout.groups.len();
+        let done = parts.last().map_or(0, BatchFolder::done);
+        if done < wanted {
+            let problem = format!("found {done} of {wanted} trials, expected a complete run; resume it first");
+            return Err(Error::file(path, problem));
+        }
+    }
+    let mut whole = BatchFolder::with(output, RunFile { end_trial: end, ..first }, false)?;
+    for group in 0..whole.run.layout.groups.len() {
+        let target = output.join(ROWS).join(file_name(group));
+        for part in &parts {
+            let methods = part.run.layout.groups[group].methods.len();
+            let lines = (part.run.end_trial - part.run.first_trial) * methods;
+            copy_lines(&part.path.join(ROWS).join(file_name(group)), &target, lines)?;
+        }
+        whole.done[group] = end - whole.run.first_trial;
+    }
+    whole.write_tables()
+}
+
+fn copy_lines(from: &Path, to: &Path, count: usize) -> Result<(), Error> {
+    let text = text::read(from)?;
+    let lines: String = text.split_inclusive('\n').take(count).collect();
+    write_at_end(to, lines.as_bytes())
+}
+
+fn run_file(folder: &Path) -> Result<RunFile, Error> {
+    let path = folder.join(RUN_FILE);
+    if !path.is_file() {
+        return Err(Error::file(folder, format!("found no {RUN_FILE}, expected the folder of a run")));
+    }
+    text::parse(&text::read(&path)?, text::Notation::Json).map_err(|e| e.in_file(&path))
+}
+
+/// Refuses to go on with another run.
+fn same_run(path: &Path, wanted: &RunFile) -> Result<(), Error> {
+    let found = run_file(path)?;
+    if found.fingerprint != wanted.fingerprint || found.layout.groups != wanted.layout.groups {
+        let problem = format!(
+            "found a run of another experiment (\"{}\", {}), expected one of \"{}\" ({}); was it changed since?",
+            found.experiment, found.fingerprint, wanted.experiment, wanted.fingerprint
+        );
+        return Err(Error::file(path, problem));
+    }
+    if found.first_trial != wanted.first_trial {
+        let problem = format!("found a run from trial {}, expected one from {}", found.first_trial, wanted.first_trial);
+        return Err(Error::file(path, problem));
+    }
+    Ok(())
+}
+
+fn file_name(group: usize) -> String {
+    format!("{group:04}.csv")
+}
+
+/// Appends the lines of a trial in one write.
+fn append(path: &Path, rows: &[Row]) -> Result<(), Error> {
+    let problem = |e: csv::Error| Error::file(path, e.to_string());
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    rows.iter().try_for_each(|row| writer.serialize(row)).map_err(problem)?;
+    let lines = writer.into_inner().map_err(|e| Error::file(path, e.to_string()))?;
+    write_at_end(path, &lines)
+}
+
+fn write_at_end(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let opened = OpenOptions::new().append(true).create(true).open(path);
+    let written = opened.and_then(|mut file| file.write_all(bytes));
+    written.map_err(|e| Error::file(path, format!("cannot be written: {e}")))
+}
+
+const TRIAL_COLUMNS: [&str; 11] = [
+    "scenario",
+    "method",
+    "trial",
+    "seed",
+    "status",
+    "raw_cost",
+    "cost",
+    "raw_waypoints",
+    "waypoints",
+    "nodes",
+    "motion_checks",
+];
+const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
+
+fn trial_columns(row: &Row) -> impl Serialize + '_ {
+    let Row { scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
+    (scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, &row.motion_checks)
+}
+
+fn timing_columns(row: &Row) -> impl Serialize + '_ {
+    (&row.scenario, &row.method, row.trial, row.planning_seconds, row.post_seconds)
+}
+
+/// A table that is written beside and renamed when it is complete.
+struct Table<'a> {
+    path: &'a Path,
+    writer: csv::Writer<tempfile::NamedTempFile>,
+}
+
+impl<'a> Table<'a> {
+    fn new(path: &'a Path, columns: &[&str]) -> Result<Self, Error> {
+        let file = text::temporary_beside(path)?;
+        let writer = csv::WriterBuilder::new().has_headers(false).from_writer(file);
+        let mut table = Table { path, writer };
+        table.write(&columns)?;
+        Ok(table)
+    }
+
+    fn write(&mut self, row: &impl Serialize) -> Result<(), Error> {
+        self.writer.serialize(row).map_err(|e| Error::file(self.path, format!("cannot be written: {e}")))
+    }
+
+    fn finish(self) -> Result<(), Error> {
+        let file = self.writer.into_inner();
+        let file = file.map_err(|e| Error::file(self.path, format!("cannot be written: {}", e.error())))?;
+        text::rename_into_place(file, self.path)
+    }
+}

@@ -1,0 +1,241 @@
+//! Which nodes are near: a k-d tree of places (J. L. Bentley, 1975) that grows with the nodes, in leaves of a few
+//! places each.
+//!
+//! Every box is as tight as its places allow, because most samples of a search are far from the whole tree. Whatever
+//! the order in which places come, answers are exact and nothing recurses.
+
+use super::space::StateSpace;
+use super::tree::Tree;
+use crate::geometry::Point;
+use crate::numerics::ROUNDING;
+
+/// Places in a leaf before it is divided; a scan of so many costs about as much as one more division.
+const LEAF: usize = 16;
+
+/// Places of nodes 0, 1, 2, …
+///
+/// Distances come from the caller, as a function of the node; they must never be below the distance of the places.
+/// Among nodes of equal distance the older one is nearest.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, planning::Neighbours};
+/// let places = [Point::new(0.0, 0.0, 0.0), Point::new(1.0, 0.0, 0.0), Point::new(0.0, 2.0, 0.0)];
+/// let mut neighbours = Neighbours::default();
+/// places.iter().for_each(|place| neighbours.push(*place));
+/// let target = Point::new(0.0, 1.5, 0.0);
+/// let distance = |node: usize| (places[node] - target).norm();
+/// assert_eq!(neighbours.nearest(&target, distance), Some(2));
+/// let mut near = neighbours.within(&target, 1.6, distance);
+/// near.sort_by(|a, b| a.0.total_cmp(&b.0));
+/// assert_eq!(near, [(0.5, 2), (1.5, 0)]);
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct Neighbours {
+    count: usize,
+    cells: Vec<Cell>,
+    stack: Vec<(f64, usize)>,
+}
+
+/// A box of places: divided in two, or a leaf.
+#[derive(Debug, Clone)]
+struct Cell {
+    min: [f64; 3],
+    max: [f64; 3],
+    content: Content,
+}
+
+#[derive(Debug, Clone)]
+enum Content {
+    Leaf(Vec<([f64; 3], usize)>),
+    /// The child with places below the threshold; the other child follows it.
+    Divided {
+        axis: usize,
+        threshold: f64,
+        below: usize,
+    },
+}
+
+impl Neighbours {
+    /// Adds the place of the next node.
+    pub fn push(&mut self, place: Point) {
+        let (node, place) = (self.count, place.into());
+        self.count += 1;
+        if node == 0 {
+            self.cells.push(Cell::leaf(vec![(place, node)]));
+            return;
+        }
+        let mut at = 0;
+        loop {
+            let cell = &mut self.cells[at];
+            cell.extend(&place);
+            match &mut cell.content {
+                Content::Divided { axis, threshold, below } => at = *below + usize::from(place[*axis] >= *threshold),
+                Content::Leaf(places) => {
+                    places.push((place, node));
+                    if places.len() > LEAF {
+                        self.divide(at);
+                    }
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Divides a leaf in the middle of its longest side; places that all coincide stay together.
+    fn divide(&mut self, leaf: usize) {
+        let below = self.cells.len();
+        let Cell { min, max, content } = &mut self.cells[leaf];
+        let axis = (0..3).max_by(|a, b| (max[*a] - min[*a]).total_cmp(&(max[*b] - min[*b]))).expect("three axes");
+        let middle = min[axis] + 0.5 * (max[axis] - min[axis]);
+        let threshold = if middle > min[axis] { middle } else { max[axis] };
+        if !(threshold > min[axis]) {
+            return;
+        }
+        let Content::Leaf(places) = std::mem::replace(content, Content::Divided { axis, threshold, below }) else {
+            return; // not a leaf
+        };
+        let (low, high) = places.into_iter().partition(|(place, _)| place[axis] < threshold);
+        self.cells.extend([Cell::leaf(low), Cell::leaf(high)]);
+    }
+
+    /// `Nearest` of the paper; none if there are no nodes.
+    pub fn nearest(&mut self, target: &Point, distance: impl Fn(usize) -> f64) -> Option<usize> {
+        let mut best = (f64::INFINITY, usize::MAX);
+        self.visit(target, f64::INFINITY, |node| {
+            let found = (distance(node), node);
+            if found < best {
+                best = found;
+            }
+            best.0
+        });
+        (best.1 != usize::MAX).then_some(best.1)
+    }
+
+    /// `Near` of the paper: distance and number of all nodes within a radius, in no particular order.
+    pub fn within(&mut self, target: &Point, radius: f64, distance: impl Fn(usize) -> f64) -> Vec<(f64, usize)> {
+        let mut found = Vec::new();
+        self.visit(target, radius, |node| {
+            let far = distance(node);
+            if far <= radius {
+                found.push((far, node));
+            }
+            radius
+        });
+        found
+    }
+
+    /// The node of a tree that is nearest to a state.
+    pub(super) fn nearest_to<S: StateSpace>(&mut self, space: &S, tree: &Tree<S>, state: &S::State) -> Option<usize> {
+        self.nearest(&space.place(state), |node| space.distance(tree.state(node), state))
+    }
+
+    /// The nodes of a tree near a state, with their distances.
+    pub(super) fn near<S: StateSpace>(
+        &mut self,
+        space: &S,
+        tree: &Tree<S>,
+        state: &S::State,
+        radius: f64,
+    ) -> Vec<(f64, usize)> {
+        self.within(&space.place(state), radius, |node| space.distance(tree.state(node), state))
+    }
+
+    /// Shows every node whose place is within reach; `see` answers the reach from then on. Nearer boxes come first.
+    fn visit(&mut self, target: &Point, reach: f64, mut see: impl FnMut(usize) -> f64) {
+        let target: [f64; 3] = (*target).into();
+        let squared = |reach: f64| reach * reach * (1.0 + ROUNDING); // a place just at the reach is shown
+        let mut limit = squared(reach);
+        self.stack.clear();
+        self.stack.extend((!self.cells.is_empty()).then_some((0.0, 0)));
+        while let Some((gap, cell)) = self.stack.pop() {
+            if gap > limit {
+                continue;
+            }
+            match &self.cells[cell].content {
+                Content::Leaf(places) => {
+                    for (place, node) in places {
+                        if square(|axis| place[axis] - target[axis]) <= limit {
+                            limit = squared(see(*node));
+                        }
+                    }
+                }
+                Content::Divided { below, .. } => {
+                    let mut children = [*below, *below + 1].map(|child| (self.cells[child].gap(&target), child));
+                    if children[0].0 < children[1].0 {
+                        children.swap(0, 1);
+                    }
+                    self.stack.extend(children.iter().filter(|(gap, _)| *gap <= limit));
+                }
+            }
+        }
+    }
+}
+
+impl Cell {
+    fn leaf(places: Vec<([f64; 3], usize)>) -> Self {
+        let (min, max) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut cell = Cell { min, max, content: Content::Leaf(Vec::new()) };
+        places.iter().for_each(|(place, _)| cell.extend(place));
+        cell.content = Content::Leaf(places);
+        cell
+    }
+
+    fn extend(&mut self, place: &[f64; 3]) {
+        for axis in 0..3 {
+            self.min[axis] = self.min[axis].min(place[axis]);
+            self.max[axis] = self.max[axis].max(place[axis]);
+        }
+    }
+
+    /// Squared distance of a point from the box.
+    fn gap(&self, p: &[f64; 3]) -> f64 {
+        square(|axis| (self.min[axis] - p[axis]).max(p[axis] - self.max[axis]).max(0.0))
+    }
+}
+
+fn square(coordinate: impl Fn(usize) -> f64) -> f64 {
+    let [x, y, z] = [0, 1, 2].map(coordinate);
+    x * x + y * y + z * z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    /// Random places, some of them doubled, or many on a grid so that ties abound.
+    fn places(seed: u64, grid: bool) -> Vec<Point> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut number = || if grid { f64::from(rng.random_range(0..4)) } else { rng.random::<f64>() };
+        (0..500).map(|_| Point::new(number(), number(), number())).collect()
+    }
+
+    #[test]
+    fn it_finds_what_a_look_at_every_node_finds() {
+        for seed in 0..20 {
+            let places = places(seed, seed % 2 == 1);
+            let targets = self::places(100 + seed, seed % 4 == 1);
+            let mut tree = Neighbours::default();
+            for (k, target) in targets.iter().enumerate() {
+                tree.push(places[k]);
+                let distance = |node: usize| (places[node] - target).norm();
+                let nearest = (0..=k).min_by(|a, b| distance(*a).total_cmp(&distance(*b)));
+                assert_eq!(tree.nearest(target, distance), nearest);
+                let mut near = tree.within(target, 0.3, distance);
+                near.sort_by_key(|(_, node)| *node);
+                let all: Vec<(f64, usize)> = (0..=k).map(|n| (distance(n), n)).filter(|(d, _)| *d <= 0.3).collect();
+                assert_eq!(near, all);
+            }
+        }
+    }
+
+    #[test]
+    fn no_nodes_have_no_nearest_and_a_long_chain_does_not_overflow() {
+        let mut tree = Neighbours::default();
+        assert_eq!(tree.nearest(&Point::origin(), |_| 0.0), None);
+        (0..20_000).for_each(|_| tree.push(Point::origin()));
+        assert_eq!(tree.nearest(&Point::origin(), |_| 0.0), Some(0));
+    }
+}

@@ -1,0 +1,272 @@
+//! The one list of planners, and their options: typed for code, and as plain settings for files and command lines.
+
+use rand::Rng;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
+use super::outcome::{Outcome, Watch};
+use super::rrt::{RrtOptions, rrt};
+use super::rrt_star::{RrtStarOptions, rrt_star};
+use super::search::{Limits, Until};
+use super::space::{Problem, StateSpace};
+use crate::choice::{Choice, choices};
+use crate::collision::Validity;
+use crate::error::Error;
+
+/// The planners there are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Planner {
+    /// Algorithm 3 of the paper.
+    #[default]
+    ModifiedRrt,
+    /// Plain RRT.
+    Rrt,
+    /// Algorithm 1 of the paper.
+    RrtStar,
+}
+
+choices!(Planner, "planner", [
+    ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
+    Rrt = "rrt": "Steps towards random samples",
+    RrtStar = "rrt-star": "RRT that rewires to cheaper parents (the paper, Algorithm 1)",
+]);
+
+/// A planner with its options.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlannerOptions {
+    /// Modified RRT.
+    ModifiedRrt(ModifiedRrtOptions),
+    /// Plain RRT.
+    Rrt(RrtOptions),
+    /// RRT*.
+    RrtStar(RrtStarOptions),
+}
+
+/// What can be set about a planner; what is left out has the planner's default.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlannerSettings {
+    /// Random samples after which the search ends; default 20 000, with rrt-star 500 000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_samples: Option<usize>,
+    /// Nodes after which the search ends; default no limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_nodes: Option<usize>,
+    /// Go on after the first path, until samples, nodes or time are spent.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub keep_going: bool,
+    /// Go on after the first path until it is at most this long, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub target_cost: Option<f64>,
+    /// Longest edge by which rrt and rrt-star grow, m; default the step of rewinding, as in the paper.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extend_step: Option<f64>,
+    /// Probability of taking the goal for a sample, of rrt and rrt-star; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal_bias: Option<f64>,
+    /// Radius of the ball that rrt-star looks at around a new node, m; default min(γ (ln n / n)^(1/3), step).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub near_radius: Option<f64>,
+}
+
+impl Default for PlannerOptions {
+    fn default() -> Self {
+        PlannerOptions::of(Planner::default())
+    }
+}
+
+impl PlannerOptions {
+    /// A planner with its defaults.
+    pub fn of(planner: Planner) -> Self {
+        match planner {
+            Planner::ModifiedRrt => PlannerOptions::ModifiedRrt(ModifiedRrtOptions::default()),
+            Planner::Rrt => PlannerOptions::Rrt(RrtOptions::default()),
+            Planner::RrtStar => PlannerOptions::RrtStar(RrtStarOptions::default()),
+        }
+    }
+
+    /// A planner as the settings say; `step` (m) is that of rewinding, which RRT and RRT* share unless told otherwise.
+    ///
+    /// # Errors
+    /// Names a number out of its range, or a setting that the planner does not have.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+    /// let settings = PlannerSettings { near_radius: Some(0.3), ..Default::default() };
+    /// assert!(PlannerOptions::new(Planner::RrtStar, 0.1, &settings).is_ok());
+    /// let error = PlannerOptions::new(Planner::Rrt, 0.1, &settings).unwrap_err().to_string();
+    /// assert_eq!(error, "near_radius: found 0.3, but the planner rrt has no such setting; rrt-star has");
+    /// ```
+    pub fn new(planner: Planner, step: f64, settings: &PlannerSettings) -> Result<Self, Error> {
+        let mut options = PlannerOptions::of(planner);
+        settings.set_limits(options.limits_mut())?;
+        settings.refuse_strange(planner)?;
+        let extend_step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
+        let goal_bias = probability("goal_bias", settings.goal_bias)?.unwrap_or(0.0);
+        match &mut options {
+            PlannerOptions::ModifiedRrt(_) => {}
+            PlannerOptions::Rrt(rrt) => (rrt.step, rrt.goal_bias) = (extend_step, goal_bias),
+            PlannerOptions::RrtStar(star) => {
+                (star.step, star.goal_bias) = (extend_step, goal_bias);
+                star.near_radius = positive("near_radius", settings.near_radius, "m")?;
+            }
+        }
+        Ok(options)
+    }
+
+    /// Which planner it is.
+    pub fn planner(&self) -> Planner {
+        match self {
+            PlannerOptions::ModifiedRrt(_) => Planner::ModifiedRrt,
+            PlannerOptions::Rrt(_) => Planner::Rrt,
+            PlannerOptions::RrtStar(_) => Planner::RrtStar,
+        }
+    }
+
+    /// What ends the search.
+    pub fn limits(&self) -> &Limits {
+        match self {
+            PlannerOptions::ModifiedRrt(options) => &options.limits,
+            PlannerOptions::Rrt(options) => &options.limits,
+            PlannerOptions::RrtStar(options) => &options.limits,
+        }
+    }
+
+    /// What ends the search, to be changed.
+    pub fn limits_mut(&mut self) -> &mut Limits {
+        match self {
+            PlannerOptions::ModifiedRrt(options) => &mut options.limits,
+            PlannerOptions::Rrt(options) => &mut options.limits,
+            PlannerOptions::RrtStar(options) => &mut options.limits,
+        }
+    }
+
+    /// All settings written out, defaults too, as files record them.
+    pub fn settings(&self) -> PlannerSettings {
+        let limits = self.limits();
+        let (step, bias, near_radius) = match self {
+            PlannerOptions::ModifiedRrt(_) => (None, None, None),
+            PlannerOptions::Rrt(rrt) => (Some(rrt.step), Some(rrt.goal_bias), None),
+            PlannerOptions::RrtStar(star) => (Some(star.step), Some(star.goal_bias), star.near_radius),
+        };
+        PlannerSettings {
+            max_samples: Some(limits.max_samples),
+            max_nodes: Some(limits.max_nodes).filter(|n| *n < usize::MAX),
+            keep_going: limits.until == Until::Cost(0.0),
+            target_cost: match limits.until {
+                Until::Cost(target) if target > 0.0 => Some(target),
+                _ => None,
+            },
+            extend_step: step,
+            goal_bias: bias,
+            near_radius,
+        }
+    }
+
+    /// Searches a path by this planner.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the watch says so.
+    pub fn search<S: StateSpace>(
+        &self,
+        problem: &Problem<S>,
+        validity: &dyn Validity<S::State>,
+        rng: &mut impl Rng,
+        watch: &Watch,
+    ) -> Result<Outcome<S::State>, Error> {
+        match self {
+            PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
+            PlannerOptions::Rrt(options) => rrt(problem, validity, options, rng, watch),
+            PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, rng, watch),
+        }
+    }
+}
+
+impl PlannerSettings {
+    fn set_limits(&self, limits: &mut Limits) -> Result<(), Error> {
+        limits.max_samples = self.max_samples.unwrap_or(limits.max_samples);
+        limits.max_nodes = self.max_nodes.unwrap_or(limits.max_nodes);
+        limits.until = match positive("target_cost", self.target_cost, "m")? {
+            Some(target) => Until::Cost(target),
+            None if self.keep_going => Until::Cost(0.0),
+            None => Until::FirstPath,
+        };
+        Ok(())
+    }
+
+    /// A setting that the planner does not have would be ignored: refused instead.
+    fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
+        let steps: &[Planner] = &[Planner::Rrt, Planner::RrtStar];
+        for (key, found, owners) in [
+            ("extend_step", self.extend_step, steps),
+            ("goal_bias", self.goal_bias, steps),
+            ("near_radius", self.near_radius, &steps[1..]),
+        ] {
+            if let Some(found) = found.filter(|_| !owners.contains(&planner)) {
+                let verb = if owners.len() > 1 { "have" } else { "has" };
+                let owners: Vec<&str> = owners.iter().map(|owner| owner.name()).collect();
+                let (name, owners) = (planner.name(), owners.join(" and "));
+                let problem = format!("found {found}, but the planner {name} has no such setting; {owners} {verb}");
+                return Err(Error::invalid(key, problem));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn positive(key: &str, number: Option<f64>, unit: &str) -> Result<Option<f64>, Error> {
+    match number {
+        Some(x) if !(x > 0.0 && x.is_finite()) => {
+            Err(Error::invalid(key, format!("found {x} {unit}, expected a positive number")))
+        }
+        _ => Ok(number),
+    }
+}
+
+fn probability(key: &str, number: Option<f64>) -> Result<Option<f64>, Error> {
+    match number {
+        Some(p) if !(0.0..=1.0).contains(&p) => {
+            Err(Error::invalid(key, format!("found {p}, expected a probability from 0 to 1")))
+        }
+        _ => Ok(number),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_go_there_and_back() {
+        let settings = PlannerSettings {
+            max_samples: Some(7),
+            max_nodes: Some(9),
+            keep_going: false,
+            target_cost: Some(2.5),
+            extend_step: Some(0.2),
+            goal_bias: Some(0.05),
+            near_radius: Some(0.3),
+        };
+        assert_eq!(PlannerOptions::new(Planner::RrtStar, 0.1, &settings).unwrap().settings(), settings);
+        for (planner, ..) in Planner::ALL {
+            let options = PlannerOptions::new(*planner, 0.1, &PlannerSettings::default()).unwrap();
+            assert_eq!((options.planner(), &options), (*planner, &PlannerOptions::of(*planner)));
+            assert_eq!(PlannerOptions::new(*planner, 0.1, &options.settings()).unwrap(), options);
+        }
+    }
+
+    #[test]
+    fn bad_settings_are_named() {
+        let ask = |settings| PlannerOptions::new(Planner::RrtStar, 0.1, &settings).unwrap_err().to_string();
+        let none = PlannerSettings::default;
+        assert_eq!(
+            ask(PlannerSettings { goal_bias: Some(1.5), ..none() }),
+            "goal_bias: found 1.5, expected a probability from 0 to 1"
+        );
+        assert!(ask(PlannerSettings { near_radius: Some(f64::NAN), ..none() }).starts_with("near_radius: found NaN m"));
+        assert!(ask(PlannerSettings { extend_step: Some(0.0), ..none() }).starts_with("extend_step: found 0 m"));
+        assert!(ask(PlannerSettings { target_cost: Some(-1.0), ..none() }).starts_with("target_cost: found -1 m"));
+    }
+}

@@ -1,0 +1,117 @@
+//! What all planners share: the two questions they ask, counted, and what ends a search.
+
+use rand::{Rng, RngExt};
+
+use super::outcome::{Outcome, Status, Watch};
+use super::space::{Problem, StateSpace};
+use super::tree::Tree;
+use crate::collision::Validity;
+use crate::error::Error;
+
+/// Motion checks, or samples, between two looks at the clock and the caller.
+const POLL: usize = 64;
+
+/// What ends a search besides the time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// Random samples after which it ends.
+    pub max_samples: usize,
+    /// Nodes of the tree after which it ends.
+    pub max_nodes: usize,
+    /// What it is content with.
+    pub until: Until,
+}
+
+/// With what a search is content.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum Until {
+    /// The first path.
+    #[default]
+    FirstPath,
+    /// A path of at most this length, m; with 0 it goes on until samples, nodes or time are spent.
+    Cost(f64),
+}
+
+impl Limits {
+    /// The first path, with at most this many samples.
+    pub fn samples(max_samples: usize) -> Self {
+        Limits { max_samples, max_nodes: usize::MAX, until: Until::FirstPath }
+    }
+}
+
+/// One run of a planner: problem, validity, and what has been spent.
+pub(super) struct Search<'a, S: StateSpace> {
+    pub problem: &'a Problem<S>,
+    validity: &'a dyn Validity<S::State>,
+    limits: &'a Limits,
+    watch: &'a Watch<'a>,
+    motion_checks: usize,
+    samples: usize,
+    out_of_time: bool,
+}
+
+impl<'a, S: StateSpace> Search<'a, S> {
+    pub fn new(
+        problem: &'a Problem<S>,
+        validity: &'a dyn Validity<S::State>,
+        limits: &'a Limits,
+        watch: &'a Watch<'a>,
+    ) -> Self {
+        Search { problem, validity, limits, watch, motion_checks: 0, samples: 0, out_of_time: false }
+    }
+
+    /// `CollisionFree` of the paper; nothing is any more once the time is over.
+    pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> Result<bool, Error> {
+        self.motion_checks += 1;
+        self.out_of_time |= self.motion_checks.is_multiple_of(POLL) && self.watch.expired()?;
+        Ok(!self.out_of_time && self.validity.motion_valid(from, to))
+    }
+
+    /// `RandomSample` of the paper: uniform; none where the space is empty.
+    pub fn random_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
+        self.samples += 1;
+        self.problem.space.sample(rng)
+    }
+
+    /// The goal with this probability, otherwise a random sample: the conventional goal bias.
+    pub fn biased_sample(&mut self, goal_bias: f64, rng: &mut impl Rng) -> Option<S::State> {
+        if goal_bias > 0.0 && rng.random::<f64>() < goal_bias {
+            self.samples += 1;
+            return Some(self.problem.goal);
+        }
+        self.random_sample(rng)
+    }
+
+    /// Whether a motion could lead to this state at all; spares motion checks, and is none.
+    pub fn valid(&self, state: &S::State) -> bool {
+        self.validity.state_valid(state)
+    }
+
+    /// Whether the search is over: content with the best path so far (infinite: none), or nothing left to spend.
+    pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
+        let content = match self.limits.until {
+            Until::FirstPath => best.is_finite(),
+            Until::Cost(target) => best <= target,
+        };
+        let Limits { max_samples, max_nodes, .. } = *self.limits;
+        if content || self.samples >= max_samples || nodes >= max_nodes || self.out_of_time {
+            return Ok(true);
+        }
+        self.out_of_time = self.samples.is_multiple_of(POLL) && self.watch.expired()?;
+        Ok(self.out_of_time)
+    }
+
+    /// The outcome, with the goal appended to its parent, if there is one.
+    pub fn outcome(&self, tree: &mut Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
+        let Problem { space, goal, .. } = self.problem;
+        let (status, waypoints) = match goal_parent {
+            Some(parent) => {
+                let last = tree.append(space, parent, *goal);
+                (Status::Solved, tree.path_to(last))
+            }
+            None => (Status::BudgetSpent, Vec::new()),
+        };
+        let (motion_checks, samples) = (self.motion_checks, self.samples);
+        Outcome { status, waypoints, nodes: tree.len(), motion_checks, samples }
+    }
+}

@@ -1,0 +1,190 @@
+//! RRT and RRT* beside Modified RRT: mean costs of the study, valid paths, reproducibility, going on.
+
+use std::time::{Duration, Instant};
+
+use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity};
+use cdpr_core::geometry::Point;
+use cdpr_core::model::Scene;
+use cdpr_core::plan::{PlanOptions, PlanResult, plan};
+use cdpr_core::planning::{
+    Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status, TranslationSpace,
+    Until, Watch,
+};
+use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::{Choice, Error};
+use rand::SeedableRng;
+use rayon::prelude::*;
+
+fn planned(scene: &Scene, planner: &PlannerOptions, seed: u64) -> PlanResult {
+    let options = PlanOptions { planner: planner.clone(), seed, ..PlanOptions::default() };
+    plan(scene, &options, &|| false).unwrap()
+}
+
+fn every_planner() -> impl Iterator<Item = PlannerOptions> {
+    Planner::ALL.iter().map(|(planner, ..)| match PlannerOptions::of(*planner) {
+        PlannerOptions::Rrt(rrt) => {
+            PlannerOptions::Rrt(RrtOptions { goal_bias: 0.05, limits: Limits::samples(200_000), ..rrt })
+        }
+        other => other,
+    })
+}
+
+fn star(near_radius: Option<f64>) -> PlannerOptions {
+    PlannerOptions::RrtStar(RrtStarOptions { near_radius, ..RrtStarOptions::default() })
+}
+
+/// Means over many seeds lie within four standard errors of what another implementation found over 1000 runs, whose own
+/// standard error adds to ours.
+fn costs_are(scene: &Scene, planner: &PlannerOptions, raw: f64, rewound: f64) {
+    const SEEDS: u64 = 200;
+    let results: Vec<PlanResult> = (0..SEEDS).into_par_iter().map(|seed| planned(scene, planner, seed)).collect();
+    assert!(results.iter().all(|r| r.status == Status::Solved));
+    for (what, expected, cost) in
+        [("raw", raw, (|r| r.raw_cost) as fn(&PlanResult) -> f64), ("rewound", rewound, |r| r.cost)]
+    {
+        let n = SEEDS as f64;
+        let mean = results.iter().map(cost).sum::<f64>() / n;
+        let variance = results.iter().map(|r| (cost(r) - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        let error = (variance / n + variance / 1000.0).sqrt();
+        eprintln!("{} {what}: {mean:.3} ± {:.3} m, expected {expected}", scene.name(), variance.sqrt());
+        assert!((mean - expected).abs() < 4.0 * error + 0.005, "{what}: {mean}, expected {expected}");
+    }
+}
+
+#[test]
+fn rrt_star_costs_what_the_study_says() {
+    costs_are(&hard1(), &star(None), 3.83, 2.56);
+    costs_are(&hard3(), &star(None), 3.85, 2.75);
+}
+
+#[test]
+fn rrt_star_with_a_ball_of_30_cm_costs_what_the_study_says() {
+    costs_are(&hard1(), &star(Some(0.3)), 2.751, 2.516);
+    costs_are(&hard3(), &star(Some(0.3)), 2.896, 2.715);
+}
+
+#[test]
+fn every_path_is_valid_by_both_engines_and_every_seed_has_its_own() {
+    for (scene, planner) in [hard1(), hard3()].iter().flat_map(|s| every_planner().map(move |p| (s, p))) {
+        let engines: [Box<dyn Checker>; 2] = [
+            Box::new(GjkEngine::new(scene, Interference::Exact).unwrap()),
+            Box::new(CspaceEngine::new(scene, Interference::Exact).unwrap()),
+        ];
+        for seed in 0..10 {
+            let found = planned(scene, &planner, seed);
+            assert_eq!(found.status, Status::Solved, "{planner:?}, seed {seed}");
+            for path in [&found.raw_waypoints, &found.waypoints] {
+                assert_eq!((path[0], path[path.len() - 1]), (scene.start().unwrap(), scene.goal().unwrap()));
+                let valid = |pair: &[Point]| engines.iter().all(|e| e.motion_valid(&pair[0], &pair[1]));
+                assert!(path.windows(2).all(valid), "{planner:?}, seed {seed}");
+            }
+            assert_eq!(found.waypoints, planned(scene, &planner, seed).waypoints);
+            assert_ne!(found.raw_waypoints, planned(scene, &planner, seed + 100).raw_waypoints);
+        }
+    }
+}
+
+#[test]
+fn both_engines_lead_to_the_same_path() {
+    for planner in every_planner() {
+        let by = |engine| {
+            let options = PlanOptions { planner: planner.clone(), engine, seed: 2, ..PlanOptions::default() };
+            plan(&hard1(), &options, &|| false).unwrap().waypoints
+        };
+        assert_eq!(by(Engine::Cspace), by(Engine::Gjk), "{planner:?}");
+    }
+}
+
+#[test]
+fn edges_of_rrt_are_at_most_a_step_long() {
+    let rrt = RrtOptions { step: 0.07, limits: Limits::samples(500_000), ..RrtOptions::default() };
+    let path = planned(&hard1(), &PlannerOptions::Rrt(rrt), 1).raw_waypoints;
+    assert!(path.windows(2).all(|pair| (pair[1] - pair[0]).norm() < 0.07 + 1e-12));
+}
+
+#[test]
+fn a_goal_within_one_step_is_tried_at_once() {
+    for planner in every_planner() {
+        let start = Point::new(0.3, 1.0, 0.3);
+        let options = PlanOptions {
+            planner,
+            start: Some(start),
+            goal: Some(Point::new(0.35, 1.0, 0.3)),
+            ..PlanOptions::default()
+        };
+        let found = plan(&hard1(), &options, &|| false).unwrap();
+        assert_eq!((found.raw_waypoints.len(), found.stats.samples, found.stats.motion_checks), (2, 0, 1));
+        let same = PlanOptions { goal: Some(start), ..options };
+        assert_eq!(plan(&hard1(), &same, &|| false).unwrap().cost, 0.0);
+    }
+}
+
+/// The planner goes on, to this cost, with so many samples.
+fn going_on(planner: Planner, target_cost: Option<f64>, samples: usize) -> PlannerOptions {
+    let settings = PlannerSettings {
+        max_samples: Some(samples),
+        keep_going: true,
+        target_cost,
+        near_radius: (planner == Planner::RrtStar).then_some(0.3),
+        ..PlannerSettings::default()
+    };
+    PlannerOptions::new(planner, 0.1, &settings).unwrap()
+}
+
+#[test]
+fn going_on_never_costs_more_and_stops_at_its_target() {
+    for (planner, samples) in [(Planner::ModifiedRrt, 4000), (Planner::RrtStar, 30_000)] {
+        for seed in 0..5 {
+            let cost = |planner: &PlannerOptions| planned(&hard1(), planner, seed).raw_cost;
+            let mut first = PlannerOptions::new(planner, 0.1, &PlannerSettings::default()).unwrap();
+            if let PlannerOptions::RrtStar(star) = &mut first {
+                star.near_radius = Some(0.3);
+            }
+            let short = planned(&hard1(), &going_on(planner, None, samples), seed);
+            assert!(short.raw_cost < cost(&first) && short.stats.samples == samples, "{planner:?}, seed {seed}");
+            assert!(cost(&going_on(planner, None, 2 * samples)) <= short.raw_cost);
+            let target = short.raw_cost + 1e-9;
+            let reached = planned(&hard1(), &going_on(planner, Some(target), samples), seed);
+            assert!(reached.raw_cost <= target && reached.stats.samples <= samples);
+        }
+    }
+}
+
+#[test]
+fn nodes_time_and_interruption_end_every_planner() {
+    let mut spec = paper_scene("walled", vec![block("wall", [0.05, 2.0, 2.0], [1.0, 1.0, 1.0])]);
+    spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
+    let wall = scene(spec);
+    for mut planner in every_planner() {
+        *planner.limits_mut() = Limits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
+        let found = planned(&wall, &planner, 0);
+        assert_eq!((found.status, found.stats.nodes), (Status::BudgetSpent, 20));
+        planner.limits_mut().max_nodes = usize::MAX;
+        let options = PlanOptions { planner, budget: Some(Duration::from_millis(30)), ..PlanOptions::default() };
+        let clock = Instant::now();
+        assert_eq!(plan(&wall, &options, &|| false).unwrap().status, Status::BudgetSpent);
+        let asked = plan(&wall, &PlanOptions { budget: None, ..options }, &|| clock.elapsed().as_millis() > 100);
+        assert!(asked.unwrap_err().to_string().contains("interrupted") && clock.elapsed().as_secs() < 5);
+    }
+}
+
+#[test]
+fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Result<(), Error> {
+    let scene = empty();
+    let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+    let space = TranslationSpace::of(engine.constraints());
+    let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
+    for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
+        let limits = Limits::samples(200);
+        let (step, goal_bias) = (number, number);
+        let rrt = PlannerOptions::Rrt(RrtOptions { step, goal_bias, limits: limits.clone() });
+        let star = PlannerOptions::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), limits });
+        for planner in [rrt, star] {
+            let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+            let found = planner.search(&problem, &engine, &mut rng, &Watch::NONE)?;
+            assert!(found.samples <= 200);
+            assert!(found.waypoints.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
+        }
+    }
+    Ok(())
+}
