@@ -46,6 +46,8 @@ class Violation:
         Rank of the wrench matrix there; below 6 some wrenches cannot be had at any tension.
     at_greatest, at_least : tuple of str
         Cables at their greatest and least tension there.
+    corner : tuple of float or None
+        Corner of the grid cell for which the grid rule refused, m.
     """
 
     at: float
@@ -59,6 +61,7 @@ class Violation:
     rank: int | None = None
     at_greatest: tuple[str, ...] = ()
     at_least: tuple[str, ...] = ()
+    corner: tuple[float, float, float] | None = None
 
 
 def violation_from(values: Mapping[str, Any]) -> Violation:

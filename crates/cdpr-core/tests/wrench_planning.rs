@@ -69,6 +69,19 @@ fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_tha
 }
 
 #[test]
+fn the_grid_rule_tells_the_corner_that_it_refuses_for() {
+    let scene = cogiro(WrenchSpec { rule: Some(RuleSpec::Grid), grid: Some(0.25), ..balls(60.0, 10.0) });
+    let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+    let start = Point::new(-4.0, 0.0, 0.5);
+    assert!(measures(&scene).unwrap()[0].slack(&start) > 0.0); // the position itself would do
+    let violation = engine.explain(&start, &start).expect("refused");
+    let limit = violation.wrench.clone().unwrap();
+    let corner = Point::from(limit.corner.unwrap());
+    assert!((corner - start).abs().max() <= 0.25 && limit.wrench_margin.unwrap() < 0.0);
+    assert!(violation.sentence().contains(" of its grid cell, with "), "{}", violation.sentence());
+}
+
+#[test]
 fn the_papers_robot_is_told_to_lack_a_rank() {
     let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
     let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap();

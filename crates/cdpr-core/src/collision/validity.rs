@@ -104,6 +104,9 @@ pub struct Violation {
 pub struct WrenchLimit {
     /// Margin less what is demanded; negative where something is lacking. None where a cable has no direction.
     pub wrench_margin: Option<f64>,
+    /// Where it is measured, if at the corner of a cell of the grid rule instead of on the motion, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<[f64; 3]>,
     /// Rank of the wrench matrix; below 6 (3 for a point mass) some wrenches cannot be had at any tension.
     pub rank: usize,
     /// Whether the rank is lower than it could be.
@@ -120,6 +123,11 @@ pub struct WrenchLimit {
 }
 
 impl WrenchLimit {
+    /// The margin as a number to order by: where there is none, it is least.
+    pub fn order(&self) -> f64 {
+        self.wrench_margin.unwrap_or(f64::NEG_INFINITY)
+    }
+
     /// In plain words: "by 12.3 N, with cable 2 at greatest tension and cable 4 at least tension".
     fn sentence(&self) -> String {
         let amount = match self.wrench_margin {
@@ -135,7 +143,10 @@ impl WrenchLimit {
         };
         let sides: Vec<String> =
             [side(&self.at_greatest, "greatest"), side(&self.at_least, "least")].into_iter().flatten().collect();
-        if sides.is_empty() { amount } else { format!("{amount}, with {}", sides.join(" and ")) }
+        let place = self
+            .corner
+            .map_or(String::new(), |[x, y, z]| format!(" at the corner ({x:.3}, {y:.3}, {z:.3}) of its grid cell"));
+        if sides.is_empty() { amount + &place } else { format!("{amount}{place}, with {}", sides.join(" and ")) }
     }
 }
 

@@ -45,14 +45,15 @@ impl FeasibleCells {
         Ok(FeasibleCells { min, size, counts, feasible: cells.collect() })
     }
 
-    /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid; none if it never does.
-    pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<f64> {
+    /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid, and that cell; none if it
+    /// never does.
+    pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<(f64, [i64; 3])> {
         let (start, step) = ((from - self.min) / self.size, (to - from) / self.size);
         let mut cell: [i64; 3] = std::array::from_fn(|axis| self.cell_of(axis, start[axis]));
         let mut at = 0.0;
         loop {
             if !self.is_feasible(cell) {
-                return Some(at);
+                return Some((at, cell));
             }
             // The next wall: along each axis the far one of the cell.
             let wall = |axis: usize| {
@@ -69,6 +70,12 @@ impl FeasibleCells {
                 return None; // only rounding leads out of the grid while the motion ends inside
             }
         }
+    }
+
+    /// The corners of a cell.
+    pub fn corners(&self, cell: [i64; 3]) -> [Point; 8] {
+        let corner = |c: usize| Vector::from_fn(|axis, _| (cell[axis] + (c >> axis & 1) as i64) as f64);
+        std::array::from_fn(|c| self.min + corner(c) * self.size)
     }
 
     /// The cell of a coordinate; the upper end of the grid belongs to its last cell.

@@ -90,13 +90,20 @@ impl WrenchConstraint {
 
     /// The violation of a motion, if it does not keep the demand.
     pub fn violation(&self, from: &Point, to: &Point) -> Option<Violation> {
-        let failure = match &self.rule {
-            Rule::Certified => self.measures.iter().filter_map(|m| first_failure(m, from, to)).min_by(f64::total_cmp),
-            Rule::Grid(cells) => cells.first_infeasible(from, to),
+        let (at, limit) = match &self.rule {
+            Rule::Certified => {
+                let at = self.measures.iter().filter_map(|m| first_failure(m, from, to)).min_by(f64::total_cmp)?;
+                let (measure, worst) = self.worst(from, to);
+                (at, limit_at(measure, &(from + (to - from) * worst)))
+            }
+            Rule::Grid(cells) => {
+                let (at, cell) = cells.first_infeasible(from, to)?;
+                let corners = cells.corners(cell);
+                let limits = self.measures.iter().flat_map(|m| corners.iter().map(move |c| (limit_at(m, c), c)));
+                let (limit, corner) = limits.min_by(|(a, _), (b, _)| a.order().total_cmp(&b.order()))?;
+                (at, WrenchLimit { corner: Some((*corner).into()), ..limit })
+            }
         };
-        let at = failure?;
-        let (measure, worst) = self.worst(from, to);
-        let limit = limit_at(measure, &(from + (to - from) * worst));
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
         Some(Violation { at, kind: Kind::Wrench, culprits, margin: None, wrench: Some(limit) })
     }
@@ -122,6 +129,7 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
         wrench_margin: None,
         rank: 0,
         rank_deficient: false,
+        corner: None,
         measure: name,
         unit,
         at_greatest: Vec::new(),
