@@ -4,8 +4,10 @@ pub mod mesh_file;
 pub mod path_file;
 pub mod scene_file;
 pub mod text;
+pub mod wrench_map_file;
 
 pub use mesh_file::{RegionFormat, save_regions};
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
 pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
 pub use text::write_atomically;
+pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map};
