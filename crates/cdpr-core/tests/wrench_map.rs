@@ -252,10 +252,11 @@ fn with_array(folder: &Path, name: &str, array: &[u8]) -> Vec<u8> {
     let file = format!("{name}.npy");
     for k in 0..from.len() {
         let mut entry = from.by_index(k).unwrap();
-        if entry.name() != file {
+        let own = entry.name().unwrap().into_owned();
+        if own != file {
             let mut bytes = Vec::new();
             entry.read_to_end(&mut bytes).unwrap();
-            to.start_file(entry.name(), options).unwrap(); // compressed, as by `numpy.savez_compressed`
+            to.start_file(own, options).unwrap(); // compressed, as by `numpy.savez_compressed`
             to.write_all(&bytes).unwrap();
         }
     }
