@@ -1,5 +1,5 @@
-//! Wrench maps: margins against the definition, summaries by hand, files that come back bit for bit and files that do not;
-//! wrench sets as surfaces against the exact volume and the margins.
+//! Wrench maps: margins against the definition, summaries by hand, files that come back bit for bit and files that do
+//! not; wrench sets as surfaces against the exact volume and the margins.
 
 mod support;
 

@@ -1,8 +1,8 @@
 //! Files of wrench maps: .npz for NumPy, which can be read back, and .vti for ParaView.
 //!
-//! In an .npz file: `margin`, and if computed `force_margin` and `moment_margin`, float64 of shape (nx, ny, nz) in C order;
-//! `origin`, float64 (3,), m; `step`, float64 (), m; `metadata`, JSON text, unicode (). In a .vti file (VTK ImageData, XML)
-//! the same margins are point data, with the grid in double precision.
+//! In an .npz file: `margin`, and if computed `force_margin` and `moment_margin`, float64 of shape (nx, ny, nz) in C
+//! order; `origin`, float64 (3,), m; `step`, float64 (), m; `metadata`, JSON text, unicode (). In a .vti file (VTK
+//! ImageData, XML) the same margins are point data, with the grid in double precision.
 
 use std::fs::File;
 use std::io::{self, BufReader, Cursor, Read, Seek, Write};
@@ -77,7 +77,8 @@ pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, io, testing, wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap}};
+/// use cdpr_core::{geometry::{Aabb, Point}, io, testing};
+/// use cdpr_core::wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap};
 /// # use cdpr_core::collision::batch::BatchOptions;
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("map.npz");
@@ -237,8 +238,8 @@ fn vti(map: &WrenchMap) -> Vec<u8> {
         "<?xml version=\"1.0\"?>\n<!-- {FORMAT}, identity {} -->\n\
          <VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  \
          <ImageData WholeExtent=\"{extent}\" Origin=\"{} {} {}\" Spacing=\"{step} {step} {step}\">\n    \
-         <Piece Extent=\"{extent}\">\n      <PointData Scalars=\"margin\">\n{arrays}      </PointData>\n    </Piece>\n  \
-         </ImageData>\n  <AppendedData encoding=\"raw\">\n_",
+         <Piece Extent=\"{extent}\">\n      <PointData Scalars=\"margin\">\n{arrays}      </PointData>\n    \
+         </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_",
         map.identity().fingerprint(),
         origin.x,
         origin.y,

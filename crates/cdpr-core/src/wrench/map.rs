@@ -11,7 +11,8 @@ use crate::model::body;
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{MAP_NODES, STEP_COUNT};
 
-/// Fours of nodes dealt out at a time: a four takes 2 µs by the kernel, but milliseconds by definition with many cables.
+/// Fours of nodes dealt out at a time: a four takes 2 µs by the kernel, but milliseconds by definition with many
+/// cables.
 const FOURS: Pace = Pace { chunk: 16, first_block: 64 };
 
 /// Where the nodes are, and which margins are computed there.
@@ -31,8 +32,8 @@ impl Default for MapOptions {
 
 /// A regular grid of positions.
 ///
-/// Along each axis the nodes are origin, origin + step, origin + 2 step, and so on. Margins stand in C order: z fastest,
-/// node (i, j, k) at (i · ny + j) · nz + k, as NumPy expects of an array of shape (nx, ny, nz).
+/// Along each axis the nodes are origin, origin + step, origin + 2 step, and so on. Margins stand in C order: z
+/// fastest, node (i, j, k) at (i · ny + j) · nz + k, as NumPy expects of an array of shape (nx, ny, nz).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     /// The first node, m.
@@ -44,8 +45,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid that starts in the box's least corner; along each axis its last node is the last one in the box, where a
-    /// box of a whole number of steps (but for rounding, 1e-12 of them) has a node at its end.
+    /// The grid that starts in the box's least corner; along each axis its last node is the last one in the box, where
+    /// a box of a whole number of steps (but for rounding, 1e-12 of them) has a node at its end.
     ///
     /// # Errors
     /// A box that is empty or not finite, a step that is not positive, or one so small that there are more than
@@ -212,8 +213,8 @@ pub struct Place {
 /// The feasible region of a map in numbers.
 ///
 /// A node is feasible where its margin is positive: a set without interior, as that of a robot which lacks a degree of
-/// freedom, has margins that are zero at best. Each feasible node stands for the cube of one step around it, so the volume
-/// is the count times step³; a region that reaches the side of the box is counted half a step beyond it.
+/// freedom, has margins that are zero at best. Each feasible node stands for the cube of one step around it, so the
+/// volume is the count times step³; a region that reaches the side of the box is counted half a step beyond it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapSummary {
     /// Number of nodes.

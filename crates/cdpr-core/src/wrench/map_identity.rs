@@ -9,8 +9,8 @@ use crate::error::Error;
 
 /// What a margin depends on besides the position: geometry, tension limits, loads, orientation, what is required.
 ///
-/// Mass, centre of mass, gravity and further load act through one wrench, `balance`; orientation and attachments through
-/// the arms. So two questions with the same identity have the same margins, bit for bit. Names do not count.
+/// Mass, centre of mass, gravity and further load act through one wrench, `balance`; orientation and attachments
+/// through the arms. So two questions with the same identity have the same margins, bit for bit. Names do not count.
 ///
 /// # Example
 /// ```
@@ -95,8 +95,8 @@ impl MapIdentity {
         Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// The first thing in which another identity differs, in words: "tension of cables[3]: [10.0, 900.0] and not
-    /// [10.0, 1000.0]", this one's value first. None if they are the same.
+    /// The first thing in which another identity differs, in words: `tension of cables[3]: [10.0, 900.0] and not
+    /// [10.0, 1000.0]`, this one's value first. None if they are the same.
     pub fn first_difference(&self, other: &Self) -> Option<String> {
         if self.cables.len() != other.cables.len() {
             return Some(format!("{} cables and not {}", self.cables.len(), other.cables.len()));

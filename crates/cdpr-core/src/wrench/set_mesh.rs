@@ -1,8 +1,8 @@
 //! The forces, or the moments, that the cables can exert at a position, as a surface to look at (the paper, Figure 4b).
 //!
-//! Both are zonotopes in three dimensions: a middle plus halves ±hᵢ, one for each direction of cables. A corner is a word
-//! of signs, and a facet is spanned by the halves orthogonal to its normal, so corners are found and matched by their
-//! words, without comparing coordinates.
+//! Both are zonotopes in three dimensions: a middle plus halves ±hᵢ, one for each direction of cables. A corner is a
+//! word of signs, and a facet is spanned by the halves orthogonal to its normal, so corners are found and matched by
+//! their words, without comparing coordinates.
 
 use std::collections::BTreeMap;
 
@@ -20,8 +20,8 @@ pub struct AvailableSet {
     pub rank: usize,
     /// Its surface, triangles counter-clockwise seen from outside; coordinates in N for forces, N·m for moments, not m.
     ///
-    /// A set of rank 3 has a closed surface; one of rank 2 is a polygon with two sides, closed as well, but without volume;
-    /// one of rank 1 is a segment: its two ends and no triangle; one of rank 0 is a single point.
+    /// A set of rank 3 has a closed surface; one of rank 2 is a polygon with two sides, closed as well, but without
+    /// volume; one of rank 1 is a segment: its two ends and no triangle; one of rank 0 is a single point.
     pub mesh: TriangleMesh,
     /// The force (moment) that balances the loads, N (N·m).
     pub balance: Vector,
@@ -30,8 +30,8 @@ pub struct AvailableSet {
 }
 
 impl AvailableSet {
-    /// The largest ball in the set around the balancing force (moment), as centre and radius; none where that is outside,
-    /// and in a flat set, which holds none.
+    /// The largest ball in the set around the balancing force (moment), as centre and radius; none where that is
+    /// outside, and in a flat set, which holds none.
     pub fn ball(&self) -> Option<(Vector, f64)> {
         (self.margin > 0.0).then_some((self.balance, self.margin))
     }
@@ -117,7 +117,8 @@ struct Zonotope {
 type Corner = u64;
 
 impl Zonotope {
-    /// The set {Σ tᵢ gᵢ : t within limits}; what is short beside the longest is left out, what is parallel is put together.
+    /// The set {Σ tᵢ gᵢ : t within limits}; what is short beside the longest is left out, what is parallel is put
+    /// together.
     fn new(generators: &[Vector], limits: &[[f64; 2]]) -> Result<Self, Error> {
         let each = || generators.iter().zip(limits);
         let middle = each().map(|(g, [least, greatest])| g * (0.5 * (least + greatest))).sum();
@@ -228,8 +229,8 @@ impl Zonotope {
         TriangleMesh::of_faces(vertices, &faces)
     }
 
-    /// The hull of the corners, for sets with choices of halves so near to dependent that rounding reads them differently
-    /// from facet to facet.
+    /// The hull of the corners, for sets with choices of halves so near to dependent that rounding reads them
+    /// differently from facet to facet.
     fn hull(&self, open: &TriangleMesh) -> Result<TriangleMesh, Error> {
         let size = self.halves.iter().map(Vector::norm).sum::<f64>(); // tolerances of hulls are absolute
         let even: Vec<Point> = open.vertices.iter().map(|p| Point::from((p.coords - self.middle) / size)).collect();
