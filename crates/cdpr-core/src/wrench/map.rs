@@ -111,7 +111,7 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 /// let map = WrenchMap::new(&statics, &Required::balls(50.0, 5.0)?, &within, &options, &batch)?;
 /// assert_eq!(map.grid().counts, [29, 21, 13]);
 /// let summary = map.summary();
-/// assert!((0.5..0.9).contains(&summary.share)); // of the box
+/// assert!((0.4..0.5).contains(&summary.share)); // of the nodes
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
