@@ -1,9 +1,10 @@
-//! Time of one capacity margin: eight cables, 56 pairs of facets, force and moment ball.
+//! Time of one capacity margin: eight cables, 56 pairs of facets, force and moment ball; and of a map of a million.
 
-use cdpr_core::geometry::Point;
+use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::Robot;
 use cdpr_core::testing::paper_robot;
-use cdpr_core::wrench::{CapacityMargin, Loads, Required, Statics};
+use cdpr_core::wrench::{CapacityMargin, Loads, MapOptions, Required, Statics, WrenchMap};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// The paper's cube with the attachments crossed in x and z, which gives it all six degrees of freedom; 20 kg, balls of
@@ -44,5 +45,24 @@ fn capacity_margin(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, capacity_margin);
+/// A map of 100 × 100 × 100 nodes in the middle of the cube, and a coarser one with the margins by definition.
+fn wrench_map(c: &mut Criterion) {
+    let margin = crossed();
+    let within = Aabb { min: Point::new(0.1, 0.1, 0.1), max: Point::new(1.9, 1.9, 1.9) };
+    let mut group = c.benchmark_group("wrench map");
+    group.sample_size(10);
+    for (name, intervals, projected) in [("capacity", 99, false), ("capacity, force and moment", 19, true)] {
+        let options = MapOptions { step: 1.8 / f64::from(intervals), projected };
+        for threads in [1, 2] {
+            let batch = BatchOptions { threads: Some(threads), interrupted: &|| false };
+            let map = || WrenchMap::new(margin.statics(), margin.required(), &within, &options, &batch).expect("a map");
+            let nodes = map().grid().len();
+            group.throughput(Throughput::Elements(nodes as u64));
+            group.bench_function(format!("{name}, {nodes} nodes, {threads} threads"), |b| b.iter(map));
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, capacity_margin, wrench_map);
 criterion_main!(benches);

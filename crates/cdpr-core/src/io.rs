@@ -6,6 +6,7 @@ pub mod path_file;
 pub mod scene_file;
 pub mod tension_file;
 pub mod text;
+pub mod wrench_map_file;
 
 pub use batch_folder::{BatchFolder, load_experiment, merge};
 pub use mesh_file::{RegionFormat, save_regions};
@@ -13,3 +14,4 @@ pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_
 pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
 pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
 pub use text::write_atomically;
+pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map};

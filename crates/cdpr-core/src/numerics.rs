@@ -107,6 +107,12 @@ pub const LEAST_SLACK_RELATIVE: f64 = 1e-6;
 /// Relative slack when whole steps are counted, so that a segment of exactly n steps has n of them.
 pub const STEP_COUNT: f64 = 1e-12;
 
+/// Most nodes of a wrench map, 0.8 GB for each margin: beyond it lies a slip of the unit.
+pub const MAP_NODES: f64 = 1e8;
+
+/// Most cables of a wrench set that is drawn, once parallel ones are taken together: a corner is a word of 64 limits.
+pub const SET_CABLES: usize = 64;
+
 /// Iterations after which GJK stops; its answer is then the interval it has certified, never a guess.
 pub const GJK_ITERATIONS: usize = 64;
 

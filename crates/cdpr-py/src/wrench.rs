@@ -1,6 +1,6 @@
 //! Wrenches of a robot on arrays of positions.
 
-use cdpr_core::collision::batch::{BatchOptions, answer_all};
+use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::model::{self, Robot, RobotSpec};
@@ -85,7 +85,9 @@ impl Statics {
         let mut fours = vec![[0.0; 4]; n.div_ceil(4)];
         let at = |k: usize| row(rows, k.min(n - 1));
         let question = |k: usize| margin.at_four(&std::array::from_fn(|lane| at(4 * k + lane)));
-        interruptible(py, |interrupted| answer_all(&mut fours, question, &BatchOptions { threads, interrupted }))?;
+        interruptible(py, |interrupted| {
+            answer_all(&mut fours, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
+        })?;
         let mut margins = fours.into_flattened();
         margins.truncate(n);
         Ok(PyArray1::from_vec(py, margins))
@@ -123,7 +125,9 @@ impl Statics {
         let rows = positions.as_slice()?;
         let mut answers: Vec<Result<Option<Vec<f64>>, Error>> = (0..rows.len() / 3).map(|_| Ok(None)).collect();
         let question = |k: usize| statics.tensions(&mut TensionQp::default(), &row(rows, k), reference.as_deref());
-        interruptible(py, |interrupted| answer_all(&mut answers, question, &BatchOptions { threads, interrupted }))?;
+        interruptible(py, |interrupted| {
+            answer_all(&mut answers, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
+        })?;
         let mut numbers = Vec::with_capacity(answers.len() * cables);
         let n = answers.len();
         for answer in answers {
@@ -148,7 +152,9 @@ impl Statics {
         let rows = positions.as_slice()?;
         let mut margins = vec![0.0; rows.len() / 3];
         let question = |k: usize| limit(&statics, &row(rows, k)).map_or(f64::NAN, |limit| limit.margin);
-        interruptible(py, |interrupted| answer_all(&mut margins, question, &BatchOptions { threads, interrupted }))?;
+        interruptible(py, |interrupted| {
+            answer_all(&mut margins, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
+        })?;
         Ok(PyArray1::from_vec(py, margins))
     }
 }

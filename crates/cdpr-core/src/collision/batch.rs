@@ -8,10 +8,22 @@ use super::validity::{Checker, Validity};
 use crate::error::Error;
 use crate::geometry::Point;
 
-/// Questions handed to a thread at a time: enough to forget the cost of handing over.
-const CHUNK: usize = 64;
-/// Questions between the first two looks at whether the caller wants to stop.
-const FIRST_BLOCK: usize = 1024;
+/// How questions are dealt out.
+#[derive(Debug, Clone, Copy)]
+pub struct Pace {
+    /// Questions handed to a thread at a time: enough to forget the cost of handing over.
+    pub chunk: usize,
+    /// Questions between the first two looks at whether the caller wants to stop.
+    pub first_block: usize,
+}
+
+impl Pace {
+    /// Checks of states and motions, which take well below a microsecond each.
+    pub const CHECKS: Pace = Pace { chunk: 64, first_block: 1024 };
+    /// Questions of some microseconds each: wrench margins, tensions.
+    pub const WRENCHES: Pace = Pace { chunk: 16, first_block: 64 };
+}
+
 /// Time between two such looks: a tenth of what a person notices.
 const BLOCK_TIME: Duration = Duration::from_millis(10);
 
@@ -34,7 +46,7 @@ pub fn states_valid(
     answers: &mut [bool],
     options: &BatchOptions,
 ) -> Result<(), Error> {
-    answer_all(answers, |k| validity.state_valid(&position(k)), options)
+    answer_all(answers, |k| validity.state_valid(&position(k)), Pace::CHECKS, options)
 }
 
 /// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
@@ -51,7 +63,7 @@ pub fn motions_valid(
         let (from, to) = motion(k);
         validity.motion_valid(&from, &to)
     };
-    answer_all(answers, question, options)
+    answer_all(answers, question, Pace::CHECKS, options)
 }
 
 /// The signed clearance of each position, m: the least gap in the world, negative where bodies overlap, infinite where there
@@ -69,32 +81,34 @@ pub fn clearances(
         let p = position(k);
         checker.gap(&p, &p).unwrap_or(f64::INFINITY)
     };
-    answer_all(answers, question, options)
+    answer_all(answers, question, Pace::CHECKS, options)
 }
 
-/// Answers each question into its place: `question(k)` gives the k-th answer.
+/// Fills `answers[k]` with the answer to question k, on as many threads as asked for.
 ///
 /// # Errors
 /// [`Error::interrupted`], or zero threads asked for.
 pub fn answer_all<T: Send>(
     answers: &mut [T],
     question: impl Fn(usize) -> T + Sync,
+    pace: Pace,
     options: &BatchOptions,
 ) -> Result<(), Error> {
     let serially = |first: usize, answers: &mut [T]| {
         answers.iter_mut().enumerate().for_each(|(k, answer)| *answer = question(first + k));
     };
     let in_parallel = |first: usize, answers: &mut [T]| {
-        answers.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, answers)| serially(first + chunk * CHUNK, answers));
+        let chunks = answers.par_chunks_mut(pace.chunk).enumerate();
+        chunks.for_each(|(chunk, answers)| serially(first + chunk * pace.chunk, answers));
     };
     match options.threads {
         Some(0) => Err(Error::invalid("threads", "found 0, expected at least 1")),
-        Some(1) => in_blocks(answers, serially, options.interrupted),
-        None => in_blocks(answers, in_parallel, options.interrupted),
+        Some(1) => in_blocks(answers, serially, pace, options.interrupted),
+        None => in_blocks(answers, in_parallel, pace, options.interrupted),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
             let pool = pool.map_err(|e| Error::invalid("threads", format!("{threads} threads cannot be had: {e}")))?;
-            in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), options.interrupted)
+            in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), pace, options.interrupted)
         }
     }
 }
@@ -103,9 +117,10 @@ pub fn answer_all<T: Send>(
 fn in_blocks<T>(
     answers: &mut [T],
     work: impl Fn(usize, &mut [T]),
+    pace: Pace,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<(), Error> {
-    let (mut done, mut block) = (0, FIRST_BLOCK);
+    let (mut done, mut block) = (0, pace.first_block);
     while done < answers.len() {
         let clock = Instant::now();
         let end = answers.len().min(done + block);
@@ -114,7 +129,7 @@ fn in_blocks<T>(
         if interrupted() {
             return Err(Error::interrupted());
         }
-        block = if clock.elapsed() < BLOCK_TIME { block * 2 } else { (block / 2).max(CHUNK) };
+        block = if clock.elapsed() < BLOCK_TIME { block * 2 } else { (block / 2).max(pace.chunk) };
     }
     Ok(())
 }

@@ -15,7 +15,7 @@ pub struct TriangleMesh {
 
 impl TriangleMesh {
     /// The surface of faces given by their corners in counter-clockwise order; the faces are convex.
-    pub(super) fn of_faces(vertices: Vec<Point>, faces: &[Vec<usize>]) -> Self {
+    pub(crate) fn of_faces(vertices: Vec<Point>, faces: &[Vec<usize>]) -> Self {
         let fan = |face: &Vec<usize>| {
             let corners = face.clone();
             (1..corners.len() - 1).map(move |k| [corners[0], corners[k], corners[k + 1]])

@@ -1,6 +1,6 @@
 //! How far the required wrenches are from the facets of the available wrench set: the definitions, for any robot.
 //!
-//! [`capacity_margins`](super::capacity_margins) gives the same numbers faster where the kernel of four poses applies.
+//! [`CapacityMargin`](super::CapacityMargin) gives the same numbers faster where the kernel of four poses applies.
 
 use nalgebra::{SVector, Vector3, Vector6};
 

@@ -11,7 +11,7 @@ use super::tension_qp::TensionQp;
 use super::zonotope::Span;
 use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, least_slack, moment_limit};
 use crate::collision::WrenchLimit;
-use crate::collision::batch::{BatchOptions, answer_all};
+use crate::collision::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
@@ -199,7 +199,7 @@ pub fn tensions_along(
     };
     let mut rows: Vec<Result<Option<TensionRow>, Error>> = places.iter().map(|_| Ok(None)).collect();
     let options = BatchOptions { threads: None, interrupted };
-    answer_all(&mut rows, |k| row(&places[k]).map(Some), &options)?;
+    answer_all(&mut rows, |k| row(&places[k]).map(Some), Pace::WRENCHES, &options)?;
     rows.into_iter().filter_map(Result::transpose).collect()
 }
 
