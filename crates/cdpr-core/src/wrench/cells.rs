@@ -45,10 +45,11 @@ impl FeasibleCells {
         Ok(FeasibleCells { min, size, counts, feasible: cells.collect() })
     }
 
-    /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid; none if it never does.
+    /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid; none if it never
+    /// does. A wall belongs to the cell above it, so a motion that ends on one enters that cell.
     pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<f64> {
         let (start, step) = ((from - self.min) / self.size, (to - from) / self.size);
-        let mut cell: [i64; 3] = std::array::from_fn(|axis| self.cell_of(axis, start[axis]));
+        let mut cell = self.cell_at(from);
         let mut at = 0.0;
         loop {
             if !self.is_feasible(cell) {
@@ -59,20 +60,31 @@ impl FeasibleCells {
                 let far = cell[axis] as f64 + if step[axis] > 0.0 { 1.0 } else { 0.0 };
                 if step[axis] == 0.0 { f64::INFINITY } else { (far - start[axis]) / step[axis] }
             };
-            let next = (0..3).min_by(|&a, &b| wall(a).total_cmp(&wall(b))).expect("three axes");
+            // Through an edge: upward first, since the edge belongs to the cell above it.
+            let down = |axis: usize| step[axis] < 0.0;
+            let order = |&a: &usize, &b: &usize| wall(a).total_cmp(&wall(b)).then(down(a).cmp(&down(b)));
+            let next = (0..3).min_by(order).expect("three axes");
             if !(wall(next) < 1.0) {
-                return None;
+                return (!self.is_feasible(self.cell_at(to))).then_some(1.0);
             }
             at = wall(next).max(at);
             cell[next] += if step[next] > 0.0 { 1 } else { -1 };
             if self.leaves(cell, to) {
-                return None; // only rounding leads out of the grid while the motion ends inside
+                return (!self.is_feasible(self.cell_at(to))).then_some(1.0); // only rounding leads out: it ends inside
             }
         }
     }
 
-    /// The cell of a coordinate; the upper end of the grid belongs to its last cell.
+    fn cell_at(&self, position: &Point) -> [i64; 3] {
+        let at = (position - self.min) / self.size;
+        std::array::from_fn(|axis| self.cell_of(axis, at[axis]))
+    }
+
+    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. No number has none.
     fn cell_of(&self, axis: usize, x: f64) -> i64 {
+        if x.is_nan() {
+            return -1;
+        }
         let cell = x.floor() as i64;
         if cell == self.counts[axis] as i64 && x - cell as f64 <= END { cell - 1 } else { cell }
     }
@@ -93,7 +105,7 @@ impl FeasibleCells {
 /// How far beyond the end of the grid a coordinate may lie by rounding, in cells.
 const END: f64 = 1e-9;
 
-/// Whether each corner of the cells has slack, x fastest.
+/// Whether each corner of the cells has slack that counts, x fastest. A set of lower rank has none, but for rounding.
 fn feasible_corners(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;
@@ -102,8 +114,64 @@ fn feasible_corners(measures: &[Measure], min: &Point, size: f64, counts: [usize
         let positions = std::array::from_fn(|k| at(chunk * WIDTH + k));
         let slack: Vec<[f64; WIDTH]> = measures.iter().map(|measure| measure.slack_at_four(&positions)).collect();
         for (k, corner) in corners.iter_mut().enumerate() {
-            *corner = slack.iter().all(|slack| slack[k] >= 0.0);
+            *corner = slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
         }
     });
     corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four by three by two cells of 0.25 m from (1, 0, 0) on, all feasible but these.
+    fn cells(infeasible: &[[usize; 3]]) -> FeasibleCells {
+        let mut feasible = vec![true; 24];
+        infeasible.iter().for_each(|[i, j, k]| feasible[i + 4 * (j + 3 * k)] = false);
+        FeasibleCells { min: Point::new(1.0, 0.0, 0.0), size: 0.25, counts: [4, 3, 2], feasible }
+    }
+
+    /// A place in cells.
+    fn at(x: f64, y: f64, z: f64) -> Point {
+        Point::new(1.0 + 0.25 * x, 0.25 * y, 0.25 * z)
+    }
+
+    #[test]
+    fn a_motion_that_ends_on_a_wall_enters_the_cell_above_it_as_its_end_does() {
+        let cells = cells(&[[2, 1, 0]]);
+        let (from, wall) = (at(0.5, 1.5, 0.5), at(2.0, 1.5, 0.5));
+        assert_eq!(cells.first_infeasible(&wall, &wall), Some(0.0));
+        assert_eq!(cells.first_infeasible(&from, &wall), Some(1.0));
+        assert_eq!(cells.first_infeasible(&wall, &from), Some(0.0));
+        let (above, below) = (at(3.5, 1.5, 0.5), at(3.0, 1.5, 0.5));
+        assert_eq!(cells.first_infeasible(&above, &below), None);
+        let through = cells.first_infeasible(&above, &from).expect("refused");
+        assert!((through - 1.0 / 6.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_upper_end_of_the_grid_belongs_to_its_last_cell() {
+        let cells = cells(&[]);
+        let (low, high) = (at(0.0, 0.0, 0.0), at(4.0, 3.0, 2.0));
+        for (from, to) in [(low, high), (high, low), (high, high), (high, at(4.0, 0.0, 2.0)), (at(4.0, 0.0, 0.0), high)]
+        {
+            assert_eq!(cells.first_infeasible(&from, &to), None);
+        }
+        assert!(cells.first_infeasible(&low, &at(4.1, 0.0, 0.0)).is_some());
+        assert!(cells.first_infeasible(&low, &at(f64::NAN, 0.0, 0.0)).is_some());
+    }
+
+    #[test]
+    fn no_place_of_an_accepted_motion_is_in_an_infeasible_cell() {
+        let cells = cells(&[[2, 1, 0], [0, 2, 1], [3, 0, 0]]);
+        let place = |n: usize| at((n % 9) as f64 / 2.0, (n / 9 % 7) as f64 / 2.0, (n / 63) as f64 / 2.0);
+        let (mut accepted, mut refused) = (0, 0);
+        for (from, to) in (0..315).flat_map(|a| (0..315).map(move |b| (place(a), place(b)))) {
+            let refuses = cells.first_infeasible(&from, &to);
+            let within = |k: usize| cells.is_feasible(cells.cell_at(&(from + (to - from) * (k as f64 / 24.0))));
+            assert!(refuses.is_some() || (0..=24).all(within), "{from} to {to}");
+            if refuses.is_some() { refused += 1 } else { accepted += 1 }
+        }
+        assert!(accepted > 10_000 && refused > 10_000, "{accepted} accepted, {refused} refused");
+    }
 }
