@@ -21,11 +21,13 @@ rust-test:
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
 	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle \
-		--test engines_agree --test cspace --test wrench_solvers
+		--test engines_agree --test cspace --test wrench_solvers --test wrench_oracle
 
-# Both engines and exact tests on 2 million random and degenerate motions; every disagreement is printed.
+# Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
+# every disagreement is printed.
 verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
+	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test wrench_oracle -- --nocapture
 
 $(VENV)/ready: requirements-dev.txt
 	$(PYTHON) -m venv $(VENV)

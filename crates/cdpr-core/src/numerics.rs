@@ -91,7 +91,8 @@ pub const KERNEL_NORMAL: f64 = 1e-6;
 /// Normals below this length are those of dependent columns: rounding of zero.
 pub const KERNEL_NO_NORMAL: f64 = 1e-13;
 
-/// Slack below this share of the largest tension cannot be certified along a motion, and is refused.
+/// Slack below this share of the longest edge of the available set (greatest tension times column) cannot be certified along
+/// a motion, and is refused: the kernel of four positions is good to some 1e-10 of it.
 pub const SLACK_RELATIVE: f64 = 1e-9;
 
 /// Least length of a piece that certifying a motion still divides, m: below it lies rounding of positions.
@@ -100,6 +101,16 @@ pub const CERTIFY_PIECE: f64 = 1e-11;
 /// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only by
 /// motions that stay close to the boundary over a long way.
 pub const CERTIFY_DIVISIONS: usize = 1 << 14;
+
+/// Divisions that certifying may always make, however long a margin takes.
+pub const LEAST_DIVISIONS: usize = 64;
+
+/// Share by which a largest scale is taken back where rounding has it just outside.
+pub const SCALE_ROUNDING: f64 = 1e-12;
+
+/// Largest ratio of two lengths that statics accept, characteristic length against metre: beyond it forces and moments could
+/// not be measured together in `f64`.
+pub const MOST_SCALE: f64 = 1e6;
 
 /// Accuracy of the least slack of a motion, as a share of the largest tension.
 pub const LEAST_SLACK_RELATIVE: f64 = 1e-6;

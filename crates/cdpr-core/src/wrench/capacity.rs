@@ -59,6 +59,11 @@ impl CapacityMargin {
         &self.statics
     }
 
+    /// Whether the kernel of four positions serves this robot and demand.
+    pub fn by_kernel(&self) -> bool {
+        self.robot.is_some()
+    }
+
     /// What is required.
     pub fn required(&self) -> &Required {
         &self.required

@@ -46,10 +46,10 @@ impl FeasibleCells {
     }
 
     /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid, and that cell; none if it
-    /// never does.
+    /// never does. A wall belongs to the cell above it, so a motion that ends on one enters that cell.
     pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<(f64, [i64; 3])> {
         let (start, step) = ((from - self.min) / self.size, (to - from) / self.size);
-        let mut cell: [i64; 3] = std::array::from_fn(|axis| self.cell_of(axis, start[axis]));
+        let mut cell = self.cell_at(from);
         let mut at = 0.0;
         loop {
             if !self.is_feasible(cell) {
@@ -60,16 +60,24 @@ impl FeasibleCells {
                 let far = cell[axis] as f64 + if step[axis] > 0.0 { 1.0 } else { 0.0 };
                 if step[axis] == 0.0 { f64::INFINITY } else { (far - start[axis]) / step[axis] }
             };
-            let next = (0..3).min_by(|&a, &b| wall(a).total_cmp(&wall(b))).expect("three axes");
+            // Through an edge: upward first, since the edge belongs to the cell above it.
+            let down = |axis: usize| step[axis] < 0.0;
+            let order = |&a: &usize, &b: &usize| wall(a).total_cmp(&wall(b)).then(down(a).cmp(&down(b)));
+            let next = (0..3).min_by(order).expect("three axes");
             if !(wall(next) < 1.0) {
-                return None;
+                return self.end_infeasible(to);
             }
             at = wall(next).max(at);
             cell[next] += if step[next] > 0.0 { 1 } else { -1 };
             if self.leaves(cell, to) {
-                return None; // only rounding leads out of the grid while the motion ends inside
+                return self.end_infeasible(to); // only rounding leads out: it ends inside
             }
         }
+    }
+
+    fn end_infeasible(&self, to: &Point) -> Option<(f64, [i64; 3])> {
+        let cell = self.cell_at(to);
+        (!self.is_feasible(cell)).then_some((1.0, cell))
     }
 
     /// The corners of a cell.
@@ -78,8 +86,16 @@ impl FeasibleCells {
         std::array::from_fn(|c| self.min + corner(c) * self.size)
     }
 
-    /// The cell of a coordinate; the upper end of the grid belongs to its last cell.
+    fn cell_at(&self, position: &Point) -> [i64; 3] {
+        let at = (position - self.min) / self.size;
+        std::array::from_fn(|axis| self.cell_of(axis, at[axis]))
+    }
+
+    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. No number has none.
     fn cell_of(&self, axis: usize, x: f64) -> i64 {
+        if x.is_nan() {
+            return -1;
+        }
         let cell = x.floor() as i64;
         if cell == self.counts[axis] as i64 && x - cell as f64 <= END { cell - 1 } else { cell }
     }
@@ -100,7 +116,7 @@ impl FeasibleCells {
 /// How far beyond the end of the grid a coordinate may lie by rounding, in cells.
 const END: f64 = 1e-9;
 
-/// Whether each corner of the cells has slack, x fastest.
+/// Whether each corner of the cells has slack that counts, x fastest. A set of lower rank has none, but for rounding.
 fn feasible_corners(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;
@@ -109,8 +125,68 @@ fn feasible_corners(measures: &[Measure], min: &Point, size: f64, counts: [usize
         let positions = std::array::from_fn(|k| at(chunk * WIDTH + k));
         let slack: Vec<[f64; WIDTH]> = measures.iter().map(|measure| measure.slack_at_four(&positions)).collect();
         for (k, corner) in corners.iter_mut().enumerate() {
-            *corner = slack.iter().all(|slack| slack[k] >= 0.0);
+            *corner = slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
         }
     });
     corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four by three by two cells of 0.25 m from (1, 0, 0) on, all feasible but these.
+    fn cells(infeasible: &[[usize; 3]]) -> FeasibleCells {
+        let mut feasible = vec![true; 24];
+        infeasible.iter().for_each(|[i, j, k]| feasible[i + 4 * (j + 3 * k)] = false);
+        FeasibleCells { min: Point::new(1.0, 0.0, 0.0), size: 0.25, counts: [4, 3, 2], feasible }
+    }
+
+    fn first_infeasible(cells: &FeasibleCells, from: &Point, to: &Point) -> Option<f64> {
+        cells.first_infeasible(from, to).map(|(at, _)| at)
+    }
+
+    /// A place in cells.
+    fn at(x: f64, y: f64, z: f64) -> Point {
+        Point::new(1.0 + 0.25 * x, 0.25 * y, 0.25 * z)
+    }
+
+    #[test]
+    fn a_motion_that_ends_on_a_wall_enters_the_cell_above_it_as_its_end_does() {
+        let cells = cells(&[[2, 1, 0]]);
+        let (from, wall) = (at(0.5, 1.5, 0.5), at(2.0, 1.5, 0.5));
+        assert_eq!(first_infeasible(&cells, &wall, &wall), Some(0.0));
+        assert_eq!(first_infeasible(&cells, &from, &wall), Some(1.0));
+        assert_eq!(first_infeasible(&cells, &wall, &from), Some(0.0));
+        let (above, below) = (at(3.5, 1.5, 0.5), at(3.0, 1.5, 0.5));
+        assert_eq!(first_infeasible(&cells, &above, &below), None);
+        let through = first_infeasible(&cells, &above, &from).expect("refused");
+        assert!((through - 1.0 / 6.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_upper_end_of_the_grid_belongs_to_its_last_cell() {
+        let cells = cells(&[]);
+        let (low, high) = (at(0.0, 0.0, 0.0), at(4.0, 3.0, 2.0));
+        for (from, to) in [(low, high), (high, low), (high, high), (high, at(4.0, 0.0, 2.0)), (at(4.0, 0.0, 0.0), high)]
+        {
+            assert_eq!(first_infeasible(&cells, &from, &to), None);
+        }
+        assert!(first_infeasible(&cells, &low, &at(4.1, 0.0, 0.0)).is_some());
+        assert!(first_infeasible(&cells, &low, &at(f64::NAN, 0.0, 0.0)).is_some());
+    }
+
+    #[test]
+    fn no_place_of_an_accepted_motion_is_in_an_infeasible_cell() {
+        let cells = cells(&[[2, 1, 0], [0, 2, 1], [3, 0, 0]]);
+        let place = |n: usize| at((n % 9) as f64 / 2.0, (n / 9 % 7) as f64 / 2.0, (n / 63) as f64 / 2.0);
+        let (mut accepted, mut refused) = (0, 0);
+        for (from, to) in (0..315).flat_map(|a| (0..315).map(move |b| (place(a), place(b)))) {
+            let refuses = first_infeasible(&cells, &from, &to);
+            let within = |k: usize| cells.is_feasible(cells.cell_at(&(from + (to - from) * (k as f64 / 24.0))));
+            assert!(refuses.is_some() || (0..=24).all(within), "{from} to {to}");
+            if refuses.is_some() { refused += 1 } else { accepted += 1 }
+        }
+        assert!(accepted > 10_000 && refused > 10_000, "{accepted} accepted, {refused} refused");
+    }
 }

@@ -6,7 +6,7 @@
 use super::measure::{Measure, sagging};
 use crate::geometry::Point;
 use crate::numerics::simd::WIDTH;
-use crate::numerics::{CERTIFY_DIVISIONS, CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
+use crate::numerics::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 
 /// A piece of a motion between two fractions of it, with the slack at both.
 #[derive(Debug, Clone, Copy, Default)]
@@ -28,13 +28,23 @@ struct March<'a> {
     waiting: [Piece; WAITING],
     count: usize,
     divisions: usize,
+    most: usize,
 }
 
 impl<'a> March<'a> {
     /// The motion as one piece.
     fn new(measure: &'a Measure, from: &'a Point, to: &'a Point) -> Self {
         let length = (to - from).norm();
-        March { measure, from, to, length, waiting: [Piece::default(); WAITING], count: 0, divisions: 0 }
+        March {
+            measure,
+            from,
+            to,
+            length,
+            waiting: [Piece::default(); WAITING],
+            count: 0,
+            divisions: 0,
+            most: measure.divisions(),
+        }
     }
 
     fn at(&self, t: f64) -> Point {
@@ -85,7 +95,7 @@ impl<'a> March<'a> {
     /// Whether a piece is too short, or the work too much, to go on.
     fn exhausted(&self, piece: &Piece) -> bool {
         (piece.to - piece.from) * self.length <= CERTIFY_PIECE
-            || self.divisions >= CERTIFY_DIVISIONS
+            || self.divisions >= self.most
             || self.count + WIDTH + 1 > WAITING
     }
 }
@@ -146,7 +156,7 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
             continue;
         }
         if march.exhausted(&piece) {
-            return Some(if enough(piece.slack[1]) { piece.from } else { piece.to });
+            return Some(piece.from);
         }
         let pieces = march.divide(&piece);
         push_up_to_failure(&mut march, &pieces);

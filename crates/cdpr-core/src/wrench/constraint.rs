@@ -37,6 +37,13 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
     let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
     let required = required(spec)?;
     let capacity = CapacityMargin::new(statics.clone(), required).map_err(|e| e.under("wrench"))?;
+    if let Some(moment) = statics.moment_on_point_mass() {
+        let problem = format!(
+            "found a moment of {moment:.3} N·m about the point where all cables meet, expected none: they can exert none; \
+             move the centre of mass there, or change the load"
+        );
+        return Err(Error::invalid("robot.center_of_mass", problem));
+    }
     Ok(match spec.margin.unwrap_or(MarginSpec::Capacity) {
         MarginSpec::Capacity => vec![Measure::Capacity(Box::new(capacity))],
         MarginSpec::Projected => {
@@ -140,10 +147,12 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
     found.wrench_margin = Some(limit.margin);
     let (rank, full) = statics.rank(&columns);
     (found.rank, found.rank_deficient) = (rank, !full);
-    for (cable, column) in statics.cables().iter().zip(&columns) {
-        match limit.normal.dot(column) {
-            height if height > DEPENDENT.sqrt() => found.at_greatest.push(cable.name.clone()),
-            height if height < -DEPENDENT.sqrt() => found.at_least.push(cable.name.clone()),
+    let heights: Vec<f64> = columns.iter().map(|column| limit.normal.dot(column)).collect();
+    let in_facet = DEPENDENT.sqrt() * heights.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
+    for (cable, height) in statics.cables().iter().zip(heights) {
+        match height {
+            height if height > in_facet => found.at_greatest.push(cable.name.clone()),
+            height if height < -in_facet => found.at_least.push(cable.name.clone()),
             _ => {}
         }
     }

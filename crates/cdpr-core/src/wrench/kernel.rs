@@ -6,11 +6,11 @@
 //! all 56 normals. Everything else follows from v, through P = W⁺ᵀ, c = P v:
 //!
 //! - how far the facet is out on both sides: Σ ρᵢ|vᵢ| ± Σ μᵢ vᵢ with μ, ρ middle and half-width of the tensions;
-//! - c·w_r = Σ vᵢ Pᵢ·w_r, and the lengths of the force and the moment part of c as quadratic forms of v.
+//! - c·w_r = Σ vᵢ Pᵢ·w_r.
 //!
 //! N and P come from a QR factorisation of Wᵀ by Householder reflections, which needs no pivots, so that lanes need not
 //! branch. Where a factor or a normal is too uncertain for that, the lane is left to [`super::margins`]. `sure` tells: it is
-//! negative then (and stands second in every minimum, which is where a number survives beside NaN).
+//! negative then.
 
 use super::statics::Statics;
 use crate::geometry::Point;
@@ -123,7 +123,7 @@ fn transposed_wrench_matrix<L: Lanes>(
             u[axis] = l.sub(l.splat(anchor[axis]), at[axis]);
         }
         let length = l.sqrt(dot(l, &u, &u));
-        *sure = l.min(l.sub(length, l.splat(MIN_CABLE_LENGTH)), *sure);
+        *sure = unless(l, l.sub(length, l.splat(MIN_CABLE_LENGTH)), *sure);
         let inverse = l.div(l.splat(1.0), length);
         for x in &mut u {
             *x = l.mul(*x, inverse);
@@ -172,7 +172,7 @@ impl<L: Lanes> Factors<L> {
         for d in &diagonal[1..] {
             (least, largest) = (l.min(least, l.abs(*d)), l.max(largest, l.abs(*d)));
         }
-        *sure = l.min(l.sub(least, l.mul(largest, l.splat(KERNEL_CONDITION))), *sure);
+        *sure = unless(l, l.sub(least, l.mul(largest, l.splat(KERNEL_CONDITION))), *sure);
         // Q = H₀ … H₅, applied to the columns of the identity, last reflection first.
         let mut q = [[l.splat(0.0); CABLES]; CABLES];
         for column in 0..CABLES {
@@ -251,50 +251,40 @@ fn least_slack<L: Lanes>(l: L, robot: &KernelRobot, factors: &Factors<L>, sure: 
         offset[k] = l.sub(along, l.splat(robot.middle[k]));
         half[k] = l.splat(robot.half[k]);
     }
-    // Products of pairs of cables: two by two minors of N, and force and moment parts of P's columns.
+    // Two by two minors of N: products of pairs of cables.
     let mut minor = [[zero; CABLES]; CABLES];
-    let mut forces = [[zero; CABLES]; CABLES];
-    let mut moments = [[zero; CABLES]; CABLES];
     for i in 0..CABLES {
-        for j in i..CABLES {
+        for j in i + 1..CABLES {
             minor[i][j] = l.sub(l.mul(null[i][0], null[j][1]), l.mul(null[i][1], null[j][0]));
-            let [fx, fy, fz, mx, my, mz] = dual[i];
-            let [gx, gy, gz, nx, ny, nz] = dual[j];
-            let twice = l.splat(if i == j { 1.0 } else { 2.0 });
-            forces[i][j] = l.mul(twice, dot(l, &[fx, fy, fz], &[gx, gy, gz]));
-            moments[i][j] = l.mul(twice, dot(l, &[mx, my, mz], &[nx, ny, nz]));
         }
     }
     let (force, moment) = (l.splat(robot.radii[0]), l.splat(robot.radii[1]));
     let mut least = l.splat(f64::INFINITY);
     for [i, j, k] in TRIPLES {
         let v = [minor[j][k], l.sub(zero, minor[i][k]), minor[i][j]];
-        let squares = [l.mul(v[0], v[0]), l.mul(v[1], v[1]), l.mul(v[2], v[2])];
-        let pairs = [l.mul(v[0], v[1]), l.mul(v[0], v[2]), l.mul(v[1], v[2])];
-        let f2 = quadratic(l, &forces, [i, j, k], &squares, &pairs);
-        let m2 = quadratic(l, &moments, [i, j, k], &squares, &pairs);
+        let mut c = [zero; ROWS];
+        for r in 0..ROWS {
+            c[r] = dot(l, &v, &[dual[i][r], dual[j][r], dual[k][r]]);
+        }
+        let [fx, fy, fz, mx, my, mz] = c;
+        let (f2, m2) = (dot(l, &[fx, fy, fz], &[fx, fy, fz]), dot(l, &[mx, my, mz], &[mx, my, mz]));
         let out = dot(l, &[l.abs(v[0]), l.abs(v[1]), l.abs(v[2])], &[half[i], half[j], half[k]]);
         let off = l.abs(dot(l, &v, &[offset[i], offset[j], offset[k]]));
         let needed = l.add(off, l.add(l.mul(force, l.sqrt(f2)), l.mul(moment, l.sqrt(m2))));
         let slack = l.div(l.sub(out, needed), l.sqrt(l.add(f2, m2)));
-        let size = l.add(squares[0], l.add(squares[1], squares[2]));
+        let size = dot(l, &v, &v);
         let no_normal = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);
-        least = l.min(least, l.where_not_negative(no_normal, l.splat(f64::INFINITY), slack));
+        let slack = l.where_not_negative(no_normal, l.splat(f64::INFINITY), slack);
+        least = l.min(slack, least);
         let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
-        *sure = l.min(l.max(no_normal, clear), *sure);
+        *sure = unless(l, l.max(no_normal, clear), *sure);
+        *sure = unless(l, l.mul(slack, slack), *sure); // no number
     }
     least
 }
 
-/// Σ gᵢⱼ vᵢ vⱼ over three cables, not negative; off the diagonal `g` holds both halves.
+/// `sure` where a check is not negative, else -1; also where the check is no number.
 #[inline(always)]
-fn quadratic<L: Lanes>(
-    l: L,
-    g: &[[L::Four; CABLES]; CABLES],
-    [i, j, k]: [usize; 3],
-    squares: &[L::Four; 3],
-    pairs: &[L::Four; 3],
-) -> L::Four {
-    let own = dot(l, squares, &[g[i][i], g[j][j], g[k][k]]);
-    l.max(l.add(own, dot(l, pairs, &[g[i][j], g[i][k], g[j][k]])), l.splat(0.0))
+fn unless<L: Lanes>(l: L, check: L::Four, sure: L::Four) -> L::Four {
+    l.where_not_negative(check, sure, l.splat(-1.0))
 }

@@ -12,7 +12,7 @@ use super::active_set::{Nearest, nearest};
 use super::interior_point::InteriorPoint;
 use super::slice::{Ranges, Slice, check, check_numbers};
 use crate::error::Error;
-use crate::numerics::{PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_STEPS};
+use crate::numerics::{PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING, SCALE_STEPS};
 
 /// Whether tensions within limits balance a wrench.
 #[derive(Debug, Clone, PartialEq)]
@@ -271,7 +271,8 @@ impl ScaleLp {
         for _ in 0..SCALE_STEPS {
             match ray.at(s) {
                 Nearest::At(_) => return Some(s),
-                Nearest::Nowhere(normal) => s = ray.bound(&normal).filter(|nearer| *nearer < s)?,
+                // A plane that moves the end by rounding only moves it by a little more.
+                Nearest::Nowhere(normal) => s = ray.bound(&normal)?.min(s * (1.0 - SCALE_ROUNDING)),
                 Nearest::Unsettled => return None,
             }
         }

@@ -7,8 +7,8 @@ use super::capacity::CapacityMargin;
 use super::margins::{Limit, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
 use crate::geometry::Point;
-use crate::numerics::SLACK_RELATIVE;
 use crate::numerics::simd::WIDTH;
+use crate::numerics::{CERTIFY_DIVISIONS, LEAST_DIVISIONS, SLACK_RELATIVE};
 
 /// What a demand is measured by.
 #[derive(Debug, Clone)]
@@ -63,9 +63,23 @@ impl Measure {
         }
     }
 
-    /// The least slack that counts: below it rounding could decide.
+    /// The least slack that counts: below it rounding could decide. A share of the longest edge of the measured set.
     pub fn floor(&self) -> f64 {
-        SLACK_RELATIVE * self.statics().largest_tension()
+        let edge = |cable: &StaticCable| cable.tension[1] * self.lever(cable);
+        SLACK_RELATIVE * self.statics().cables().iter().map(edge).fold(0.0, f64::max)
+    }
+
+    /// Divisions of a motion after which certifying gives up; fewer where a slack takes long.
+    pub fn divisions(&self) -> usize {
+        match self {
+            Measure::Capacity(margin) if margin.by_kernel() => CERTIFY_DIVISIONS,
+            Measure::Capacity(margin) if !margin.statics().point_mass() => {
+                let m = margin.statics().cables().len();
+                let facets = (0..5).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1));
+                (CERTIFY_DIVISIONS / facets.max(1)).max(LEAST_DIVISIONS)
+            }
+            _ => CERTIFY_DIVISIONS / 8,
+        }
     }
 
     /// How much a cable's column of the measured set moves at most for each unit that its direction moves.

@@ -5,7 +5,7 @@ use nalgebra::Vector6;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::model::{Robot, Scene, body};
-use crate::numerics::{MIN_CABLE_LENGTH, SAME_POINT};
+use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
 
 /// What acts on the platform besides its cables, and how its wrenches are measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,6 +103,11 @@ impl Statics {
     pub fn new(robot: &Robot, loads: &Loads) -> Result<Self, Error> {
         let Loads { orientation, gravity, load, characteristic_length: length } = loads;
         body::positive("characteristic_length", *length)?;
+        if !(1.0 / MOST_SCALE..=MOST_SCALE).contains(length) {
+            let problem =
+                format!("found {length} m, expected a length from {:e} to {MOST_SCALE:e} m", 1.0 / MOST_SCALE);
+            return Err(Error::invalid("characteristic_length", problem));
+        }
         body::coordinates("gravity", gravity.as_ref())?;
         body::finite("load", load.as_slice())?;
         let mass = robot.mass().ok_or_else(|| {
@@ -158,6 +163,16 @@ impl Statics {
     /// Whether all cables meet in one point of the platform: they can exert forces, but no moment about it.
     pub fn point_mass(&self) -> bool {
         self.point_mass
+    }
+
+    /// The moment that weight and load have about the point where all cables of a point mass meet, N·m, if that is more than
+    /// rounding: the cables cannot balance it.
+    pub fn moment_on_point_mass(&self) -> Option<f64> {
+        let arm = self.cables.first().filter(|_| self.point_mass)?.arm;
+        let force = Vector::new(self.balance[0], self.balance[1], self.balance[2]);
+        let moment = Vector::new(self.balance[3], self.balance[4], self.balance[5]) * self.length;
+        let left = (moment - arm.cross(&force)).norm();
+        (left > SAME_POINT * (force.norm() + moment.norm())).then_some(left)
     }
 
     /// The largest tension of all cables, N: the scale of wrenches.
