@@ -72,15 +72,17 @@ pub enum Command {
   cdpr shadows hall.toml -o shadows.obj --cable \"cable 3\" --obstacle pillar
   cdpr shadows hall.toml -o regions.stl --all")]
     Shadows(ShadowsArgs),
-    /// What the cables can balance: at a position or along a path.
+    /// What the cables can balance: at a position, on a grid, or along a path.
     ///
     /// At a position: rank, margins, the cables that limit them, and the tensions nearest to the middle of their limits.
+    /// On a grid: capacity margins at all positions inside the workspace, with share, volume and extent of the feasible ones.
     /// Along a path: position, length and tension of every cable and the margins at even steps, as CSV. Required balls are
     /// those of the scene's [wrench] unless given here. Exit status 1 where the loads (with --at: all that is required)
     /// cannot be balanced.
     #[command(after_help = "Examples:
   cdpr wrench hall.toml --at 0 0 2
   cdpr wrench hall.toml --at 0 0 2 --force 50 --moment 5 --format json
+  cdpr wrench hall.toml --grid 0.1 -o margins.npz
   cdpr wrench hall.toml --along path.json -o tensions.csv")]
     Wrench(WrenchArgs),
     /// Run an experiment: scenarios × methods × trials, on all cores.
@@ -297,13 +299,19 @@ pub struct ShadowsArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(group = clap::ArgGroup::new("where").required(true).args(["at", "along"]))]
+#[command(group = clap::ArgGroup::new("where").required(true).args(["at", "grid", "along"]))]
 pub struct WrenchArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// A position of the platform's origin, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub at: Option<Vec<f64>>,
+    /// Margins on a grid of this step over all positions inside the workspace, m; needs -o.
+    #[arg(long, value_name = "STEP", value_parser = positive, requires = "output", allow_negative_numbers = true)]
+    pub grid: Option<f64>,
+    /// With --grid, force and moment margins as well (slower).
+    #[arg(long, requires = "grid")]
+    pub projected: bool,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub along: Option<PathBuf>,
@@ -316,7 +324,7 @@ pub struct WrenchArgs {
     /// Radius of the required moment ball instead of the scene's, N·m.
     #[arg(long, value_name = "NM", allow_negative_numbers = true)]
     pub moment: Option<f64>,
-    /// Write the rows here (.csv).
+    /// Write the rows (.csv) or the map (.npz for NumPy, .vti for ParaView) here.
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
 }

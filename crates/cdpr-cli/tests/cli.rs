@@ -390,6 +390,12 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
     let csv = fs::read_to_string(at("t.csv")).unwrap();
     assert!(csv.starts_with("s,x,y,z,length_0,") && csv.lines().count() == 7, "{csv}");
     assert!(csv.lines().last().unwrap().starts_with("2.4000000000000004,-6.4,0,0.5,"), "{csv}");
+    for name in ["map.npz", "map.vti"] {
+        let arguments = ["wrench", &at("hall.toml"), "--grid", "0.5", "-o", &at(name), "--format", "json"];
+        let map = json(&cdpr(&arguments));
+        assert_eq!(map["counts"], serde_json::json!([26, 19, 9]));
+        assert!(map["volume"].as_f64().unwrap() > 100.0 && fs::metadata(at(name)).unwrap().len() > 10_000);
+    }
     let check = cdpr(&["check", &at("hall.toml"), &at("path.csv"), "--format", "json"]);
     let check = json(&check);
     assert_eq!(check["violations"][0]["kind"], "wrench");
@@ -400,6 +406,9 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
     for (arguments, words) in [
         (vec!["--at", "0", "0", "2", "--force", "-1"], "force: found -1"),
         (vec!["--along", "nowhere.csv"], "nowhere.csv"),
+        (vec!["--grid", "0.5"], "--output"),
+        (vec!["--grid", "0.5", "-o", "map.txt"], "map.txt"),
+        (vec!["--grid", "1e-6", "-o", "map.npz"], "step"),
         (vec!["--at", "0", "0"], "--at"),
         (vec![], "--at"),
     ] {

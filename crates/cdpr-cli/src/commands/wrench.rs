@@ -1,13 +1,18 @@
 //! `cdpr wrench`
 
-use cdpr_core::geometry::Point;
-use cdpr_core::wrench::{Loads, Required, Statics, TensionRow, WrenchReport, constraint, tensions_along, wrench_at};
+use cdpr_core::collision::Constraints;
+use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::wrench::map::Place;
+use cdpr_core::wrench::{
+    Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, tensions_along, wrench_at,
+};
 use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::output::{position, result, say, scene_line, thousandths};
-use crate::progress::interrupted;
+use crate::progress::{interrupted, with_sign_of_life};
 
 pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
     let scene = io::load_scene(&args.scene.scene)?;
@@ -18,7 +23,10 @@ pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
         let report = wrench_at(&statics, &required, &Point::from_slice(at)).map_err(in_scene)?;
         return Ok(tell(args, &scene, &statics, &report));
     }
-    let path = args.along.as_deref().expect("clap asks for one of the two");
+    if let Some(step) = args.grid {
+        return map(args, &scene, &statics, &required, step);
+    }
+    let path = args.along.as_deref().expect("clap asks for one of the three");
     args.output.as_deref().map(io::check_tensions_name).transpose()?;
     let path = io::load_waypoints(path, Some(&scene))?;
     let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted).map_err(in_scene)?;
@@ -121,4 +129,62 @@ fn summary(scene: &Scene, statics: &Statics, rows: &[TensionRow]) -> Vec<String>
             .map(|(margin, s)| format!("least capacity margin {margin:.3} N at {s:.4} m")),
     );
     lines
+}
+
+fn map(args: &WrenchArgs, scene: &Scene, statics: &Statics, required: &Required, step: f64) -> Result<Answer, Error> {
+    let output = args.output.as_deref().expect("clap asks for it");
+    io::MapFormat::of(output)?;
+    let (min, max) = Constraints::new(scene)?.position_box();
+    if (min - max).max() > 0.0 {
+        return Err(Error::invalid(
+            "workspace",
+            "found one that the platform does not fit into, so there are no positions",
+        ));
+    }
+    let options = MapOptions { step, projected: args.projected };
+    let map = with_sign_of_life("measuring", |stop| {
+        let batch = BatchOptions { threads: None, interrupted: stop };
+        WrenchMap::new(statics, required, &Aabb { min, max }, &options, &batch)
+    })?;
+    io::save_wrench_map(output, &map)?;
+    let found = map.summary();
+    match args.scene.format {
+        Format::Json => result(&format!("{:#}", summary_json(&map))),
+        Format::Text => {
+            result(&scene_line(scene));
+            let [nx, ny, nz] = map.grid().counts;
+            let share = 100.0 * found.share;
+            result(&format!("{} of {} nodes feasible ({nx} x {ny} x {nz}), {share:.1} %", found.feasible, found.nodes));
+            result(&format!("feasible volume {:.3} m³", found.volume));
+            let extent = found.extent.iter().map(|e| format!("from {} to {} m", position(&e.min), position(&e.max)));
+            extent.for_each(|extent| result(&format!("its extent {extent}")));
+            for (what, place) in [("least", &found.least), ("greatest", &found.greatest)] {
+                let told =
+                    |p: &Place| format!("{what} margin {} N at {}", thousandths(p.margin), position(&p.position));
+                place.iter().for_each(|place| result(&told(place)));
+            }
+        }
+    }
+    say(&format!("wrote {}", output.display()));
+    Ok(if found.feasible > 0 { Answer::Yes } else { Answer::No })
+}
+
+fn summary_json(map: &WrenchMap) -> serde_json::Value {
+    let (found, grid) = (map.summary(), map.grid());
+    let place = |p: &Place| serde_json::json!({ "margin": p.margin, "position": p.position.coords.as_slice() });
+    let extent = |e: &Aabb| serde_json::json!({ "min": e.min.coords.as_slice(), "max": e.max.coords.as_slice() });
+    serde_json::json!({
+        "origin": grid.origin.coords.as_slice(),
+        "step": grid.step,
+        "counts": grid.counts,
+        "nodes": found.nodes,
+        "feasible": found.feasible,
+        "undefined": found.undefined,
+        "share": found.share,
+        "volume": found.volume,
+        "extent": found.extent.as_ref().map(extent),
+        "least": found.least.as_ref().map(place),
+        "greatest": found.greatest.as_ref().map(place),
+        "fingerprint": map.identity().fingerprint(),
+    })
 }
