@@ -31,6 +31,7 @@ from ._wrench import (
     tensions_along,
     wrench_matrix,
 )
+from ._wrench_map import WrenchMap, wrench_map
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "Scene",
     "Tensions",
     "Violation",
+    "WrenchMap",
     "__version__",
     "capacity_margin",
     "check",
@@ -62,5 +64,6 @@ __all__ = [
     "shadows",
     "tension_distribution",
     "tensions_along",
+    "wrench_map",
     "wrench_matrix",
 ]

@@ -162,3 +162,29 @@ def test_a_scene_with_a_demand_is_planned_and_its_report_tells_margin_and_tensio
     violation = cdpr.check(scene, [[-4, 0, 0.5], [-6.4, 0, 0.5]]).violations[0]
     assert violation.kind == "wrench" and violation.margin is None and violation.wrench_margin < 0
     assert len(violation.at_least) + len(violation.at_greatest) == 3
+
+
+def test_a_map_holds_the_margins_of_its_positions_and_belongs_to_its_robot(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
+    found = cdpr.wrench_map(scene, step=0.8, projected=True, threads=1)
+    demand = scene.to_dict()["wrench"]
+    flat = found.positions.reshape(-1, 3)
+    margins = cdpr.capacity_margin(scene.robot, flat, force=demand["force"], moment=demand["moment"])
+    assert (found.margin.ravel() == margins).all()
+    assert np.allclose(found.force_margin.ravel(), cdpr.force_margin(scene.robot, flat))
+    assert found.feasible.mean() == pytest.approx(found.share)
+    assert found.volume == pytest.approx(found.feasible.sum() * 0.8**3)
+    found.save(tmp_path / "map.npz")
+    found.save(tmp_path / "map.vti")
+    assert (np.load(tmp_path / "map.npz")["margin"] == found.margin).all()
+    assert (cdpr.WrenchMap.load(tmp_path / "map.npz", scene).margin == found.margin).all()
+    for other in (cdpr.Scene.load(TESTDATA / "scenes/caroca.toml"),):
+        with pytest.raises(cdpr.InputError, match="another|differ|found"):
+            cdpr.WrenchMap.load(tmp_path / "map.npz", other)
+    with pytest.raises(cdpr.InputError):
+        cdpr.WrenchMap.load(tmp_path / "map.npz", scene, force=1.0)
+    (tmp_path / "torn.npz").write_bytes((tmp_path / "map.npz").read_bytes()[:500])
+    with pytest.raises(cdpr.CdprError, match="torn.npz"):
+        cdpr.WrenchMap.load(tmp_path / "torn.npz")
+    with pytest.raises(cdpr.InputError, match="step"):
+        cdpr.wrench_map(scene, step=1e-9)

@@ -3,6 +3,7 @@
 mod convert;
 mod errors;
 mod wrench;
+mod wrench_map;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -376,6 +377,8 @@ fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
 mod _core {
     #[pymodule_export]
     use super::wrench::Statics;
+    #[pymodule_export]
+    use super::wrench_map::Map;
     use super::*;
     #[pymodule_export]
     use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema};

@@ -1,0 +1,108 @@
+//! Maps of margins.
+
+use cdpr_core::collision::Constraints;
+use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::geometry::Aabb;
+use cdpr_core::wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap, constraint};
+use cdpr_core::{Error, io};
+use numpy::{PyArray1, PyArray3, PyArrayMethods};
+use pyo3::prelude::*;
+
+use crate::errors::{interruptible, raised};
+use crate::{Scene, serialized};
+
+/// A map of margins over the positions of a scene.
+#[pyclass(frozen, module = "cdpr._core", name = "WrenchMap")]
+pub struct Map(WrenchMap);
+
+/// What a scene requires, with radii given instead.
+fn required(scene: &cdpr_core::Scene, force: Option<f64>, moment: Option<f64>) -> Result<Required, Error> {
+    let of_scene = scene.wrench().cloned().unwrap_or_default();
+    if force.is_none() && moment.is_none() {
+        return constraint::required(&of_scene);
+    }
+    Required::balls(force.or(of_scene.force).unwrap_or(0.0), moment.or(of_scene.moment).unwrap_or(0.0))
+}
+
+#[pymethods]
+impl Map {
+    /// The map of a scene.
+    #[staticmethod]
+    fn of(
+        py: Python<'_>,
+        scene: &Scene,
+        step: f64,
+        force: Option<f64>,
+        moment: Option<f64>,
+        projected: bool,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let scene = &scene.0;
+        let statics = Statics::of(scene).map_err(raised)?;
+        let required = required(scene, force, moment).map_err(raised)?;
+        let (min, max) = Constraints::new(scene).map_err(raised)?.position_box();
+        let options = MapOptions { step, projected };
+        interruptible(py, |interrupted| {
+            WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &BatchOptions { threads, interrupted })
+        })
+        .map(Map)
+    }
+
+    /// Loads a map; refused if it is not of this scene.
+    #[staticmethod]
+    fn load(
+        path: std::path::PathBuf,
+        scene: Option<&Scene>,
+        force: Option<f64>,
+        moment: Option<f64>,
+    ) -> PyResult<Self> {
+        let identity = |scene: &Scene| -> Result<MapIdentity, Error> {
+            Ok(MapIdentity::of(&Statics::of(&scene.0)?, &required(&scene.0, force, moment)?))
+        };
+        let expected = scene.map(identity).transpose().map_err(raised)?;
+        io::load_wrench_map(&path, expected.as_ref()).map(Map).map_err(raised)
+    }
+
+    /// Writes a .npz or .vti file.
+    fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
+        io::save_wrench_map(&path, &self.0).map_err(raised)
+    }
+
+    /// Position of the first node.
+    fn origin(&self) -> [f64; 3] {
+        self.0.grid().origin.into()
+    }
+
+    /// Distance of nodes.
+    fn step(&self) -> f64 {
+        self.0.grid().step
+    }
+
+    /// Capacity margins, (nx, ny, nz).
+    fn capacity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        shaped(py, &self.0, &self.0.margins().capacity)
+    }
+
+    /// Force margins, if computed.
+    fn force<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray3<f64>>>> {
+        self.0.margins().force.as_deref().map(|margins| shaped(py, &self.0, margins)).transpose()
+    }
+
+    /// Moment margins, if computed.
+    fn moment<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray3<f64>>>> {
+        self.0.margins().moment.as_deref().map(|margins| shaped(py, &self.0, margins)).transpose()
+    }
+
+    /// Feasible nodes, share, volume and extent as JSON.
+    fn summary(&self) -> String {
+        let found = self.0.summary();
+        let extent = found.extent.map(|e| [<[f64; 3]>::from(e.min), e.max.into()]);
+        serialized(&serde_json::json!({
+            "feasible": found.feasible, "share": found.share, "volume": found.volume, "extent": extent,
+        }))
+    }
+}
+
+fn shaped<'py>(py: Python<'py>, map: &WrenchMap, margins: &[f64]) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    PyArray1::from_slice(py, margins).reshape(map.grid().counts)
+}

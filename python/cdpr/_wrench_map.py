@@ -1,0 +1,122 @@
+"""Maps of wrench margins over the positions of a scene."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._arrays import Floats
+from ._model import Scene
+
+
+class WrenchMap:
+    """Margins on a grid of positions; made by `wrench_map` or `WrenchMap.load`.
+
+    Attributes
+    ----------
+    margin : ndarray (nx, ny, nz)
+        Capacity margins, N; NaN where a cable has no length.
+    force_margin, moment_margin : ndarray (nx, ny, nz) or None
+        N and N·m, if they were asked for.
+    origin : ndarray (3,)
+        Position of the first node, world, m.
+    step : float
+        Distance of neighbouring nodes, m.
+    feasible : ndarray (nx, ny, nz) of bool
+        Where the margin is positive.
+    share, volume : float
+        Share of feasible nodes; their number times the volume of a cell, m³.
+    extent : ndarray (2, 3) or None
+        Smallest and largest coordinates of feasible nodes, m.
+    """
+
+    def __init__(self, core: _core.WrenchMap) -> None:
+        """See `wrench_map`."""
+        self._core = core
+        self.margin: Floats = core.capacity()
+        self.force_margin: Floats | None = core.force()
+        self.moment_margin: Floats | None = core.moment()
+        self.origin: Floats = np.array(core.origin())
+        self.step: float = core.step()
+        summary: dict[str, Any] = json.loads(core.summary())
+        self.share: float = summary["share"]
+        self.volume: float = summary["volume"]
+        self.extent: Floats | None = None if summary["extent"] is None else np.array(summary["extent"])
+
+    @property
+    def feasible(self) -> NDArray[np.bool_]:
+        """Where the margin is positive."""
+        return self.margin > 0.0
+
+    @property
+    def positions(self) -> Floats:
+        """Position of each node, (nx, ny, nz, 3), m."""
+        axes = [self.origin[k] + self.step * np.arange(n) for k, n in enumerate(self.margin.shape)]
+        return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a file: .npz, which NumPy reads as well, or .vti for ParaView."""
+        self._core.save(os.fspath(path))
+
+    @classmethod
+    def load(
+        cls,
+        path: str | os.PathLike[str],
+        scene: Scene | None = None,
+        *,
+        force: float | None = None,
+        moment: float | None = None,
+    ) -> WrenchMap:
+        """Load a .npz file. With ``scene``, a map of another robot, load or demand is refused.
+
+        Raises
+        ------
+        FileError
+            A file that cannot be read.
+        InputError
+            A file that is no map, or a map of something else.
+        """
+        return cls(_core.WrenchMap.load(os.fspath(path), None if scene is None else scene._core, force, moment))
+
+    def __repr__(self) -> str:
+        """Say size and share."""
+        shape = " x ".join(map(str, self.margin.shape))
+        return f"WrenchMap({shape} nodes of {self.step} m, {100 * self.share:.1f} % feasible)"
+
+
+def wrench_map(
+    scene: Scene,
+    *,
+    step: float = 0.05,
+    force: float | None = None,
+    moment: float | None = None,
+    projected: bool = False,
+    threads: int | None = None,
+) -> WrenchMap:
+    """Capacity margins on a grid over all positions at which the platform is inside the workspace.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+    step : float
+        Distance of neighbouring nodes, m. A map takes 8 bytes a node and margin.
+    force, moment : float, optional
+        Radii of the required balls instead of the scene's, N and N·m.
+    projected : bool
+        Force and moment margins as well; they take some twenty times longer.
+    threads : int, optional
+        Default all cores; the margins do not depend on it.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/cogiro.toml")
+    >>> wrench_map(scene, step=1.0).margin.ndim
+    3
+    """
+    return WrenchMap(_core.WrenchMap.of(scene._core, float(step), force, moment, projected, threads))
