@@ -21,7 +21,7 @@ rust-test:
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
 	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle \
-		--test engines_agree --test cspace --test wrench_solvers --test wrench_oracle
+		--test engines_agree --test cspace --test wrench_solvers --test wrench_oracle --test wrench_certify
 
 # Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
 # every disagreement is printed.

@@ -1,11 +1,19 @@
 //! Time of one capacity margin: eight cables, 56 pairs of facets, force and moment ball; and of a map of a million.
 
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
 use cdpr_core::collision::batch::BatchOptions;
-use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::geometry::{Aabb, Point, Vector};
+use cdpr_core::io::{load_robot, load_scene};
 use cdpr_core::model::Robot;
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::paper_robot;
-use cdpr_core::wrench::{CapacityMargin, Loads, MapOptions, Required, Statics, WrenchMap};
+use cdpr_core::wrench::{CapacityMargin, Loads, MapOptions, Measure, Required, Statics, WrenchMap, certified};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 /// The paper's cube with the attachments crossed in x and z, which gives it all six degrees of freedom; 20 kg, balls of
 /// 50 N and 5 N·m.
@@ -64,5 +72,73 @@ fn wrench_map(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, capacity_margin, wrench_map);
+/// Certified motions of 0.1 m from feasible positions of robots as built, accepted ones and all.
+fn certified_motions(c: &mut Criterion) {
+    let mut group = c.benchmark_group("certified motion of 0.1 m");
+    for (name, force, moment, within) in [
+        ("cogiro", 50.0, 5.0, [[-7.0, 7.0], [-5.0, 5.0], [0.0, 5.0]]),
+        ("acrobot", 0.5, 0.05, [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0]]),
+    ] {
+        let measure = built(name, force, moment);
+        let motions = motions_from_feasible(&measure, &within, 2000);
+        group.throughput(Throughput::Elements(motions.len() as u64));
+        group.bench_function(format!("{name}, mean"), |b| {
+            b.iter(|| motions.iter().filter(|(from, to)| certified(&measure, from, to)).count());
+        });
+        let (from, to) = median(&measure, motions);
+        group.throughput(Throughput::Elements(1));
+        group.bench_function(format!("{name}, the median motion"), |b| b.iter(|| certified(&measure, &from, &to)));
+    }
+    group.finish();
+}
+
+fn built(name: &str, force: f64, moment: f64) -> Measure {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/robots").join(name).with_extension("toml");
+    let robot = load_robot(&path).expect("a sound robot");
+    let statics = Statics::new(&robot, &Loads::default()).expect("limits and mass");
+    let required = Required::balls(force, moment).expect("radii");
+    Measure::Capacity(Box::new(CapacityMargin::new(statics, required).expect("no point mass")))
+}
+
+fn motions_from_feasible(measure: &Measure, within: &[[f64; 2]; 3], count: usize) -> Vec<(Point, Point)> {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut motions = Vec::new();
+    while motions.len() < count {
+        let from = Point::from(within.map(|[low, high]| rng.random_range(low..high)));
+        let way = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0));
+        if measure.slack(&from) >= 0.0 {
+            motions.push((from, from + way.normalize() * 0.1));
+        }
+    }
+    motions
+}
+
+/// The accepted motion that takes as long as half of them.
+fn median(measure: &Measure, mut motions: Vec<(Point, Point)>) -> (Point, Point) {
+    motions.retain(|(from, to)| certified(measure, from, to));
+    motions.sort_by_cached_key(|(from, to)| {
+        let clock = Instant::now();
+        (0..5).for_each(|_| assert!(black_box(certified(measure, from, to))));
+        clock.elapsed()
+    });
+    motions[motions.len() / 2]
+}
+
+/// Planning on CoGiRo in its hall, certified: scene compiled, planned, rewound, checked.
+fn planning(c: &mut Criterion) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes/cogiro.toml");
+    let scene = load_scene(&path).expect("a sound scene");
+    let mut group = c.benchmark_group("planning with wrenches, certified");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(50));
+    group.bench_function("cogiro, 50 seeds", |b| {
+        b.iter(|| {
+            let options = |seed| PlanOptions { seed, ..PlanOptions::default() };
+            (0..50).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").cost).sum::<f64>()
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, capacity_margin, wrench_map, certified_motions, planning);
 criterion_main!(benches);
