@@ -77,7 +77,7 @@ pub enum Command {
     /// At a position: rank, margins, the cables that limit them, and the tensions nearest to the middle of their limits.
     /// On a grid: capacity margins at all positions inside the workspace, with share, volume and extent of the feasible ones.
     /// Along a path: position, length and tension of every cable and the margins at even steps, as CSV. Required balls are
-    /// those of the scene's [wrench] unless given here. Exit status 1 where the loads (with --at: all that is required)
+    /// those of the scene's `[wrench]` unless given here. Exit status 1 where the loads (with --at: all that is required)
     /// cannot be balanced.
     #[command(after_help = "Examples:
   cdpr wrench hall.toml --at 0 0 2
