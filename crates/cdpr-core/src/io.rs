@@ -1,13 +1,17 @@
 //! Reading and writing files: the only module that opens any.
 
 pub mod batch_folder;
+pub mod batch_tables;
+pub mod experiment_file;
 pub mod mesh_file;
 pub mod path_file;
 pub mod scene_file;
 pub mod tension_file;
 pub mod text;
 
-pub use batch_folder::{BatchFolder, load_experiment, merge};
+pub use batch_folder::{BatchFolder, merge};
+pub use batch_tables::{BatchRows, Tables};
+pub use experiment_file::{experiment_from_text, load_experiment};
 pub use mesh_file::{RegionFormat, save_regions};
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
 pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
