@@ -1,5 +1,6 @@
 //! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around it.
 
+mod batch;
 mod convert;
 mod errors;
 mod wrench;
@@ -360,7 +361,7 @@ fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
     io::save_path(&path, &value).map_err(raised)
 }
 
-/// The JSON Schema of the scene, robot or path format as JSON text.
+/// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 fn schema(of: &str) -> PyResult<String> {
     Ok(io::schema(named(of)?).to_string())
@@ -374,6 +375,8 @@ fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
 
 #[pymodule(gil_used = false)]
 mod _core {
+    #[pymodule_export]
+    use super::batch::Experiment;
     #[pymodule_export]
     use super::wrench::Statics;
     use super::*;
