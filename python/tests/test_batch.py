@@ -154,3 +154,13 @@ def test_importing_does_not_import_pandas():
     code = "import sys, cdpr; print('pandas' in sys.modules, 'distributed' in sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "False False" and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_the_examples_run(tmp_path):
+    run = subprocess.run(
+        [sys.executable, ROOT / "python/examples/cluster.py", "", "4"], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert "A: p = " in run.stdout and (tmp_path / "table2/summary.json").exists()
+    winding = [sys.executable, ROOT / "python/examples/winding.py", tmp_path / "table2"]
+    run = subprocess.run(winding, capture_output=True, text=True, check=True)
+    assert len(run.stdout.splitlines()) == 8 and "hard3, modified RRT: " in run.stdout
