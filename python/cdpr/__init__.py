@@ -18,6 +18,7 @@ True
 """
 
 from ._core import __version__
+from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
 from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
@@ -35,6 +36,7 @@ from ._wrench_map import WrenchMap, wrench_map
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
+    "BatchResult",
     "CdprError",
     "CdprWarning",
     "Distance",
@@ -58,6 +60,7 @@ __all__ = [
     "moment_margin",
     "plan",
     "rewind",
+    "run_batch",
     "save_shadows",
     "save_view",
     "schema",

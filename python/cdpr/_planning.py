@@ -352,7 +352,7 @@ def save_view(
     _core.save_text(os.fspath(path), page)
 
 
-def schema(of: Literal["scene", "robot", "path"] = "scene") -> dict[str, Any]:
+def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:
     """Return the JSON Schema of a file format.
 
     Examples

@@ -98,6 +98,13 @@ pub enum Command {
     #[command(after_help = "Example:
   cdpr merge part1 part2 part3 -o table2")]
     Merge(MergeArgs),
+    /// Show a run as one page: tables, plots, and the paper's numbers beside ours where it prints any.
+    ///
+    /// The page is self-contained and opens offline. --plots also writes each plot as SVG and PNG.
+    #[command(after_help = "Examples:
+  cdpr report table2
+  cdpr report table2 -o table2.html --plots figures")]
+    Report(ReportArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -373,6 +380,22 @@ pub struct MergeArgs {
     /// Folder to write; new or empty.
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub output: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Folder of a run.
+    #[arg(value_hint = ValueHint::DirPath)]
+    pub folder: PathBuf,
+    /// Page to write [default: report.html in the folder].
+    #[arg(short, long, value_name = "REPORT.html", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Write the plots here, as .svg and .png.
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub plots: Option<PathBuf>,
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

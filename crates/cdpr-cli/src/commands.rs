@@ -8,6 +8,7 @@ pub mod merge;
 pub mod new;
 pub mod plan;
 pub mod post;
+pub mod report;
 pub mod schema;
 pub mod shadows;
 pub mod view;

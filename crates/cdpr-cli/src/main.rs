@@ -44,6 +44,7 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Wrench(args) => commands::wrench::run(&args),
         Command::Batch(args) => commands::batch::run(&args),
         Command::Merge(args) => commands::merge::run(&args),
+        Command::Report(args) => commands::report::run(&args),
         Command::Completions(args) => commands::completions::run(&args),
     }
 }

@@ -7,10 +7,10 @@ pub mod spec;
 pub mod statistics;
 pub mod summary;
 
-pub use experiment::{Experiment, Layout};
+pub use experiment::{Experiment, Layout, Swept};
 pub use random_scene::{RandomScenes, RandomScenesSpec};
 pub use run::{Progress, Row, RunOptions, TrialStatus, run};
-pub use spec::ExperimentSpec;
+pub use spec::{ExperimentSpec, SceneSource};
 pub use statistics::{Comparison, Moments, TTest, t_test};
 pub use summary::Summary;
 

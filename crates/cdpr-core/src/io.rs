@@ -1,16 +1,22 @@
 //! Reading and writing files: the only module that opens any.
 
 pub mod batch_folder;
+pub mod batch_tables;
+pub mod experiment_file;
 pub mod mesh_file;
 pub mod path_file;
+pub mod report_file;
 pub mod scene_file;
 pub mod tension_file;
 pub mod text;
 pub mod wrench_map_file;
 
-pub use batch_folder::{BatchFolder, load_experiment, merge};
+pub use batch_folder::{BatchFolder, merge};
+pub use batch_tables::{BatchRows, Tables};
+pub use experiment_file::{experiment_from_text, load_experiment};
 pub use mesh_file::{RegionFormat, save_regions};
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
+pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
 pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
 pub use text::write_atomically;

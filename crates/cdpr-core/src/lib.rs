@@ -7,7 +7,7 @@
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
 //! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`], [`regions`], [`view`],
-//! [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by examples and tests.
+//! [`report`], [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by examples and tests.
 
 pub mod batch;
 pub mod choice;
@@ -22,6 +22,7 @@ pub mod plan;
 pub mod planning;
 pub mod postprocess;
 pub mod regions;
+pub mod report;
 pub mod survey;
 pub mod testing;
 pub mod view;

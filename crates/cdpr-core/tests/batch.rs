@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cdpr_core::batch::{Experiment, Row, RunOptions};
-use cdpr_core::io::{BatchFolder, load_experiment, merge};
+use cdpr_core::io::text::Notation;
+use cdpr_core::io::{BatchFolder, BatchRows, experiment_from_text, load_experiment, merge};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::{PlannerOptions, RrtOptions};
 use cdpr_core::postprocess::Order;
@@ -277,4 +278,48 @@ fn the_experiments_of_the_paper_load() {
         let groups = &experiment.layout.groups;
         assert_eq!((experiment.trials, groups.iter().map(|g| g.methods.len()).sum::<usize>()), (1000, rows));
     }
+}
+
+#[test]
+fn rows_travel_as_bytes_and_the_experiment_as_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = small(&folder);
+    let [whole, saved] = ["whole", "saved"].map(|name| folder.path().join(name));
+    run(&whole, &experiment, 2, usize::MAX, false).unwrap();
+    let text = serde_json::to_string(&experiment.portable).unwrap();
+    let sent = experiment_from_text(&text, Notation::Json, Some(Path::new("/nowhere"))).unwrap();
+    assert_eq!((&sent.fingerprint, &sent.layout), (&experiment.fingerprint, &experiment.layout));
+    let part = |trials| {
+        let options = RunOptions { threads: Some(1), interrupted: &|| false, progress: &mut |_| {} };
+        BatchRows::run(&sent, trials, options).unwrap().into_groups()
+    };
+    let groups: Vec<Vec<u8>> = part(0..5).into_iter().zip(part(5..12)).map(|(a, b)| [a, b].concat()).collect();
+    let rows = BatchRows::new(&experiment, 0..12, groups.clone()).unwrap();
+    rows.save(&saved).unwrap();
+    assert_eq!(table(&saved), table(&whole));
+    assert_eq!(rows.tables().unwrap().trials, table(&whole).into_bytes());
+    run(&saved, &experiment, 1, usize::MAX, true).unwrap(); // a folder like any other
+    let summary: Value = serde_json::from_str(&fs::read_to_string(saved.join("summary.json")).unwrap()).unwrap();
+    let method = |name: &str| summary["methods"].as_array().unwrap().iter().find(|m| m["method"] == name).unwrap();
+    assert_eq!(method("sweep, step 0.02, repeats 10")["sweep"]["repeats"], 10);
+    assert!(method("rrt").get("sweep").is_none());
+    let short = BatchRows::new(&experiment, 0..13, groups.clone()).unwrap_err().to_string();
+    assert!(short.contains("found [48, 12, 48, 12] rows by group, expected [52, 13, 52, 13]"), "{short}");
+    let other = BatchRows::new(&experiment, 1..13, groups).unwrap().tables().unwrap_err().to_string();
+    assert!(other.contains("found trial 0 of drawn, rrt where trial 1"), "{other}");
+}
+
+#[test]
+fn a_scene_may_stand_in_the_experiment() {
+    let place = |scene: &str| {
+        let text = format!(
+            r#"{{"version": 1, "trials": 1, "methods": [{{"name": "m"}}], "scenarios": [{{"name": "s", "scene": {scene}}}]}}"#
+        );
+        experiment_from_text(&text, Notation::Json, None).map_err(|e| e.to_string())
+    };
+    let scene = serde_json::to_string(hard1().spec()).unwrap();
+    assert_eq!(place(&scene).unwrap().scenarios[0].scene, hard1());
+    let told = place(&scene.replace("\"cables\"", "\"cabels\"")).unwrap_err();
+    assert!(told.contains("scenarios[0].scene") && told.contains("did you mean `cables`"), "{told}");
+    assert!(place("7").unwrap_err().contains("expected a scene table or the path of a scene file"));
 }

@@ -1,5 +1,6 @@
 //! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around it.
 
+mod batch;
 mod convert;
 mod errors;
 mod wrench;
@@ -170,10 +171,7 @@ impl Scene {
         reference: Option<Vec<f64>>,
     ) -> PyResult<String> {
         let statics = core_wrench::Statics::of(&self.0).map_err(raised)?;
-        let required = match self.0.wrench() {
-            Some(spec) => core_wrench::constraint::required(spec).map_err(raised)?,
-            None => core_wrench::Required::default(),
-        };
+        let required = core_wrench::constraint::required_of(&self.0, None, None).map_err(raised)?;
         let waypoints = points(waypoints.as_slice()?);
         let along = |stop: &dyn Fn() -> bool| {
             core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
@@ -361,7 +359,7 @@ fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
     io::save_path(&path, &value).map_err(raised)
 }
 
-/// The JSON Schema of the scene, robot or path format as JSON text.
+/// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 fn schema(of: &str) -> PyResult<String> {
     Ok(io::schema(named(of)?).to_string())
@@ -375,6 +373,8 @@ fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
 
 #[pymodule(gil_used = false)]
 mod _core {
+    #[pymodule_export]
+    use super::batch::Experiment;
     #[pymodule_export]
     use super::wrench::Statics;
     #[pymodule_export]

@@ -3,7 +3,7 @@
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::Aabb;
-use cdpr_core::wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap, constraint};
+use cdpr_core::wrench::{MapIdentity, MapOptions, Statics, WrenchMap, constraint};
 use cdpr_core::{Error, io};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
@@ -14,15 +14,6 @@ use crate::{Scene, serialized};
 /// A map of margins over the positions of a scene.
 #[pyclass(frozen, module = "cdpr._core", name = "WrenchMap")]
 pub struct Map(WrenchMap);
-
-/// What a scene requires, with radii given instead.
-fn required(scene: &cdpr_core::Scene, force: Option<f64>, moment: Option<f64>) -> Result<Required, Error> {
-    let of_scene = scene.wrench().cloned().unwrap_or_default();
-    if force.is_none() && moment.is_none() {
-        return constraint::required(&of_scene);
-    }
-    Required::balls(force.or(of_scene.force).unwrap_or(0.0), moment.or(of_scene.moment).unwrap_or(0.0))
-}
 
 #[pymethods]
 impl Map {
@@ -39,7 +30,7 @@ impl Map {
     ) -> PyResult<Self> {
         let scene = &scene.0;
         let statics = Statics::of(scene).map_err(raised)?;
-        let required = required(scene, force, moment).map_err(raised)?;
+        let required = constraint::required_of(scene, force, moment).map_err(raised)?;
         let (min, max) = Constraints::new(scene).map_err(raised)?.position_box();
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
@@ -57,7 +48,7 @@ impl Map {
         moment: Option<f64>,
     ) -> PyResult<Self> {
         let identity = |scene: &Scene| -> Result<MapIdentity, Error> {
-            Ok(MapIdentity::of(&Statics::of(&scene.0)?, &required(&scene.0, force, moment)?))
+            Ok(MapIdentity::of(&Statics::of(&scene.0)?, &constraint::required_of(&scene.0, force, moment)?))
         };
         let expected = scene.map(identity).transpose().map_err(raised)?;
         io::load_wrench_map(&path, expected.as_ref()).map(Map).map_err(raised)

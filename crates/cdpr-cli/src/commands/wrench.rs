@@ -18,7 +18,7 @@ pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
     let scene = io::load_scene(&args.scene.scene)?;
     let in_scene = |e: Error| e.in_file(&args.scene.scene);
     let statics = Statics::new(scene.robot(), &Loads::of(&scene)).map_err(in_scene)?;
-    let required = required(args, &scene)?;
+    let required = constraint::required_of(&scene, args.force, args.moment)?;
     if let Some(at) = &args.at {
         let report = wrench_at(&statics, &required, &Point::from_slice(at)).map_err(in_scene)?;
         return Ok(tell(args, &scene, &statics, &report));
@@ -41,15 +41,6 @@ pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
         Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| result(line)),
     }
     Ok(if all_balanced { Answer::Yes } else { Answer::No })
-}
-
-/// What is required: the scene's demand, with radii given on the command line instead.
-fn required(args: &WrenchArgs, scene: &Scene) -> Result<Required, Error> {
-    let of_scene = scene.wrench().cloned().unwrap_or_default();
-    if args.force.is_none() && args.moment.is_none() {
-        return constraint::required(&of_scene);
-    }
-    Required::balls(args.force.or(of_scene.force).unwrap_or(0.0), args.moment.or(of_scene.moment).unwrap_or(0.0))
 }
 
 fn tell(args: &WrenchArgs, scene: &Scene, statics: &Statics, report: &WrenchReport) -> Answer {

@@ -1,6 +1,5 @@
 //! An experiment that has been checked, and the layout of its results.
 
-use std::path::Path;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
@@ -8,7 +7,7 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use super::random_scene::RandomScenes;
-use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, TTestSpec};
+use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, TTestSpec};
 use crate::choice::Choice;
 use crate::error::{Error, nearest_name};
 use crate::model::Scene;
@@ -37,6 +36,8 @@ pub struct Experiment {
     pub layout: Layout,
     /// Identifies what the rows depend on: everything but name, number of trials, tests and confidence.
     pub fingerprint: String,
+    /// The experiment as data with its scenes in place, so that it can be sent where their files are not.
+    pub portable: ExperimentSpec,
 }
 
 /// A scene for all trials, or one for each.
@@ -59,6 +60,8 @@ pub struct Method {
     pub options: PlanOptions,
     /// Names in tables, and how the raw path is rewound.
     pub variants: Vec<(String, Option<RewindOptions>)>,
+    /// What the variants of a sweep differ in; empty without a sweep.
+    pub sweep: Vec<Swept>,
 }
 
 /// What the tables of a run look like; kept beside its rows.
@@ -79,6 +82,22 @@ pub struct Group {
     pub scenario: String,
     /// Names of the methods.
     pub methods: Vec<String>,
+    /// Where each of them stands in its sweep; empty without one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sweep: Vec<Swept>,
+}
+
+/// Where a variant stands in its sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Swept {
+    /// Name of the method that is swept.
+    pub of: String,
+    /// Step of rewinding, m, if it is swept.
+    pub step: Option<f64>,
+    /// Order of rewinding, if it is swept.
+    pub post: Option<String>,
+    /// Number of repeats, if it is swept.
+    pub repeats: Option<usize>,
 }
 
 impl Experiment {
@@ -86,7 +105,7 @@ impl Experiment {
     ///
     /// # Errors
     /// Names the key, what was found and what was expected.
-    pub fn new(spec: ExperimentSpec, load: impl Fn(&Path) -> Result<Scene, Error>) -> Result<Self, Error> {
+    pub fn new(spec: ExperimentSpec, load: impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
         if spec.version != FORMAT_VERSION {
             return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
         }
@@ -112,19 +131,25 @@ impl Experiment {
         let group = |scenario: &Scenario, method: &Method| Group {
             scenario: scenario.name.clone(),
             methods: method.variants.iter().map(|(name, _)| name.clone()).collect(),
+            sweep: method.sweep.clone(),
         };
         let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
         let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence };
         let fingerprint = fingerprint(&spec, &scenarios);
-        let name = spec.name.unwrap_or_else(|| "experiment".to_string());
-        Ok(Experiment { name, seed: spec.seed, trials: spec.trials, scenarios, methods, layout, fingerprint })
+        let name = spec.name.clone().unwrap_or_else(|| "experiment".to_string());
+        let (seed, trials) = (spec.seed, spec.trials);
+        let mut portable = spec;
+        for (spec, scenario) in portable.scenarios.iter_mut().zip(&scenarios) {
+            spec.scene = SceneSource::Inline(Box::new(scenario.scene.spec().clone()));
+        }
+        Ok(Experiment { name, seed, trials, scenarios, methods, layout, fingerprint, portable })
     }
 }
 
 impl Scenario {
-    fn new(spec: &ScenarioSpec, load: &impl Fn(&Path) -> Result<Scene, Error>) -> Result<Self, Error> {
+    fn new(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
         named(&spec.name)?;
-        let scene = load(Path::new(&spec.scene)).map_err(|e| e.under("scene"))?;
+        let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
         let random = random.transpose().map_err(|e| e.under("random"))?;
         Ok(Scenario { name: spec.name.clone(), scene, random })
@@ -146,12 +171,17 @@ impl Method {
             post: None,
             ..defaults
         };
-        Ok(Method { name: spec.name.clone(), options, variants: variants(spec, step)? })
+        let (variants, sweep) = variants(spec, step)?.into_iter().unzip();
+        let sweep = if spec.sweep.is_some() { sweep } else { Vec::new() };
+        Ok(Method { name: spec.name.clone(), options, variants, sweep })
     }
 }
 
+/// A way of rewinding by its name in tables, and where it stands in the sweep.
+type Variant = ((String, Option<RewindOptions>), Swept);
+
 /// All combinations of a sweep, or the one way of rewinding of a method without.
-fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<(String, Option<RewindOptions>)>, Error> {
+fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<Variant>, Error> {
     let post = spec.post.clone().unwrap_or_else(|| RewindOptions::default().order.name().to_string());
     let repeats = spec.repeats.unwrap_or(RewindOptions::default().repeats);
     let sweep = spec.sweep.clone().unwrap_or_default();
@@ -173,7 +203,13 @@ fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<(String, Option<RewindOp
         name += &if sweep.step.is_empty() { String::new() } else { format!(", step {step}") };
         name += &if sweep.post.is_empty() { String::new() } else { format!(", {post}") };
         name += &if sweep.repeats.is_empty() { String::new() } else { format!(", repeats {repeats:0digits$}") };
-        variants.push((name, options));
+        let swept = Swept {
+            of: spec.name.clone(),
+            step: (!sweep.step.is_empty()).then_some(step),
+            post: (!sweep.post.is_empty()).then_some(post),
+            repeats: (!sweep.repeats.is_empty()).then_some(repeats),
+        };
+        variants.push(((name, options), swept));
     }
     Ok(variants)
 }

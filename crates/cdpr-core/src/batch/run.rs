@@ -146,6 +146,9 @@ pub fn run(
                     done += 1;
                     queue.written(done);
                     (options.progress)(Progress { done, total, failure });
+                    if done < total && (options.interrupted)() {
+                        return Err(Error::interrupted());
+                    }
                 }
             }
             Ok(())

@@ -1,10 +1,11 @@
 //! The experiment file as plain data; [`super::Experiment`] checks it once.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::random_scene::RandomScenesSpec;
 use super::statistics::Comparison;
+use crate::model::SceneSpec;
 use crate::planning::PlannerSettings;
 
 /// An experiment: scenarios × methods × trials.
@@ -40,11 +41,45 @@ pub struct ExperimentSpec {
 pub struct ScenarioSpec {
     /// Name in tables.
     pub name: String,
-    /// Path of the scene file, relative to the experiment's.
-    pub scene: String,
+    /// The scene, or the path of its file.
+    pub scene: SceneSource,
     /// Obstacles that every trial draws anew, the same ones for all methods.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub random: Option<RandomScenesSpec>,
+}
+
+/// A scene in place, or the path of its file.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum SceneSource {
+    /// Path of a scene file (TOML or JSON), relative to the experiment's.
+    File(String),
+    /// The scene itself.
+    Inline(Box<SceneSpec>),
+}
+
+impl<'de> Deserialize<'de> for SceneSource {
+    // By hand: an untagged derive would answer a misspelt key with "did not match any variant".
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = SceneSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a scene table or the path of a scene file")
+            }
+
+            fn visit_str<E: de::Error>(self, path: &str) -> Result<SceneSource, E> {
+                Ok(SceneSource::File(path.to_string()))
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<SceneSource, A::Error> {
+                let spec = SceneSpec::deserialize(de::value::MapAccessDeserializer::new(map))?;
+                Ok(SceneSource::Inline(Box::new(spec)))
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
 }
 
 /// A planner with its options and post-processing.

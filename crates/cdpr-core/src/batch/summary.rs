@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::experiment::Layout;
+use super::experiment::{Layout, Swept};
 use super::run::{Row, TrialStatus};
 use super::spec::Measure;
 use super::statistics::{Moments, quantile, t_test};
@@ -24,7 +24,13 @@ type Samples = [(&'static str, Vec<f64>); 6];
 
 impl Summary {
     /// Adds all rows of a method in a scenario. Unsolved trials are counted and left out of the statistics.
-    pub fn add(&mut self, scenario: &str, method: &str, rows: impl Iterator<Item = Row>, confidence: f64) {
+    pub fn add(
+        &mut self,
+        (scenario, method): (&str, &str),
+        sweep: Option<&Swept>,
+        rows: impl Iterator<Item = Row>,
+        confidence: f64,
+    ) {
         let mut statuses: BTreeMap<&'static str, usize> = BTreeMap::new();
         let mut samples: Samples =
             ["planning_seconds", "post_seconds", "raw_cost", "cost", "reduction", "waypoints"].map(|m| (m, Vec::new()));
@@ -42,6 +48,9 @@ impl Summary {
         let mut entry = Map::new();
         entry.insert("scenario".into(), json!(scenario));
         entry.insert("method".into(), json!(method));
+        if let Some(sweep) = sweep {
+            entry.insert("sweep".into(), json!(sweep));
+        }
         entry.insert("n".into(), json!(n));
         entry.insert("solved".into(), json!(solved));
         entry.insert("statuses".into(), json!(statuses));

@@ -5,48 +5,20 @@
 //! `summary.json` are written whole, when a run ends or is interrupted.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
-
+use super::batch_tables::{RunFile, lines, write_tables};
 use super::text;
-use crate::batch::experiment::Group;
+use crate::batch::Experiment;
 use crate::batch::run::{Row, RunOptions, run};
-use crate::batch::{Experiment, ExperimentSpec, Layout, Summary};
 use crate::error::Error;
-use crate::model::spec::FORMAT_VERSION;
 
 /// The file that says which run a folder belongs to.
 const RUN_FILE: &str = "run.json";
 /// The folder of rows as they come.
 const ROWS: &str = "rows";
-
-/// Loads an experiment; scenes it names are read relative to its file.
-///
-/// # Errors
-/// Names the file, the key, what was found and what was expected.
-pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
-    let mut spec: ExperimentSpec =
-        text::parse(&text::read(path)?, text::Notation::of(path)?).map_err(|e| e.in_file(path))?;
-    if spec.name.is_none() {
-        spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    }
-    let folder = path.parent().unwrap_or(Path::new("."));
-    Experiment::new(spec, |scene| super::load_scene(&folder.join(scene))).map_err(|e| e.in_file(path))
-}
-
-/// What a folder says about its run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct RunFile {
-    version: u32,
-    experiment: String,
-    fingerprint: String,
-    first_trial: usize,
-    end_trial: usize,
-    layout: Layout,
-}
 
 /// The folder of a run.
 #[derive(Debug)]
@@ -64,22 +36,10 @@ impl BatchFolder {
     /// A folder that is not empty without `resume`; with it, one of another experiment or of another first trial, or
     /// without any run in it; a folder that cannot be written; no trials.
     pub fn open(path: &Path, experiment: &Experiment, trials: Range<usize>, resume: bool) -> Result<Self, Error> {
-        if trials.is_empty() {
-            let problem = format!("found {} to {}, expected at least one trial", trials.start, trials.end);
-            return Err(Error::invalid("trials", problem));
-        }
-        let run = RunFile {
-            version: FORMAT_VERSION,
-            experiment: experiment.name.clone(),
-            fingerprint: experiment.fingerprint.clone(),
-            first_trial: trials.start,
-            end_trial: trials.end,
-            layout: experiment.layout.clone(),
-        };
-        BatchFolder::with(path, run, resume)
+        BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
 
-    fn with(path: &Path, run: RunFile, resume: bool) -> Result<Self, Error> {
+    pub(super) fn with(path: &Path, run: RunFile, resume: bool) -> Result<Self, Error> {
         fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be made: {e}")))?;
         let used = fs::read_dir(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?.next().is_some();
         match (used, resume) {
@@ -148,61 +108,31 @@ impl BatchFolder {
         Ok(lines / variants)
     }
 
-    /// Writes `trials.csv`, `timings.csv` and `summary.json`, sorted by the names of scenario and method.
-    fn write_tables(&self) -> Result<(), Error> {
-        let RunFile { layout, .. } = &self.run;
-        let groups = layout.groups.iter().enumerate();
-        let mut order: Vec<(&str, &str, usize, usize)> = groups
-            .flat_map(|(g, group)| {
-                let variants = group.methods.iter().enumerate();
-                variants.map(move |(v, method)| (group.scenario.as_str(), method.as_str(), g, v))
-            })
-            .collect();
-        order.sort_unstable();
-        let mut summary = Summary::default();
-        let (trials_path, timings_path) = (self.path.join("trials.csv"), self.path.join("timings.csv"));
-        let mut trials = Table::new(&trials_path, &TRIAL_COLUMNS)?;
-        let mut timings = Table::new(&timings_path, &TIMING_COLUMNS)?;
-        for (scenario, method, group, variant) in order {
-            let mut rows = Vec::new();
-            self.each_row(group, variant, |row| {
-                trials.write(&trial_columns(&row))?;
-                timings.write(&timing_columns(&row))?;
-                rows.push(row);
-                Ok(())
-            })?;
-            summary.add(scenario, method, rows.into_iter(), layout.confidence);
+    /// Writes the rows of all groups, which are complete, and the tables.
+    pub(super) fn fill(&mut self, groups: &[Vec<u8>]) -> Result<(), Error> {
+        for (group, lines) in groups.iter().enumerate() {
+            write_at_end(&self.path.join(ROWS).join(file_name(group)), lines)?;
+            self.done[group] = self.run.trials().len();
         }
-        trials.finish()?;
-        timings.finish()?;
-        let json = summary.json(layout, &self.run.experiment, &self.run.fingerprint);
-        text::write_atomically(&self.path.join("summary.json"), format!("{json:#}\n").as_bytes())
+        self.write_tables()
     }
 
-    /// Reads the rows of one variant of a group, up to the last trial of the run.
-    fn each_row(
-        &self,
-        group: usize,
-        variant: usize,
-        mut see: impl FnMut(Row) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let path = self.path.join(ROWS).join(file_name(group));
-        let Ok(file) = File::open(&path) else { return Ok(()) };
-        let Group { scenario, methods } = &self.run.layout.groups[group];
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file));
-        let rows = reader.deserialize::<Row>().skip(variant).step_by(methods.len());
-        for (trial, row) in (self.run.first_trial..self.run.end_trial).zip(rows) {
-            let row = row.map_err(|e| Error::file(&path, e.to_string()))?;
-            if (&row.scenario, &row.method, row.trial) != (scenario, &methods[variant], trial) {
-                let problem = format!(
-                    "found trial {} of {}, {} where trial {trial} of {scenario}, {} is expected; it has been changed",
-                    row.trial, row.scenario, row.method, methods[variant]
-                );
-                return Err(Error::file(&path, problem));
+    /// Writes `trials.csv`, `timings.csv` and `summary.json`, sorted by the names of scenario and method.
+    fn write_tables(&self) -> Result<(), Error> {
+        let open = |group: usize| -> Result<Box<dyn Read>, Error> {
+            let path = self.path.join(ROWS).join(file_name(group));
+            match File::open(&path) {
+                Ok(file) => Ok(Box::new(BufReader::new(file))),
+                Err(e) if e.kind() == ErrorKind::NotFound => Ok(Box::new(std::io::empty())), // no trial is done yet
+                Err(e) => Err(Error::file(&path, format!("cannot be read: {e}"))),
             }
-            see(row)?;
-        }
-        Ok(())
+        };
+        let [trials, timings] = ["trials.csv", "timings.csv"].map(|name| self.path.join(name));
+        let (mut trials_file, mut timings_file) = (text::temporary_beside(&trials)?, text::temporary_beside(&timings)?);
+        let summary = write_tables(&self.run, &self.path.join(ROWS), open, &mut trials_file, &mut timings_file)?;
+        text::rename_into_place(trials_file, &trials)?;
+        text::rename_into_place(timings_file, &timings)?;
+        text::write_atomically(&self.path.join("summary.json"), format!("{summary:#}\n").as_bytes())
     }
 }
 
@@ -286,65 +216,11 @@ fn file_name(group: usize) -> String {
 
 /// Appends the lines of a trial in one write.
 fn append(path: &Path, rows: &[Row]) -> Result<(), Error> {
-    let problem = |e: csv::Error| Error::file(path, e.to_string());
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    rows.iter().try_for_each(|row| writer.serialize(row)).map_err(problem)?;
-    let lines = writer.into_inner().map_err(|e| Error::file(path, e.to_string()))?;
-    write_at_end(path, &lines)
+    write_at_end(path, &lines(rows).map_err(|e| e.in_file(path))?)
 }
 
 fn write_at_end(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let opened = OpenOptions::new().append(true).create(true).open(path);
     let written = opened.and_then(|mut file| file.write_all(bytes));
     written.map_err(|e| Error::file(path, format!("cannot be written: {e}")))
-}
-
-const TRIAL_COLUMNS: [&str; 11] = [
-    "scenario",
-    "method",
-    "trial",
-    "seed",
-    "status",
-    "raw_cost",
-    "cost",
-    "raw_waypoints",
-    "waypoints",
-    "nodes",
-    "motion_checks",
-];
-const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
-
-fn trial_columns(row: &Row) -> impl Serialize + '_ {
-    let Row { scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
-    (scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, &row.motion_checks)
-}
-
-fn timing_columns(row: &Row) -> impl Serialize + '_ {
-    (&row.scenario, &row.method, row.trial, row.planning_seconds, row.post_seconds)
-}
-
-/// A table that is written beside and renamed when it is complete.
-struct Table<'a> {
-    path: &'a Path,
-    writer: csv::Writer<tempfile::NamedTempFile>,
-}
-
-impl<'a> Table<'a> {
-    fn new(path: &'a Path, columns: &[&str]) -> Result<Self, Error> {
-        let file = text::temporary_beside(path)?;
-        let writer = csv::WriterBuilder::new().has_headers(false).from_writer(file);
-        let mut table = Table { path, writer };
-        table.write(&columns)?;
-        Ok(table)
-    }
-
-    fn write(&mut self, row: &impl Serialize) -> Result<(), Error> {
-        self.writer.serialize(row).map_err(|e| Error::file(self.path, format!("cannot be written: {e}")))
-    }
-
-    fn finish(self) -> Result<(), Error> {
-        let file = self.writer.into_inner();
-        let file = file.map_err(|e| Error::file(self.path, format!("cannot be written: {}", e.error())))?;
-        text::rename_into_place(file, self.path)
-    }
 }

@@ -1,10 +1,11 @@
-//! Scene and robot files.
+//! Scene and robot files, and the schemas of all formats.
 
 use std::path::{Path, PathBuf};
 
 use schemars::schema_for;
 
 use super::text::{self, Notation};
+use crate::batch::ExperimentSpec;
 use crate::choice::choices;
 use crate::error::Error;
 use crate::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
@@ -50,7 +51,7 @@ fn robot_spec(path: &Path) -> Result<RobotSpec, Error> {
 }
 
 /// Reads the robot file, if the scene names one, and checks the whole.
-fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
+pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
     match &spec.robot {
         RobotSource::File(name) => {
             let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
@@ -78,12 +79,15 @@ pub enum Format {
     Robot,
     /// Path files.
     Path,
+    /// Experiment files.
+    Experiment,
 }
 
 choices!(Format, "format", [
     Scene = "scene": "Scene files",
     Robot = "robot": "Robot files",
     Path = "path": "Path files",
+    Experiment = "experiment": "Experiment files",
 ]);
 
 /// JSON Schema of a file format.
@@ -92,5 +96,6 @@ pub fn schema(format: Format) -> serde_json::Value {
         Format::Scene => schema_for!(SceneSpec).to_value(),
         Format::Robot => schema_for!(RobotSpec).to_value(),
         Format::Path => schema_for!(super::path_file::PathFile).to_value(),
+        Format::Experiment => schema_for!(ExperimentSpec).to_value(),
     }
 }

@@ -65,6 +65,18 @@ pub fn required(spec: &WrenchSpec) -> Result<Required, Error> {
     }
 }
 
+/// What a scene requires, with radii given instead of its own; without a demand nothing but balance.
+///
+/// # Errors
+/// A radius that is negative or not finite.
+pub fn required_of(scene: &Scene, force: Option<f64>, moment: Option<f64>) -> Result<Required, Error> {
+    let of_scene = scene.wrench().cloned().unwrap_or_default();
+    if force.is_none() && moment.is_none() {
+        return required(&of_scene);
+    }
+    Required::balls(force.or(of_scene.force).unwrap_or(0.0), moment.or(of_scene.moment).unwrap_or(0.0))
+}
+
 impl WrenchConstraint {
     /// The constraint of a scene, whose geometric constraints are `constraints`; none if it does not ask for one.
     ///

@@ -1,0 +1,109 @@
+//! Experiments: rows as bytes, so that processes can hand them to each other.
+
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use cdpr_core::batch::{Progress, RunOptions};
+use cdpr_core::io::{self, BatchRows, text::Notation};
+use pyo3::prelude::*;
+
+use crate::errors::{interruptible, raised};
+use crate::serialized;
+
+/// Least time between two calls of a progress function: each needs the interpreter.
+const PERIOD: Duration = Duration::from_millis(50);
+
+/// A checked experiment.
+#[pyclass(frozen, module = "cdpr._core")]
+pub struct Experiment(cdpr_core::batch::Experiment);
+
+/// Rows of each group, and what went wrong in trials that failed.
+type Ran = (Vec<Vec<u8>>, Vec<String>);
+
+#[pymethods]
+impl Experiment {
+    /// Loads an experiment file.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        io::load_experiment(&path).map(Experiment).map_err(raised)
+    }
+
+    /// An experiment from JSON text; scene files are read relative to where the program runs.
+    #[staticmethod]
+    fn from_json(text: &str) -> PyResult<Self> {
+        io::experiment_from_text(text, Notation::Json, None).map(Experiment).map_err(raised)
+    }
+
+    /// The experiment as JSON text, its scenes in place.
+    fn to_json(&self) -> String {
+        serialized(&self.0.portable)
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// Trials of each method in each scenario.
+    #[getter]
+    fn trials(&self) -> usize {
+        self.0.trials
+    }
+
+    /// Pairs of scenario and method.
+    #[getter]
+    fn groups(&self) -> usize {
+        self.0.layout.groups.len()
+    }
+
+    /// Runs the trials from `first` up to `end`; `progress` is told how many are done, and of how many.
+    fn run(
+        &self,
+        py: Python<'_>,
+        first: usize,
+        end: usize,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Ran> {
+        let problem: Mutex<Option<PyErr>> = Mutex::new(None);
+        let mut failures = Vec::new();
+        let rows = interruptible(py, |interrupted| {
+            let mut told = Instant::now();
+            let mut tell = |Progress { done, total, failure }: Progress| {
+                failures.extend(failure);
+                if let Some(progress) = &progress
+                    && (done == total || told.elapsed() >= PERIOD)
+                {
+                    told = Instant::now();
+                    let answer = Python::attach(|py| progress.call1(py, (done, total)));
+                    *problem.lock().unwrap_or_else(PoisonError::into_inner) = answer.err();
+                }
+            };
+            let stop = || interrupted() || problem.lock().unwrap_or_else(PoisonError::into_inner).is_some();
+            BatchRows::run(&self.0, first..end, RunOptions { threads, interrupted: &stop, progress: &mut tell })
+        });
+        match problem.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(problem) => Err(problem),
+            None => Ok((rows?.into_groups(), failures)),
+        }
+    }
+
+    /// `trials.csv`, `timings.csv` and `summary.json` of rows.
+    fn tables(
+        &self,
+        py: Python<'_>,
+        first: usize,
+        end: usize,
+        rows: Vec<Vec<u8>>,
+    ) -> PyResult<(Vec<u8>, Vec<u8>, String)> {
+        let made = py.detach(|| BatchRows::new(&self.0, first..end, rows)?.tables()).map_err(raised)?;
+        Ok((made.trials, made.timings, made.summary.to_string()))
+    }
+
+    /// Writes the folder of a run.
+    fn save(&self, py: Python<'_>, path: PathBuf, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<()> {
+        py.detach(|| BatchRows::new(&self.0, first..end, rows)?.save(&path)).map_err(raised)
+    }
+}

@@ -1,0 +1,280 @@
+"""Experiments: scenarios × methods × trials, on the cores of this machine or on any executor."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import io
+import json
+import os
+import warnings
+from collections.abc import Callable, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from . import _core
+from ._model import Scene
+from .exceptions import CdprWarning, InputError
+
+Progress: TypeAlias = Callable[[int, int], object]
+
+# Ranges of trials that an executor gets: many more than workers, so that none waits long for the last one to end.
+_RANGES = 64
+# Time between two looks at whether Ctrl-C was pressed, s.
+_PATIENCE = 0.05
+
+_NAMES = ("scenario", "method", "status")
+_INTEGERS = {"trial": np.int64, "seed": np.uint64}
+
+
+@dataclass(frozen=True, eq=False)
+class BatchResult:
+    """Tables of a run: pandas DataFrames if pandas is installed, else structured NumPy arrays.
+
+    Attributes
+    ----------
+    name : str
+        Of the experiment.
+    trials : DataFrame or structured ndarray
+        A row a trial: ``scenario``, ``method``, ``trial``, ``seed``, ``status``, ``raw_cost`` and ``cost`` (m),
+        ``raw_waypoints``, ``waypoints``, ``nodes``, ``motion_checks``; numbers of unsolved trials are NaN. Planning the
+        trial's scene with its ``seed`` gives its path.
+    timings : DataFrame or structured ndarray
+        ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``.
+    summary : DataFrame or dict
+        A row for each scenario and method: ``n``, ``solved``, and for each measure ``_mean``, ``_sd``, ``_median``,
+        ``_q05``, ``_q25``, ``_q75``, ``_q95``, ``_min``, ``_max``, ``_low`` and ``_high`` (the confidence interval of the
+        mean). Without pandas the dict of ``summary.json``.
+    t_tests : list of dict
+        ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None where there is no number.
+    trials_csv : bytes
+        What ``cdpr batch`` writes to trials.csv, byte by byte.
+    """
+
+    name: str
+    trials: Any = field(repr=False)
+    timings: Any = field(repr=False)
+    summary: Any = field(repr=False)
+    t_tests: list[dict[str, Any]] = field(repr=False)
+    trials_csv: bytes = field(repr=False)
+    _json: str = field(repr=False)
+    _range: tuple[int, int] = field(repr=False)
+    _rows: list[bytes] = field(repr=False)
+
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Write the folder that ``cdpr batch -o`` writes; ``cdpr report`` and ``cdpr merge`` read it.
+
+        Raises
+        ------
+        FileError
+            A folder that is not empty, or that cannot be written.
+        """
+        _core.Experiment.from_json(self._json).save(os.fspath(folder), *self._range, self._rows)
+
+
+def run_batch(
+    experiment: str | os.PathLike[str] | Mapping[str, Any],
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    trials: int | range | None = None,
+    threads: int | None = None,
+) -> BatchResult:
+    """Run an experiment: every method in every scenario, so many trials each.
+
+    Parameters
+    ----------
+    experiment : path or mapping
+        An experiment file (TOML or JSON), or what would stand in it; there a scene may be a `Scene`, a mapping, or the
+        path of a file relative to where the program runs.
+    executor : concurrent.futures.Executor, optional
+        Where to run; default the threads of this process. Any executor will do: of threads, of processes, of a Dask
+        cluster (``Client.get_executor()``). Workers get ranges of trials as plain JSON, scenes in place, so they need
+        cdpr and no files.
+    progress : callable, optional
+        Called now and then with the number of trials done and their number, over all methods and scenarios; what it
+        raises ends the run.
+    trials : int or range, optional
+        Number of trials instead of the experiment's, or a range of them.
+    threads : int, optional
+        Threads of this process, default as many as there are cores; on an executor threads of each task, default 1.
+
+    Returns
+    -------
+    BatchResult
+        Its ``trials`` do not depend on executor, workers and threads.
+
+    Raises
+    ------
+    InputError
+        Names the key, what was found and what is expected.
+    FileError
+        A file that cannot be read.
+    KeyboardInterrupt
+        After Ctrl-C. On an executor tasks that have begun run to their end, those waiting are cancelled.
+
+    Warns
+    -----
+    CdprWarning
+        Trials in which the program failed, and how; their rows have the status "failed".
+
+    Examples
+    --------
+    >>> experiment = {
+    ...     "version": 1,
+    ...     "trials": 20,
+    ...     "scenarios": [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}],
+    ...     "methods": [{"name": "RRT", "planner": "rrt"}, {"name": "modified RRT"}],
+    ... }
+    >>> result = run_batch(experiment)
+    >>> len(result.trials), sorted(set(result.trials["status"]))
+    (40, ['solved'])
+
+    The same on an executor:
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> with ThreadPoolExecutor(2) as pool:
+    ...     again = run_batch(experiment, pool)
+    >>> again.trials_csv == result.trials_csv
+    True
+    """
+    checked = _checked(experiment)
+    first, end = _first_and_end(checked, trials)
+    if executor is None:
+        rows, failures = checked.run(first, end, threads, progress)
+    else:
+        rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if threads is None else threads)
+    for failure in failures:
+        warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
+    trials_csv, timings_csv, summary = checked.tables(first, end, rows)
+    facts = json.loads(summary)
+    return BatchResult(
+        name=checked.name,
+        trials=_table(trials_csv),
+        timings=_table(timings_csv),
+        summary=_summary(facts),
+        t_tests=facts["t_tests"],
+        trials_csv=trials_csv,
+        _json=checked.to_json(),
+        _range=(first, end),
+        _rows=rows,
+    )
+
+
+def _checked(experiment: str | os.PathLike[str] | Mapping[str, Any]) -> _core.Experiment:
+    if isinstance(experiment, Mapping):
+        return _core.Experiment.from_json(json.dumps(dict(experiment), default=_plain))
+    return _core.Experiment.load(os.fspath(experiment))
+
+
+def _plain(value: object) -> object:
+    """Return what JSON knows in place of a value that it does not know."""
+    match value:
+        case Scene():
+            return value.to_dict()
+        case os.PathLike():
+            return os.fspath(value)
+        case np.ndarray() | np.generic():
+            return value.tolist()
+        case Mapping():
+            return dict(value)
+    raise InputError(f"experiment: found a {type(value).__name__}, expected numbers, texts, lists, mappings and scenes")
+
+
+def _first_and_end(experiment: _core.Experiment, trials: int | range | None) -> tuple[int, int]:
+    if trials is None:
+        return 0, experiment.trials
+    if isinstance(trials, range):
+        if trials.step != 1 or trials.start < 0 or not trials:
+            raise InputError(f"trials: found {trials}, expected a range of at least one trial, in steps of 1 from 0 or more")
+        return trials.start, trials.stop
+    if trials < 1:
+        raise InputError(f"trials: found {trials}, expected at least 1")
+    return 0, int(trials)
+
+
+def _work(text: str, first: int, end: int, threads: int) -> tuple[list[bytes], list[str]]:
+    """Run a range of trials; in a worker, so everything in and out is plain."""
+    return _core.Experiment.from_json(text).run(first, end, threads, None)
+
+
+_Part: TypeAlias = "Future[tuple[list[bytes], list[str]]]"
+
+
+def _on_executor(
+    experiment: _core.Experiment,
+    executor: Executor,
+    progress: Progress | None,
+    trials: tuple[int, int],
+    threads: int,
+) -> tuple[list[bytes], list[str]]:
+    """Hand out ranges of trials, and put their rows together in order, whichever comes first."""
+    first, end = trials
+    size = -(-(end - first) // _RANGES)
+    text = experiment.to_json()
+    ranges = [(start, min(start + size, end)) for start in range(first, end, size)]
+    parts: list[_Part] = [executor.submit(_work, text, start, stop, threads) for start, stop in ranges]
+    lengths = {part: (stop - start) * experiment.groups for part, (start, stop) in zip(parts, ranges, strict=True)}
+    waiting = set(parts)
+    try:
+        while waiting:
+            done, waiting = wait(waiting, _PATIENCE, FIRST_COMPLETED)
+            for part in done:
+                part.result()
+            if done and progress is not None:
+                progress(sum(lengths[part] for part in parts if part not in waiting), sum(lengths.values()))
+    finally:
+        for part in waiting:
+            part.cancel()
+    results = [part.result() for part in parts]
+    rows = [b"".join(lines) for lines in zip(*(lines for lines, _ in results), strict=True)]
+    return rows, [failure for _, failures in results for failure in failures]
+
+
+def _pandas() -> Any | None:
+    try:
+        return importlib.import_module("pandas")
+    except ImportError:
+        return None
+
+
+def _table(text: bytes) -> Any:
+    """Return CSV as a DataFrame, or as a structured array; empty numbers are NaN."""
+    lines = csv.reader(io.StringIO(text.decode()))
+    header = next(lines)
+    columns = dict(zip(header, zip(*lines, strict=True), strict=True))
+    arrays = {name: _column(name, values) for name, values in columns.items()}
+    if (pandas := _pandas()) is not None:
+        return pandas.DataFrame(arrays)
+    table = np.empty(len(arrays["trial"]), dtype=[(name, column.dtype) for name, column in arrays.items()])
+    for name, column in arrays.items():
+        table[name] = column
+    return table
+
+
+def _column(name: str, values: tuple[str, ...]) -> np.ndarray[Any, Any]:
+    if name in _NAMES:
+        return np.array(values)
+    if name in _INTEGERS:
+        return np.array([int(value) for value in values], dtype=_INTEGERS[name])
+    return np.array([float(value) if value else np.nan for value in values])
+
+
+def _summary(facts: dict[str, Any]) -> Any:
+    if (pandas := _pandas()) is None:
+        return facts
+    return pandas.DataFrame([_flat(entry) for entry in facts["methods"]])
+
+
+def _flat(entry: dict[str, Any]) -> dict[str, Any]:
+    """Return one row: measures with their statistics become columns."""
+    row = {name: entry[name] for name in ("scenario", "method", "n", "solved")}
+    for measure, statistics in entry.items():
+        if measure in row or measure in ("statuses", "sweep"):
+            continue
+        low, high = statistics.pop("confidence_interval")
+        for name, value in {**statistics, "low": low, "high": high}.items():
+            row[f"{measure}_{name}"] = np.nan if value is None else value
+    return row

@@ -1,0 +1,45 @@
+"""How much the paths of Table 2 wind: waypoints, and the sum of the angles by which a path turns.
+
+Plans the first trials of a saved run again, each with the seed of its row; give the folder that `cdpr batch` wrote.
+"""
+
+import csv
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+
+import cdpr
+
+SCENES = Path(__file__).resolve().parents[2] / "testdata" / "scenes"
+TRIALS = 200
+
+
+def turning(waypoints: np.ndarray) -> float:
+    """Return the sum of the angles between segments, degrees."""
+    way = np.diff(waypoints, axis=0)
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    return float(np.degrees(np.arccos(np.clip((way[:-1] * way[1:]).sum(axis=1), -1, 1))).sum())
+
+
+def main(folder: Path) -> None:
+    """Print mean and standard deviation of waypoints and turning for every scenario and method."""
+    found = defaultdict(list)
+    scenes = {name: cdpr.Scene.load(SCENES / f"{name}.toml") for name in ("hard1", "hard3")}
+    with open(folder / "trials.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            if int(row["trial"]) < TRIALS and row["status"] == "solved":
+                planner = "rrt-star" if row["method"].startswith("RRT*") else "modified-rrt"
+                post = "both" if row["method"].endswith("post-processing") else "none"
+                result = cdpr.plan(scenes[row["scenario"]], planner, seed=int(row["seed"]), post=post)
+                if abs(result.cost - float(row["cost"])) > 1e-12:
+                    raise SystemExit(f"trial {row['trial']} of {row['method']} came out differently")
+                found[row["scenario"], row["method"]].append((len(result.waypoints), turning(result.waypoints)))
+    for (scenario, method), numbers in found.items():
+        (waypoints, angle), (sd_waypoints, sd_angle) = np.mean(numbers, axis=0), np.std(numbers, axis=0, ddof=1)
+        print(f"{scenario}, {method}: {waypoints:.1f} ± {sd_waypoints:.1f} waypoints, {angle:.0f} ± {sd_angle:.0f} degrees")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

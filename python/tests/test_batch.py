@@ -1,0 +1,166 @@
+"""Experiments from Python: any executor, the same bytes as from the shell, tables with and without pandas."""
+
+import multiprocessing
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import ROOT, TESTDATA
+from test_planning import interrupted_after, walled
+
+import cdpr
+
+EXPERIMENT = {
+    "version": 1,
+    "name": "small",
+    "seed": 5,
+    "trials": 70,  # more than there are ranges: some hold one trial, the last one fewer than the others
+    "scenarios": [
+        {"name": "hard1", "scene": TESTDATA / "scenes/hard1.toml"},
+        {"name": "drawn", "scene": str(TESTDATA / "scenes/empty.toml"), "random": {"count": 2}},
+    ],
+    "methods": [
+        {"name": "swept, <both>", "sweep": {"post": ["backward", "forward"], "repeats": [1, 2]}},
+        {"name": "few samples", "planner": "rrt", "options": {"max_samples": np.int64(1000)}},
+    ],
+    "t_tests": [{"group": "A", "measure": "raw_cost", "a": ["hard1", "few samples"], "b": ["drawn", "few samples"]}],
+}
+
+
+@pytest.fixture(scope="module")
+def one_thread():
+    return cdpr.run_batch(EXPERIMENT, threads=1)
+
+
+def test_tables_of_a_run(one_thread):
+    trials, summary = one_thread.trials, one_thread.summary
+    assert list(trials.columns[:5]) == ["scenario", "method", "trial", "seed", "status"]
+    assert len(trials) == 70 * 2 * 5 and trials["seed"].dtype == np.uint64
+    assert set(trials["status"]) == {"solved", "budget_spent"}
+    assert trials.loc[trials["status"] != "solved", "cost"].isna().all()
+    for (scenario, method), rows in trials.groupby(["scenario", "method"]):
+        entry = summary[(summary["scenario"] == scenario) & (summary["method"] == method)].iloc[0]
+        assert (entry["n"], entry["solved"]) == (70, rows["cost"].count())
+        for name, value in (("mean", rows["cost"].mean()), ("sd", rows["cost"].std()), ("q25", rows["cost"].quantile(0.25))):
+            assert entry[f"cost_{name}"] == pytest.approx(value, rel=1e-12)
+        assert entry["cost_low"] < entry["cost_mean"] < entry["cost_high"]
+    assert one_thread.t_tests[0]["group"] == "A" and 0 <= one_thread.t_tests[0]["p"] <= 1
+    assert len(one_thread.timings) == len(trials) and (one_thread.timings["planning_seconds"] > 0).all()
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    row = trials[(trials["scenario"] == "hard1") & (trials["method"] == "few samples")].iloc[3]
+    again = cdpr.plan(scene, "rrt", seed=int(row["seed"]), max_samples=1000)
+    assert again.status == row["status"] and (again.cost == row["cost"] or not again.solved)
+
+
+def test_threads_and_executors_of_any_kind_give_the_same_bytes(one_thread):
+    assert cdpr.run_batch(EXPERIMENT, threads=2).trials_csv == one_thread.trials_csv
+    told = []
+    with ThreadPoolExecutor(3) as pool:
+        result = cdpr.run_batch(EXPERIMENT, pool, progress=lambda done, total: told.append((done, total)))
+    assert result.trials_csv == one_thread.trials_csv
+    assert told == sorted(told) and told[-1] == (70 * 4, 70 * 4)
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        assert cdpr.run_batch(EXPERIMENT, pool, threads=2).trials_csv == one_thread.trials_csv
+
+
+def test_a_dask_cluster_of_two_processes_gives_the_same_bytes(one_thread):
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        assert len(client.scheduler_info()["workers"]) == 2
+        assert cdpr.run_batch(EXPERIMENT, client.get_executor()).trials_csv == one_thread.trials_csv
+
+
+def test_the_same_bytes_as_from_the_shell_and_a_folder_that_goes_on(one_thread, tmp_path):
+    result = cdpr.run_batch(ROOT / "experiments/fig8.toml", trials=3)
+    result.save(tmp_path / "run")
+    assert {path.name for path in (tmp_path / "run").iterdir()} == {
+        *("rows", "run.json", "trials.csv", "timings.csv", "summary.json")
+    }
+    assert (tmp_path / "run/trials.csv").read_bytes() == result.trials_csv
+    parts = [cdpr.run_batch(ROOT / "experiments/fig8.toml", trials=part) for part in (range(2), range(2, 3))]
+    assert b"".join(sorted(b"".join(part.trials_csv for part in parts).splitlines(keepends=True))).count(b"\n") == 62
+    assert [list(part.trials["trial"].unique()) for part in parts] == [[0, 1], [2]]
+    with pytest.raises(cdpr.FileError, match="not empty"):
+        result.save(tmp_path / "run")
+    pickle.loads(pickle.dumps(one_thread)).save(tmp_path / "again")
+    assert (tmp_path / "again/trials.csv").read_bytes() == one_thread.trials_csv
+
+
+def test_without_pandas_there_are_arrays(one_thread, monkeypatch):
+    with monkeypatch.context() as patch:
+        patch.setitem(sys.modules, "pandas", None)
+        result = cdpr.run_batch(EXPERIMENT)
+    assert result.trials.dtype.names == tuple(one_thread.trials.columns)
+    assert result.summary["methods"][0]["n"] == 70
+    pd.testing.assert_frame_equal(pd.DataFrame(result.trials).astype(object), one_thread.trials.astype(object))
+
+
+def test_bad_input_is_told():
+    scenario, method = EXPERIMENT["scenarios"][0], EXPERIMENT["methods"][1]
+    bad = (
+        ({**EXPERIMENT, "trails": 3}, {}, "trails.*did you mean `trials`"),
+        ({**EXPERIMENT, "methods": [{**method, "planner": "rtt"}]}, {}, r"methods\[0\].*\"rtt\".*did you mean \"rrt\""),
+        ({**EXPERIMENT, "scenarios": [{**scenario, "scene": {"versoin": 1}}]}, {}, "versoin"),
+        ({**EXPERIMENT, "seed": {1, 2}}, {}, "found a set"),
+        (EXPERIMENT, {"trials": 0}, "found 0"),
+        (EXPERIMENT, {"trials": range(3, 3)}, r"range\(3, 3\)"),
+        (EXPERIMENT, {"trials": range(0, 4, 2)}, "steps of 1"),
+        (EXPERIMENT, {"threads": 0}, "threads: found 0"),
+    )
+    for experiment, options, message in bad:
+        with pytest.raises(cdpr.InputError, match=message):
+            cdpr.run_batch(experiment, **options)
+    with pytest.raises(cdpr.FileError, match=r"none\.toml"):
+        cdpr.run_batch("none.toml")
+    with pytest.raises(cdpr.FileError, match=r"none\.toml"):
+        cdpr.run_batch({**EXPERIMENT, "scenarios": [{**scenario, "scene": "none.toml"}]})
+    with ThreadPoolExecutor(1) as pool, pytest.raises(cdpr.InputError, match="threads: found 0"):
+        cdpr.run_batch(EXPERIMENT, pool, threads=0)
+
+
+def test_what_progress_raises_ends_the_run_and_ctrl_c_too():
+    def stop(done, total):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        cdpr.run_batch(EXPERIMENT, progress=stop)
+    with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="enough"):
+        cdpr.run_batch(EXPERIMENT, pool, progress=stop)
+    endless = {
+        **EXPERIMENT,
+        "scenarios": [{"name": "walled", "scene": walled()}],
+        "methods": [{"name": "long", "options": {"max_samples": 10**12}}],
+        "t_tests": [],
+    }
+    assert interrupted_after(0.2, lambda: cdpr.run_batch(endless)) < 1.0
+    # On an executor what waits is cancelled and what runs ends by itself.
+    brief = {**endless, "methods": [{"name": "brief", "options": {"max_samples": 10**12}, "budget_ms": 300.0}]}
+    with ThreadPoolExecutor(1) as pool:
+        began = time.perf_counter()
+        assert interrupted_after(0.2, lambda: cdpr.run_batch(brief, pool)) < 1.0
+    assert time.perf_counter() - began < 5.0  # of 21 s
+
+
+def test_importing_does_not_import_pandas():
+    code = "import sys, cdpr; print('pandas' in sys.modules, 'distributed' in sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "False False" and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_the_examples_run(tmp_path):
+    run = subprocess.run(
+        [sys.executable, ROOT / "python/examples/cluster.py", "", "4"], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert "A: p = " in run.stdout and (tmp_path / "table2/summary.json").exists()
+    winding = [sys.executable, ROOT / "python/examples/winding.py", tmp_path / "table2"]
+    run = subprocess.run(winding, capture_output=True, text=True, check=True)
+    assert len(run.stdout.splitlines()) == 8 and "hard3, modified RRT: " in run.stdout
