@@ -157,9 +157,8 @@ def test_importing_does_not_import_pandas():
 
 
 def test_the_examples_run(tmp_path):
-    run = subprocess.run(
-        [sys.executable, ROOT / "python/examples/cluster.py", "", "4"], cwd=tmp_path, capture_output=True, text=True, check=True
-    )
+    cluster = [sys.executable, ROOT / "python/examples/cluster.py", "", "4"]
+    run = subprocess.run(cluster, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "A: p = " in run.stdout and (tmp_path / "table2/summary.json").exists()
     winding = [sys.executable, ROOT / "python/examples/winding.py", tmp_path / "table2"]
     run = subprocess.run(winding, capture_output=True, text=True, check=True)

@@ -281,6 +281,18 @@ fn the_experiments_of_the_paper_load() {
 }
 
 #[test]
+fn two_runs_do_not_share_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = small(&folder);
+    let path = folder.path().join("run");
+    let first = BatchFolder::open(&path, &experiment, 0..2, false).unwrap();
+    let second = BatchFolder::open(&path, &experiment, 0..2, true).unwrap_err().to_string();
+    assert!(second.contains("run: found another process at work in this folder"), "{second}");
+    drop(first);
+    BatchFolder::open(&path, &experiment, 0..2, true).unwrap();
+}
+
+#[test]
 fn rows_travel_as_bytes_and_the_experiment_as_text() {
     let folder = tempfile::tempdir().unwrap();
     let experiment = small(&folder);

@@ -4,7 +4,7 @@
 //! killed leaves at most one torn trial at the end of each; resuming cuts it off. `trials.csv`, `timings.csv` and
 //! `summary.json` are written whole, when a run ends or is interrupted.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -19,6 +19,8 @@ use crate::error::Error;
 const RUN_FILE: &str = "run.json";
 /// The folder of rows as they come.
 const ROWS: &str = "rows";
+/// The file in it that a process at work holds locked.
+const LOCK: &str = "lock";
 
 /// The folder of a run.
 #[derive(Debug)]
@@ -27,6 +29,8 @@ pub struct BatchFolder {
     run: RunFile,
     /// Trials of each group whose rows are complete.
     done: Vec<usize>,
+    /// Locked as long as this lives; the system unlocks it however the process ends.
+    _lock: File,
 }
 
 impl BatchFolder {
@@ -54,9 +58,10 @@ impl BatchFolder {
         }
         let rows = path.join(ROWS);
         fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be made: {e}")))?;
+        let lock = locked(path, &rows.join(LOCK))?;
         let json = serde_json::to_string_pretty(&run).expect("names and numbers");
         text::write_atomically(&path.join(RUN_FILE), format!("{json}\n").as_bytes())?;
-        let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new() };
+        let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new(), _lock: lock };
         folder.done = (0..folder.run.layout.groups.len()).map(|g| folder.recover(g)).collect::<Result<_, _>>()?;
         Ok(folder)
     }
@@ -208,6 +213,20 @@ fn same_run(path: &Path, wanted: &RunFile) -> Result<(), Error> {
         return Err(Error::file(path, problem));
     }
     Ok(())
+}
+
+/// Keeps other processes out: two that append to the same rows would spoil them.
+fn locked(folder: &Path, path: &Path) -> Result<File, Error> {
+    let unwritable = |e: std::io::Error| Error::file(path, format!("cannot be written: {e}"));
+    let file = OpenOptions::new().write(true).create(true).truncate(false).open(path).map_err(unwritable)?;
+    match file.try_lock() {
+        Ok(()) => Ok(file),
+        Err(TryLockError::WouldBlock) => {
+            Err(Error::file(folder, "found another process at work in this folder, expected none; wait for its end"))
+        }
+        Err(TryLockError::Error(e)) if e.kind() == ErrorKind::Unsupported => Ok(file), // some network drives have no locks
+        Err(TryLockError::Error(e)) => Err(unwritable(e)),
+    }
 }
 
 fn file_name(group: usize) -> String {
