@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 import numpy as np
 import pandas as pd
 import pytest
+import scipy.stats
 from conftest import ROOT, TESTDATA
 from test_planning import interrupted_after, walled
 
@@ -56,6 +57,22 @@ def test_tables_of_a_run(one_thread):
     row = trials[(trials["scenario"] == "hard1") & (trials["method"] == "few samples")].iloc[3]
     again = cdpr.plan(scene, "rrt", seed=int(row["seed"]), max_samples=1000)
     assert again.status == row["status"] and (again.cost == row["cost"] or not again.solved)
+
+
+@pytest.mark.parametrize("welch", [True, False])
+def test_t_tests_are_those_of_scipy(welch):
+    measures = ["raw_cost", "cost", "planning_seconds", "post_seconds"]
+    pair = {"a": ["hard1", "modified"], "b": ["hard1", "plain"], "variances": "welch" if welch else "pooled"}
+    tests = [{"group": measure, "measure": measure, **pair} for measure in measures]
+    methods = [{"name": "modified"}, {"name": "plain", "planner": "rrt", "options": {"goal_bias": 0.1}}]
+    experiment = {**EXPERIMENT, "scenarios": EXPERIMENT["scenarios"][:1], "methods": methods, "t_tests": tests}
+    found = cdpr.run_batch(experiment)
+    rows = found.trials.merge(found.timings, on=["scenario", "method", "trial"])
+    for test in found.t_tests:
+        samples = [rows.loc[rows["method"] == method, test["measure"]].dropna() for method in ("modified", "plain")]
+        known = scipy.stats.ttest_ind(*samples, equal_var=not welch)
+        for key, value in (("t", known.statistic), ("df", known.df), ("p", known.pvalue)):
+            assert test[key] == pytest.approx(value, rel=1e-9), (test["group"], key)
 
 
 def test_threads_and_executors_of_any_kind_give_the_same_bytes(one_thread):
