@@ -11,7 +11,7 @@ use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::error::ErrorClass;
 use cdpr_core::geometry::{Aabb, Point, Vector};
 use cdpr_core::io::{load_wrench_map, save_wrench_map};
-use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
+use cdpr_core::model::Robot;
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::map::{Grid, Margins};
 use cdpr_core::wrench::{
@@ -20,7 +20,7 @@ use cdpr_core::wrench::{
 };
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use support::{built_robot, rng};
+use support::{built_robot, point_robot, rng};
 use zip::write::SimpleFileOptions;
 
 const QUIET: BatchOptions = BatchOptions { threads: None, interrupted: &|| false };
@@ -41,27 +41,14 @@ fn map(statics: &Statics, required: &Required, within: &Aabb, step: f64, project
     WrenchMap::new(statics, required, within, &MapOptions { step, projected }, &QUIET).unwrap()
 }
 
-/// A robot whose platform is a point, from outlets, attachments and tensions.
-fn robot(cables: &[([f64; 3], [f64; 3], [f64; 2])]) -> Robot {
-    let cable = |(outlet, attachment, tension): &([f64; 3], [f64; 3], [f64; 2])| CableSpec {
-        name: None,
-        outlet: *outlet,
-        attachment: *attachment,
-        tension: Some(*tension),
-        diameter: None,
-        length: None,
-    };
-    let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0]]), ..BodySpec::default() }];
-    let cables = cables.iter().map(cable).collect();
-    let spec = RobotSpec { version: None, name: None, mass: Some(0.4), center_of_mass: None, platform, cables };
-    Robot::try_from(spec).unwrap()
-}
-
 /// A point on six cables along the axes, 0 to 10 N each: forces fill a cube around the origin.
 fn orthogonal(far: f64) -> Statics {
     let axis = |k: usize| std::array::from_fn(|i| if i == k / 2 { far * [1.0, -1.0][k % 2] } else { 0.0 });
-    Statics::new(&robot(&std::array::from_fn::<_, 6, _>(|k| (axis(k), [0.0; 3], [0.0, 10.0]))), &Loads::default())
-        .unwrap()
+    Statics::new(
+        &point_robot(&std::array::from_fn::<_, 6, _>(|k| (axis(k), [0.0; 3], [0.0, 10.0])), 0.4),
+        &Loads::default(),
+    )
+    .unwrap()
 }
 
 fn random_robot(rng: &mut ChaCha8Rng, cables: usize) -> Robot {
@@ -71,7 +58,7 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize) -> Robot {
         let least = rng.random_range(0.0..50.0);
         (outlet, attachment, [least, least + rng.random_range(1.0..2000.0)])
     };
-    robot(&(0..cables).map(|_| cable()).collect::<Vec<_>>())
+    point_robot(&(0..cables).map(|_| cable()).collect::<Vec<_>>(), 0.4)
 }
 
 #[test]
@@ -409,11 +396,14 @@ fn sets_of_symmetric_flat_and_pointlike_robots_are_what_they_look_like() {
     let cube = force_set(&orthogonal(5.0), &Point::origin()).unwrap();
     assert_eq!((cube.rank, cube.mesh.vertices.len()), (3, 8));
     assert!((cube.mesh.volume() - 8000.0).abs() < 1e-9);
-    let planar = robot(&[
-        ([1.0, 0.0, 1.0], [0.0; 3], [1.0, 9.0]),
-        ([-1.0, 0.0, 1.0], [0.0; 3], [1.0, 9.0]),
-        ([0.0, 0.0, -1.0], [0.0; 3], [1.0, 9.0]),
-    ]);
+    let planar = point_robot(
+        &[
+            ([1.0, 0.0, 1.0], [0.0; 3], [1.0, 9.0]),
+            ([-1.0, 0.0, 1.0], [0.0; 3], [1.0, 9.0]),
+            ([0.0, 0.0, -1.0], [0.0; 3], [1.0, 9.0]),
+        ],
+        0.4,
+    );
     let planar = Statics::new(&planar, &Loads::default()).unwrap();
     let set = force_set(&planar, &Point::origin()).unwrap();
     assert_eq!((set.rank, set.mesh.vertices.len(), set.ball()), (2, 6, None));

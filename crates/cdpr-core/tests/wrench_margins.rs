@@ -4,29 +4,13 @@ mod support;
 
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::kinematics::{condition, rank, wrench_matrix};
-use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
+use cdpr_core::model::Robot;
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::{CapacityMargin, Loads, Required, Statics, force_limit, moment_limit};
 use nalgebra::Vector6;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use support::rng;
-
-/// A robot from its outlets, attachments and tensions; the platform is a point.
-fn robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robot {
-    let cable = |(outlet, attachment, tension): &([f64; 3], [f64; 3], [f64; 2])| CableSpec {
-        name: None,
-        outlet: *outlet,
-        attachment: *attachment,
-        tension: Some(*tension),
-        diameter: None,
-        length: None,
-    };
-    let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0]]), ..BodySpec::default() }];
-    let cables = cables.iter().map(cable).collect();
-    Robot::try_from(RobotSpec { version: None, name: None, mass: Some(mass), center_of_mass: None, platform, cables })
-        .expect("a sound robot")
-}
+use support::{point_robot, rng};
 
 fn random_robot(rng: &mut ChaCha8Rng, cables: usize) -> Robot {
     let cables: Vec<_> = (0..cables)
@@ -37,7 +21,7 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize) -> Robot {
             (outlet, attachment, [least, least + rng.random_range(1.0..2000.0)])
         })
         .collect();
-    robot(&cables, rng.random_range(0.0..50.0))
+    point_robot(&cables, rng.random_range(0.0..50.0))
 }
 
 #[test]
@@ -79,7 +63,7 @@ fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
     let axes =
         [[5.0, 0.0, 0.0], [-5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, -5.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, -5.0]];
     let cables: Vec<_> = axes.map(|outlet| (outlet, [0.0; 3], [0.0, 10.0])).into();
-    let statics = Statics::new(&robot(&cables, 0.4), &Loads::default()).unwrap();
+    let statics = Statics::new(&point_robot(&cables, 0.4), &Loads::default()).unwrap();
     assert!(statics.point_mass());
     let (origin, weight) = (Point::origin(), 0.4 * 9.81);
     let limit = force_limit(&statics, &origin).unwrap();
@@ -109,7 +93,7 @@ fn a_cube_of_forces_has_the_margin_of_its_nearest_required_corner() {
     let axes =
         [[5.0, 0.0, 0.0], [-5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, -5.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, -5.0]];
     let cables: Vec<_> = axes.map(|outlet| (outlet, [0.0; 3], [0.0, 10.0])).into();
-    let statics = Statics::new(&robot(&cables, 0.0), &Loads::default()).unwrap();
+    let statics = Statics::new(&point_robot(&cables, 0.0), &Loads::default()).unwrap();
     let corners = vec![Vector6::new(3.0, 0.0, 0.0, 0.0, 0.0, 0.0), Vector6::new(0.0, -7.5, 0.0, 0.0, 0.0, 0.0)];
     let margin = CapacityMargin::new(statics, Required::Polytope(corners)).unwrap();
     assert!((margin.at(&Point::origin()) - 2.5).abs() < 1e-12);

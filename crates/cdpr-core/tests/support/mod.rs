@@ -5,8 +5,8 @@ pub mod scenes;
 
 use std::path::Path;
 
-use cdpr_core::Robot;
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
+use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -14,6 +14,22 @@ use rand_chacha::ChaCha8Rng;
 pub fn built_robot(name: &str) -> Robot {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../testdata/robots").join(name).with_extension("toml");
     cdpr_core::io::load_robot(&path).expect("a sound robot")
+}
+
+/// A robot from its outlets, attachments and tensions; the platform is a point.
+pub fn point_robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robot {
+    let cable = |(outlet, attachment, tension): &([f64; 3], [f64; 3], [f64; 2])| CableSpec {
+        name: None,
+        outlet: *outlet,
+        attachment: *attachment,
+        tension: Some(*tension),
+        diameter: None,
+        length: None,
+    };
+    let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0]]), ..BodySpec::default() }];
+    let cables = cables.iter().map(cable).collect();
+    Robot::try_from(RobotSpec { version: None, name: None, mass: Some(mass), center_of_mass: None, platform, cables })
+        .expect("a sound robot")
 }
 
 pub fn rng(seed: u64) -> ChaCha8Rng {
