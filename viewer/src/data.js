@@ -77,7 +77,8 @@ function readFeasible(feasible) {
   const margins = list(feasible.margins);
   const greatest = margins.reduce((most, margin) => Math.max(most, margin ?? 0), 0);
   const { origin, step, counts } = feasible;
-  return { origin, step, counts, margins, greatest, measure: text(feasible.measure, 'margin'), unit: text(feasible.unit, '') };
+  const measure = text(feasible.measure, 'margin');
+  return { origin, step, counts, margins, greatest, measure, unit: text(feasible.unit, '') };
 }
 
 function readViolation(violation) {

@@ -29,8 +29,8 @@ export function createLabels(container) {
     for (const label of labels) placeOne(label, camera, view);
   }
 
-  /** Writes the labels that are seen into a picture. */
-  function write(canvas, { clientWidth }) {
+  /** A picture with the labels that are seen written into it. */
+  function written(canvas, { clientWidth }) {
     const ratio = canvas.width / clientWidth;
     const context = canvas.getContext('2d');
     context.font = `${12 * ratio}px system-ui, sans-serif`;
@@ -39,7 +39,8 @@ export function createLabels(container) {
     for (const { element, x, y } of labels) {
       if (!element.hidden) context.fillText(element.textContent, (x + 13) * ratio, (y + 8) * ratio);
     }
+    return canvas;
   }
 
-  return { add, place, write };
+  return { add, place, written };
 }

@@ -43,8 +43,8 @@ export function createLayer(group, name, swatch, invalidate, shown = true, paren
 }
 
 /**
- * A layer for each known name; `contents` maps names to objects, and layers without objects have no legend row. `hidden`
- * lists those that are off at first, `names` has other names for some.
+ * A layer for each known name; `contents` maps names to objects, and layers without objects have no legend row.
+ * `hidden` lists those that are off at first, `names` has other names for some.
  */
 export function createLayers(contents, hidden, names, scene, invalidate) {
   const layers = {};
@@ -54,7 +54,8 @@ export function createLayers(contents, hidden, names, scene, invalidate) {
     for (const object of contents[key] ?? []) group.add(object);
     scene.add(group);
     const { name, swatch } = NAMES[key];
-    layers[key] = createLayer(group, names[key] ?? name, `${swatch} of-${key}`, invalidate, !hidden.includes(key));
+    const shown = !hidden.includes(key);
+    layers[key] = createLayer(group, names[key] ?? name, `${swatch} of-${key}`, invalidate, shown);
   }
   return layers;
 }

@@ -106,13 +106,11 @@ function addNames(model, frame, labels, layers) {
 function addRegionParts(regions, layers, shown, invalidate) {
   if (regions.length === 0) return;
   const fold = panel.addLegendFold('by cable', shown);
-  const part = ({ group, role }) => [group.name, createLayer(group, group.name, `part ghost of-${role}`, invalidate, true, fold)];
-  layers.regions.parts = Object.fromEntries(regions.map(part));
+  const part = ({ group, role }) => createLayer(group, group.name, `part ghost of-${role}`, invalidate, true, fold);
+  layers.regions.parts = Object.fromEntries(regions.map((region) => [region.group.name, part(region)]));
 }
 
-function savePicture(stage, container, labels, title) {
-  const picture = stage.picture();
-  labels.write(picture, container);
+function savePicture(picture, title) {
   picture.toBlob((blob) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
@@ -137,8 +135,9 @@ function createView(model, route) {
   addNames(model, frame, labels, layers);
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
   const { look, cut, resize } = stage;
-  const save = () => savePicture(stage, container, labels, model.title);
-  return { move, layers, look, cut, resize, save, toggleLook: theme.toggle };
+  const picture = () => labels.written(stage.picture(), container);
+  const save = () => savePicture(picture(), model.title);
+  return { move, layers, look, cut, resize, picture, save, toggleLook: theme.toggle };
 }
 
 // What stands in for the 3D part where it cannot be drawn.
@@ -180,6 +179,7 @@ function publish(route, view, playback) {
     position: () => route.positionAt(playback.distance()),
     layers: view.layers,
     look: view.look,
+    picture: view.picture ?? null,
     resetView: view.look && (() => view.look()),
     ready: true,
   };

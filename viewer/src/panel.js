@@ -171,10 +171,11 @@ function nextSection() {
   byId('section').dispatchEvent(new Event('change'));
 }
 
-const isOperable = (target) => target instanceof Element && target.closest('button, summary, select, input[type=checkbox]') !== null;
+const isWithin = (target, selector) => target instanceof Element && target.closest(selector) !== null;
 
-// Those who take arrow keys themselves.
-const takesArrows = (target) => target instanceof Element && target.closest('canvas, select, input[type=range]') !== null;
+// Those who take the space bar or the arrow keys themselves.
+const isOperable = (target) => isWithin(target, 'button, summary, select, input[type=checkbox]');
+const takesArrows = (target) => isWithin(target, 'canvas, select, input[type=range]');
 
 const VIEW_KEYS = {
   1: ({ look }) => look('x'),
@@ -192,8 +193,7 @@ export function connectKeys(playback, view) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (KEY_STEPS[event.key] !== undefined && !takesArrows(event.target)) moveBy(KEY_STEPS[event.key], playback, event);
     if (event.repeat) return;
-    const isTyped = event.target instanceof Element && event.target.closest('select') !== null;
-    if (view.look && !isTyped) VIEW_KEYS[event.key.toLowerCase()]?.(view);
+    if (view.look && !isWithin(event.target, 'select')) VIEW_KEYS[event.key.toLowerCase()]?.(view);
     if (event.key !== ' ' || isOperable(event.target)) return;
     event.preventDefault();
     playback.toggle();

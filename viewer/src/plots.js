@@ -62,7 +62,8 @@ function line(className, y) {
 
 function drawing({ name, series, limits, floor }, x, marks, { low, high }) {
   const y = (value) => HEIGHT * (1 - (value - low) / (high - low));
-  const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none', role: 'img', 'aria-label': name });
+  const size = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' };
+  const picture = svg('svg', { ...size, role: 'img', 'aria-label': name });
   if (floor !== undefined && floor > low) {
     const top = Math.max(0, y(floor));
     picture.append(svg('rect', { class: 'forbidden', x: 0, y: top, width: WIDTH, height: HEIGHT - top }));
@@ -181,7 +182,7 @@ export function createPlots(model, route, pick) {
     });
     if (motion.clearance.length === 0) return null;
     // Where a collision begins between two steps, it is told.
-    const told = Math.min(motion.clearance[step], motion.clearance[other]) < 0 && motion.clearance[step] >= 0 ? other : step;
+    const told = motion.clearance[step] >= 0 && motion.clearance[other] < 0 ? other : step;
     const nearest = { culprits: motion.pairs[motion.nearest[told]], gap: motion.clearance[told] };
     byId('nearest').textContent = describeNearest(nearest);
     byId('nearest').classList.toggle('bad', nearest.gap < 0);

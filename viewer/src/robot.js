@@ -1,6 +1,7 @@
 // The platform, its cables and the ghosts that mark start and goal.
 
-import { Box3, CylinderGeometry, DoubleSide, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { Box3, CylinderGeometry, DoubleSide, Group, InstancedMesh } from 'three';
+import { Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
 import { boxEdges } from './surroundings.js';
 import { dots, hairlines, moveWideLines, wideLines } from './marks.js';
 import { buildShapes, solidGeometry } from './shapes.js';
@@ -94,7 +95,8 @@ export function createOutlets(model, frame, theme) {
   if (model.cables.length === 0) return [];
   const places = model.cables.map((cable) => frame.point(cable.outlet));
   const marks = dots(places, 8);
-  const edges = hairlines(boxEdges(new Box3().setFromPoints(places)));
+  // Wider than those of the workspace, which is often the same box.
+  const edges = wideLines(boxEdges(new Box3().setFromPoints(places)), { linewidth: 2 });
   theme.paint(marks.material, 'outlet');
   theme.paint(edges.material, 'frame');
   return [marks, edges];

@@ -1,6 +1,7 @@
 // What stands still around the robot: workspace and obstacles.
 
-import { Box3, DoubleSide, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
+import { Box3, DoubleSide, LineBasicMaterial, Mesh, MeshBasicMaterial } from 'three';
+import { MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
 import { dots, hairlines, wideLines } from './marks.js';
 import { buildShapes, solidGeometry } from './shapes.js';
 
