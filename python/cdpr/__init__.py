@@ -20,8 +20,9 @@ True
 from ._core import __version__
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
-from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
+from ._planning import Path, Report, Result, check, load_path, plan, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
+from ._view import View, save_view, show
 from ._wrench import (
     Tensions,
     capacity_margin,
@@ -48,6 +49,7 @@ __all__ = [
     "Scene",
     "Tensions",
     "Violation",
+    "View",
     "WrenchMap",
     "__version__",
     "capacity_margin",
@@ -62,6 +64,7 @@ __all__ = [
     "save_view",
     "schema",
     "shadows",
+    "show",
     "tension_distribution",
     "tensions_along",
     "wrench_map",

@@ -5,9 +5,11 @@ import math
 import os
 import re
 import shutil
+import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -403,3 +405,28 @@ def test_huge_and_odd_scenes_open_and_frame_themselves(open_page: Open, hard1: c
     half = 0.5 * page.evaluate("cdprViewer.length")
     page.evaluate("(half) => cdprViewer.setDistance(half)", half)
     assert np.allclose(page.evaluate("cdprViewer.position()"), along(path * factor, half))
+
+
+def test_show_opens_a_tab_and_a_notebook_frames_the_page(
+    browser: Browser, hard1: cdpr.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open_new_tab", lambda url: opened.append(url) or True)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    view = cdpr.show(hard1, BAD)
+    (file,) = tmp_path.iterdir()
+    assert opened == [file.as_uri()]
+    assert file.read_text(encoding="utf-8") == view.html
+    page = browser.new_page()
+    page.set_content(f"<body>{view._repr_html_()}")
+    frame = page.frames[1]
+    frame.wait_for_selector("#title >> text=hard1")
+    assert frame.evaluate("cdprViewer.ready") and frame.evaluate("cdprViewer.length") > 1.9
+    page.close()
+
+
+def test_show_opens_no_tab_in_a_notebook(hard1: cdpr.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    shell = SimpleNamespace(config={"IPKernelApp": {}})
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setattr("webbrowser.open_new_tab", lambda url: pytest.fail(f"opened {url}"))
+    assert cdpr.show(hard1)._repr_html_().startswith("<iframe srcdoc=")
