@@ -121,8 +121,19 @@ pub(super) fn regions_value(regions: &Regions, shown: bool) -> Value {
     json!({ "space": regions.space, "shown": shown, "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>() })
 }
 
-/// Steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
-const MAP_STEPS: f64 = 16.0;
+/// Most steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
+const MOST_MAP_STEPS: f64 = 16.0;
+/// With fewer steps a map would say nothing, and the page goes without it.
+const LEAST_MAP_STEPS: f64 = 6.0;
+/// Nodes times choices of five cables, of which each may span a facet: about two seconds on two cores.
+const MAP_WORK: f64 = 4e6;
+
+/// How fine a map of a robot with this many cables is; none if it would take too long.
+fn map_steps(cables: usize) -> Option<f64> {
+    let choices: f64 = (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product();
+    let steps = ((MAP_WORK / choices).cbrt() - 1.0).floor();
+    (steps >= LEAST_MAP_STEPS).then_some(steps.min(MOST_MAP_STEPS))
+}
 
 /// A coarse grid over the positions where the platform is in the workspace.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -145,10 +156,8 @@ pub(super) fn feasible(scene: &Scene) -> Result<Option<Feasible>, Error> {
     let Some(first) = measures.first() else { return Ok(None) };
     let (min, max) = Constraints::new(scene)?.position_box();
     let longest = (max - min).max();
-    if !(longest > 0.0) {
-        return Ok(None);
-    }
-    let grid = Grid::over(&Aabb { min, max }, longest / MAP_STEPS)?;
+    let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
+    let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
     // Where one measure of several fails, the whole demand does.
     let margin = |node: usize| {
         let position = grid.position(node);
@@ -196,6 +205,11 @@ mod tests {
         spec.wrench = Some(crate::model::WrenchSpec::default());
         let found = feasible(&Scene::new(spec).unwrap()).unwrap().unwrap();
         assert_eq!((found.counts, found.margins.len()), ([16, 16, 17], 16 * 16 * 17));
+    }
+
+    #[test]
+    fn maps_of_many_cables_are_coarser_or_left_out() {
+        assert_eq!([3, 8, 12, 16, 24].map(map_steps), [Some(16.0), Some(16.0), Some(16.0), Some(8.0), None]);
     }
 
     #[test]
