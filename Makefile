@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 WHEELS := target/wheels
 
-.PHONY: test lint rust-test release-test verify wheel python-test demo bench viewer clean
+.PHONY: test lint rust-test release-test verify wheel python-test demo bench viewer browser clean
 
 test: lint rust-test release-test python-test
 
@@ -40,7 +40,12 @@ wheel: $(VENV)/ready
 	$(BIN)/maturin build --release --locked --out $(WHEELS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
 
-python-test: wheel
+# The browser that the page is tested in: as root on Debian it is installed, elsewhere the tests say how to get one.
+browser:
+	@command -v chromium >/dev/null || command -v google-chrome >/dev/null || command -v chromium-browser >/dev/null || \
+		{ [ "$$(id -u)" = 0 ] && [ -e /etc/debian_version ] && apt-get update -q && apt-get install -qy chromium; } || true
+
+python-test: wheel browser
 	$(BIN)/python -m mypy python/cdpr
 	$(BIN)/python -m pytest python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr

@@ -21,8 +21,9 @@ from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
-from ._planning import Path, Report, Result, check, load_path, plan, rewind, save_view, schema
+from ._planning import Path, Report, Result, check, load_path, plan, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
+from ._view import View, save_view, show
 from ._wrench import (
     Tensions,
     capacity_margin,
@@ -50,6 +51,7 @@ __all__ = [
     "Scene",
     "Tensions",
     "Violation",
+    "View",
     "WrenchMap",
     "__version__",
     "capacity_margin",
@@ -65,6 +67,7 @@ __all__ = [
     "save_view",
     "schema",
     "shadows",
+    "show",
     "tension_distribution",
     "tensions_along",
     "wrench_map",

@@ -333,25 +333,6 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Float
     return _array(_core.load_path(os.fspath(path), None if scene is None else scene._core))
 
 
-def save_view(
-    path: str | os.PathLike[str],
-    scene: Scene,
-    waypoints: ArrayLike | Path | None = None,
-    *,
-    interference: Interference = "exact",
-) -> None:
-    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline."""
-    result = waypoints if isinstance(waypoints, Result) else None
-    array = None if waypoints is None else rows("waypoints", waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
-    cost = None if array is None else float(np.linalg.norm(np.diff(array, axis=0), axis=1).sum())
-    raw = None if result is None else np.ascontiguousarray(result.raw_waypoints)
-    raw_cost = None if result is None or not result.solved else result.raw_cost
-    status = None if result is None else result.status
-    planner = None if result is None else str(json.loads(result._json)["planner"])
-    page = scene._core.page(status, array, cost, raw, raw_cost, planner, interference)
-    _core.save_text(os.fspath(path), page)
-
-
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:
     """Return the JSON Schema of a file format.
 

@@ -54,7 +54,31 @@ function readRegion(region, index) {
 
 function readRegions(regions) {
   if (!regions) return null;
-  return { space: text(regions.space, 'attachment'), meshes: list(regions.meshes).map(readRegion) };
+  const meshes = list(regions.meshes).map(readRegion);
+  return { space: text(regions.space, 'attachment'), shown: regions.shown !== false, meshes };
+}
+
+// Numbers along the path; they come from the program, one column for each plot.
+function readMotion(motion) {
+  if (!motion || list(motion.s).length < 2) return null;
+  return {
+    s: motion.s,
+    lengths: list(motion.lengths),
+    clearance: list(motion.clearance),
+    nearest: list(motion.nearest),
+    pairs: list(motion.pairs).map((pair) => list(pair).map(String)),
+    tensions: list(motion.tensions),
+    tensionLimits: list(motion.tension_limits),
+  };
+}
+
+function readFeasible(feasible) {
+  if (!feasible || !isPoint(feasible.origin) || !isPoint(feasible.counts)) return null;
+  const margins = list(feasible.margins);
+  const greatest = margins.reduce((most, margin) => Math.max(most, margin ?? 0), 0);
+  const { origin, step, counts } = feasible;
+  const measure = text(feasible.measure, 'margin');
+  return { origin, step, counts, margins, greatest, measure, unit: text(feasible.unit, '') };
 }
 
 function readViolation(violation) {
@@ -91,6 +115,8 @@ export function readModel(raw) {
     goal: pointOrNull(raw?.goal),
     path: readPath(raw?.path),
     regions: readRegions(raw?.regions),
+    motion: readMotion(raw?.motion),
+    feasible: readFeasible(raw?.feasible),
     violations: list(raw?.violations).map(readViolation),
   };
 }

@@ -12,21 +12,35 @@ export function createLabels(container) {
     element.className = 'label';
     element.textContent = text;
     container.append(element);
-    labels.push({ element, anchor, layer });
+    labels.push({ element, anchor, layer, x: 0, y: 0 });
   }
 
-  function placeOne({ element, anchor, layer }, camera, { clientWidth, clientHeight }) {
+  function placeOne(label, camera, { clientWidth, clientHeight }) {
+    const { element, anchor, layer } = label;
     projected.copy(anchor).project(camera);
     const hidden = !layer.visible || Math.abs(projected.z) > 1;
     element.hidden = hidden;
-    const x = ((projected.x + 1) / 2) * clientWidth;
-    const y = ((1 - projected.y) / 2) * clientHeight;
-    if (!hidden) element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    label.x = ((projected.x + 1) / 2) * clientWidth;
+    label.y = ((1 - projected.y) / 2) * clientHeight;
+    if (!hidden) element.style.transform = `translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;
   }
 
   function place(camera, view) {
     for (const label of labels) placeOne(label, camera, view);
   }
 
-  return { add, place };
+  /** A picture with the labels that are seen written into it. */
+  function written(canvas, { clientWidth }) {
+    const ratio = canvas.width / clientWidth;
+    const context = canvas.getContext('2d');
+    context.font = `${12 * ratio}px system-ui, sans-serif`;
+    context.textBaseline = 'top';
+    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--text');
+    for (const { element, x, y } of labels) {
+      if (!element.hidden) context.fillText(element.textContent, (x + 13) * ratio, (y + 8) * ratio);
+    }
+    return canvas;
+  }
+
+  return { add, place, written };
 }

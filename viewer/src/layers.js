@@ -1,22 +1,32 @@
 // Groups of the scene that the reader can show and hide.
 
-import { Group } from 'three';
+import { Group, Object3D } from 'three';
 import { addLegendRow } from './panel.js';
 
 const NAMES = {
   platform: { name: 'platform', swatch: 'solid' },
   obstacles: { name: 'obstacles', swatch: 'solid' },
+  obstacleNames: { name: 'names of obstacles', swatch: 'letter' },
   cables: { name: 'cables', swatch: 'line' },
+  cableNames: { name: 'names of cables', swatch: 'letter' },
+  outlets: { name: 'outlets and frame', swatch: 'outline' },
   rawPath: { name: 'raw path', swatch: 'dashed' },
   finalPath: { name: 'final path', swatch: 'thick' },
+  nearest: { name: 'nearest to each other', swatch: 'thick' },
   violations: { name: 'violations', swatch: 'cross' },
   startGoal: { name: 'start and goal', swatch: 'ghost' },
   workspace: { name: 'workspace', swatch: 'outline' },
+  swept: { name: 'swept by cables', swatch: 'ghost' },
+  feasible: { name: 'wrench-feasible workspace', swatch: 'ramp' },
   regions: { name: 'forbidden regions', swatch: 'ghost' },
 };
 
+/** Something to put into layers whose content is not drawn in 3D. */
+export const placeholder = () => new Object3D();
+
 /** A layer for a group; an empty one has no legend row. */
-export function createLayer(group, name, swatch, invalidate) {
+export function createLayer(group, name, swatch, invalidate, shown = true, parent = undefined) {
+  group.visible = shown;
   const layer = {
     get visible() {
       return group.visible;
@@ -28,12 +38,15 @@ export function createLayer(group, name, swatch, invalidate) {
     },
   };
   const isEmpty = group.children.length === 0;
-  const tick = isEmpty ? () => {} : addLegendRow(name, swatch, layer);
+  const tick = isEmpty ? () => {} : addLegendRow(name, swatch, layer, parent);
   return layer;
 }
 
-/** A layer for each known name; `contents` maps names to objects, and layers without objects have no legend row. */
-export function createLayers(contents, scene, invalidate) {
+/**
+ * A layer for each known name; `contents` maps names to objects, and layers without objects have no legend row.
+ * `hidden` lists those that are off at first, `names` has other names for some.
+ */
+export function createLayers(contents, hidden, names, scene, invalidate) {
   const layers = {};
   for (const key of Object.keys(NAMES)) {
     const group = new Group();
@@ -41,7 +54,8 @@ export function createLayers(contents, scene, invalidate) {
     for (const object of contents[key] ?? []) group.add(object);
     scene.add(group);
     const { name, swatch } = NAMES[key];
-    layers[key] = createLayer(group, name, `${swatch} of-${key}`, invalidate);
+    const shown = !hidden.includes(key);
+    layers[key] = createLayer(group, names[key] ?? name, `${swatch} of-${key}`, invalidate, shown);
   }
   return layers;
 }

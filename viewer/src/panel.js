@@ -1,6 +1,6 @@
 // The panel: title, outcome, legend and list of violations; and the bar with the slider.
 
-import { describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
+import { describeFeasible, describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const NARROW = '(max-width: 560px)';
@@ -19,13 +19,29 @@ export function showSummary(model, length) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
   const outcome = describeOutcome(model.path, length, model.violations.length);
-  byId('status').textContent = model.regions && !model.path ? describeRegions(model.regions) : outcome;
+  byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
-  byId('details').open = !window.matchMedia(NARROW).matches;
+  const isNarrow = window.matchMedia(NARROW).matches;
+  byId('details').open = !isNarrow;
+  byId('plots').open = !isNarrow;
 }
 
-/** Adds a row with a checkbox to the legend and returns a function that ticks it. */
-export function addLegendRow(name, swatch, layer) {
+/** Adds rows for parts of a layer to the legend, in a fold. */
+export function addLegendFold(title, open) {
+  const fold = element('details', 'fold');
+  fold.open = open;
+  fold.append(element('summary', '', title));
+  byId('legend').append(fold);
+  return fold;
+}
+
+/** Says what the colours of the wrench-feasible workspace mean. */
+export function addRampKey(feasible) {
+  byId('legend').append(element('p', 'more', describeFeasible(feasible)));
+}
+
+/** Adds a row with a checkbox to the legend, or to a fold of it, and returns a function that ticks it. */
+export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   const row = element('label', 'legend-row');
   const box = element('input');
   box.type = 'checkbox';
@@ -34,7 +50,7 @@ export function addLegendRow(name, swatch, layer) {
     layer.visible = box.checked;
   });
   row.append(box, element('span', `swatch ${swatch}`), element('span', 'legend-name', name));
-  byId('legend').append(row);
+  parent.append(row);
   return (visible) => {
     box.checked = visible;
   };
@@ -66,7 +82,10 @@ export function coveredMargins() {
   const bar = byId('bar').getBoundingClientRect();
   const bottom = bar.height > 0 ? window.innerHeight - bar.top : 0;
   const narrow = window.matchMedia(NARROW).matches;
-  return narrow ? { left: 0, top: panel.bottom, bottom } : { left: panel.right, top: 0, bottom };
+  if (narrow) return { left: 0, right: 0, top: panel.bottom, bottom };
+  const plots = byId('plots').getBoundingClientRect();
+  const right = byId('plots').open && plots.width > 0 ? window.innerWidth - plots.left : 0;
+  return { left: panel.right, right, top: 0, bottom };
 }
 
 /** Puts a plain message in place of the 3D view. */
@@ -86,6 +105,12 @@ const KEY_STEPS = {
   End: 1,
 };
 
+function moveBy(step, playback, event) {
+  event.preventDefault();
+  playback.pause();
+  playback.setDistance(playback.distance() + step * playback.length);
+}
+
 function connectSlider(slider, playback) {
   slider.max = String(playback.length);
   slider.addEventListener('input', () => {
@@ -94,10 +119,7 @@ function connectSlider(slider, playback) {
   });
   slider.addEventListener('keydown', (event) => {
     const step = KEY_STEPS[event.key];
-    if (step === undefined) return;
-    event.preventDefault();
-    playback.pause();
-    playback.setDistance(playback.distance() + step * playback.length);
+    if (step !== undefined) moveBy(step, playback, event);
   });
 }
 
@@ -106,6 +128,7 @@ export function connectTransport(playback) {
   if (playback.length === 0) return;
   connectSlider(byId('slider'), playback);
   byId('play').addEventListener('click', playback.toggle);
+  byId('speed').addEventListener('change', () => playback.setSpeed(Number(byId('speed').value)));
   byId('transport').hidden = false;
 }
 
@@ -124,21 +147,55 @@ export function showPlaying(playing) {
   byId('play').dataset.playing = String(playing);
 }
 
-const isOperable = (target) => target instanceof Element && target.closest('button, summary, input[type=checkbox]') !== null;
+const SECTIONS = ['', 'x', 'y', 'z'];
 
-/** Space plays and pauses, R resets the view. */
-export function connectKeys(playback, resetView) {
+/** Connects the buttons that change the view. */
+export function connectTools({ look, cut, save, toggleLook, resize }) {
+  for (const axis of ['x', 'y', 'z']) byId(`view-${axis}`).addEventListener('click', () => look(axis));
+  byId('reset').addEventListener('click', () => look());
+  byId('save').addEventListener('click', save);
+  byId('look').addEventListener('click', toggleLook);
+  byId('plots').addEventListener('toggle', resize);
+  const section = () => {
+    byId('section-at').disabled = byId('section').value === '';
+    cut(byId('section').value, Number(byId('section-at').value));
+  };
+  byId('section').addEventListener('change', section);
+  byId('section-at').addEventListener('input', section);
+  byId('tools').hidden = false;
+}
+
+function nextSection() {
+  const next = (SECTIONS.indexOf(byId('section').value) + 1) % SECTIONS.length;
+  byId('section').value = SECTIONS[next];
+  byId('section').dispatchEvent(new Event('change'));
+}
+
+const isWithin = (target, selector) => target instanceof Element && target.closest(selector) !== null;
+
+// Those who take the space bar or the arrow keys themselves.
+const isOperable = (target) => isWithin(target, 'button, summary, select, input[type=checkbox]');
+const takesArrows = (target) => isWithin(target, 'canvas, select, input[type=range]');
+
+const VIEW_KEYS = {
+  1: ({ look }) => look('x'),
+  2: ({ look }) => look('y'),
+  3: ({ look }) => look('z'),
+  r: ({ look }) => look(),
+  s: nextSection,
+  d: ({ toggleLook }) => toggleLook(),
+  p: ({ save }) => save(),
+};
+
+/** Keys for playing, for moving along the path and, where there is a view, for what its buttons do. */
+export function connectKeys(playback, view) {
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    if (event.key === 'r' || event.key === 'R') resetView();
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (KEY_STEPS[event.key] !== undefined && !takesArrows(event.target)) moveBy(KEY_STEPS[event.key], playback, event);
+    if (event.repeat) return;
+    if (view.look && !isWithin(event.target, 'select')) VIEW_KEYS[event.key.toLowerCase()]?.(view);
     if (event.key !== ' ' || isOperable(event.target)) return;
     event.preventDefault();
     playback.toggle();
   });
-}
-
-/** Connects the button that resets the view. */
-export function connectReset(resetView) {
-  byId('reset').addEventListener('click', resetView);
-  byId('reset').hidden = false;
 }

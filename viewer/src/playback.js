@@ -9,6 +9,7 @@ export function createPlayback(length, onMove, onState) {
   let distance = 0;
   let playing = false;
   let before = 0;
+  let speed = 1;
 
   function setDistance(value) {
     const wanted = Number.isFinite(value) ? value : 0;
@@ -33,7 +34,7 @@ export function createPlayback(length, onMove, onState) {
     if (!playing) return;
     const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - before) / 1000));
     before = now;
-    setDistance(distance + (seconds * length) / DURATION);
+    setDistance(distance + (speed * seconds * length) / DURATION);
     if (distance >= length) setPlaying(false);
     else requestAnimationFrame(advance);
   }
@@ -42,6 +43,9 @@ export function createPlayback(length, onMove, onState) {
     length,
     distance: () => distance,
     setDistance,
+    setSpeed: (value) => {
+      speed = value;
+    },
     pause: () => setPlaying(false),
     toggle: () => setPlaying(length > 0 && !playing),
   };

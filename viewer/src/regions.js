@@ -47,6 +47,7 @@ function roleOf(cable, model) {
 export function createRegions(model, frame, theme) {
   if (!model.regions) return [];
   const { space, meshes } = model.regions;
+  if (meshes.length === 0) return [];
   const named = new Set(meshes.map((region) => region.owner));
   const inOrder = model.cables.map(({ name }) => name).filter((name) => named.has(name));
   return [...new Set([...inOrder, ...named])].map((owner) => {

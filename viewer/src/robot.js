@@ -1,18 +1,27 @@
 // The platform, its cables and the ghosts that mark start and goal.
 
-import { CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { Box3, CylinderGeometry, DoubleSide, Group, InstancedMesh } from 'three';
+import { Matrix4, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { boxEdges } from './surroundings.js';
 import { dots, hairlines, moveWideLines, wideLines } from './marks.js';
 import { buildShapes, solidGeometry } from './shapes.js';
 
 const UP = new Vector3(0, 1, 0);
 
-const rotationOf = ([w, x, y, z]) => new Quaternion(x, y, z, w).normalize();
+/** A quaternion (w, x, y, z) as three.js has it. */
+export const rotationOf = ([w, x, y, z]) => new Quaternion(x, y, z, w).normalize();
 
 /** The shapes of the platform around its own origin. */
 export const platformShapes = (model, frame) => buildShapes(model.platform, (v) => frame.vector(v));
 
 function solidPlatform(shapes, theme) {
-  const material = new MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const material = new MeshLambertMaterial({
+    // Seen from inside where the section plane cuts it.
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
   return new Mesh(solidGeometry(shapes), theme.paint(material, 'platform'));
 }
 
@@ -81,16 +90,26 @@ function layCables(model, frame) {
   }));
 }
 
-/** The cables and their outlets; `move` brings the platform end of the cables to a position of the platform. */
+/** The outlets, and the box around them that stands for the frame. */
+export function createOutlets(model, frame, theme) {
+  if (model.cables.length === 0) return [];
+  const places = model.cables.map((cable) => frame.point(cable.outlet));
+  const marks = dots(places, 8);
+  // Wider than those of the workspace, which is often the same box.
+  const edges = wideLines(boxEdges(new Box3().setFromPoints(places)), { linewidth: 2 });
+  theme.paint(marks.material, 'outlet');
+  theme.paint(edges.material, 'frame');
+  return [marks, edges];
+}
+
+/** The cables; `move` brings the platform end of the cables to a position of the platform. */
 export function createCables(model, frame, theme) {
   const cables = layCables(model, frame);
   const thick = cables.filter((cable) => cable.radius > 0);
   const ends = cables.flatMap((cable) => [cable.outlet, cable.end]);
   const lines = wideLines(ends, { linewidth: 1.75 });
   const tubes = createTubes(thick, theme);
-  const outlets = dots(cables.map((cable) => cable.outlet), 8);
   theme.paint(lines.material, 'cable');
-  theme.paint(outlets.material, 'outlet');
   const matrix = new Matrix4();
 
   function move(position) {
@@ -100,5 +119,5 @@ export function createCables(model, frame, theme) {
     tubes.instanceMatrix.needsUpdate = true;
   }
 
-  return { parts: cables.length > 0 ? [lines, tubes, outlets] : [], move };
+  return { parts: cables.length > 0 ? [lines, tubes] : [], move };
 }

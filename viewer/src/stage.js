@@ -1,10 +1,14 @@
 // Renderer, camera, lights and mouse control. Draws only when something has changed.
 
-import { AmbientLight, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Color, DirectionalLight, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const FIRST_VIEW = new Vector3(0.45, -1, 0.42).normalize();
 const FILL = 0.9;
+// Not straight from above, where up has no meaning.
+const VIEWS = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -1e-4, 1] };
+// What the section plane keeps: the part that is away from the first view.
+const KEPT = { x: [-1, 0, 0], y: [0, 1, 0], z: [0, 0, -1] };
 
 /** Whether the browser can draw in 3D. */
 export function hasWebGL() {
@@ -58,9 +62,9 @@ function cornersOf({ min, max }) {
 }
 
 // Shifts the picture into the part of the canvas that no panel covers, and returns how much of it is left.
-function avoidMargins(camera, { clientWidth: width, clientHeight: height }, { left, top, bottom }) {
-  camera.setViewOffset(width, height, -left / 2, (bottom - top) / 2, width, height);
-  return { x: Math.max(0.3, 1 - left / width), y: Math.max(0.3, 1 - (top + bottom) / height) };
+function avoidMargins(camera, { clientWidth: width, clientHeight: height }, { left, right, top, bottom }) {
+  camera.setViewOffset(width, height, (right - left) / 2, (bottom - top) / 2, width, height);
+  return { x: Math.max(0.3, 1 - (left + right) / width), y: Math.max(0.3, 1 - (top + bottom) / height) };
 }
 
 // The least distance from the box's centre at which all its corners are in the free part of the picture.
@@ -90,6 +94,7 @@ export function createStage(container, box, { margins, onDraw }) {
   const controls = createControls(camera, renderer.domElement);
   let pending = false;
   let touched = false;
+  let direction = FIRST_VIEW;
 
   function draw() {
     pending = false;
@@ -115,13 +120,19 @@ export function createStage(container, box, { margins, onDraw }) {
     controls.enableDamping = damped;
   }
 
-  function resetView() {
+  /** Looks from an axis, or as at first; everything is in the picture. */
+  function look(axis) {
+    direction = VIEWS[axis] ? new Vector3(...VIEWS[axis]).normalize() : FIRST_VIEW;
+    frameAll();
+  }
+
+  function frameAll() {
     touched = false;
     stop();
     box.getCenter(controls.target);
     const free = avoidMargins(camera, container, margins());
-    const distance = fittingDistance(camera, box, FIRST_VIEW, free);
-    camera.position.copy(controls.target).addScaledVector(FIRST_VIEW, distance);
+    const distance = fittingDistance(camera, box, direction, free);
+    camera.position.copy(controls.target).addScaledVector(direction, distance);
     controls.update();
     invalidate();
   }
@@ -136,7 +147,30 @@ export function createStage(container, box, { margins, onDraw }) {
     if (width === 0 || height === 0) return;
     renderer.setSize(width, height);
     if (touched) keepView();
-    else resetView();
+    else frameAll();
+  }
+
+  /** Cuts away what lies beyond a plane across an axis, at a fraction of the box; no axis, no cut. */
+  function cut(axis, fraction) {
+    renderer.clippingPlanes = [];
+    if (KEPT[axis]) {
+      const at = box.min[axis] + (box.max[axis] - box.min[axis]) * fraction;
+      const normal = new Vector3(...KEPT[axis]);
+      renderer.clippingPlanes = [new Plane(normal, -at * normal[axis])];
+    }
+    invalidate();
+  }
+
+  /** The picture as it is now, on a canvas of its own. */
+  function picture() {
+    draw();
+    const { domElement: source } = renderer;
+    const copy = document.createElement('canvas');
+    copy.width = source.width;
+    copy.height = source.height;
+    // In the same turn as the drawing: afterwards the browser may clear it.
+    copy.getContext('2d').drawImage(source, 0, 0);
+    return copy;
   }
 
   controls.addEventListener('start', () => {
@@ -146,5 +180,5 @@ export function createStage(container, box, { margins, onDraw }) {
   renderer.domElement.addEventListener('webglcontextrestored', invalidate);
   new ResizeObserver(resize).observe(container);
   resize();
-  return { scene, camera, canvas: renderer.domElement, invalidate, resetView };
+  return { scene, camera, canvas: renderer.domElement, invalidate, look, cut, picture, resize };
 }

@@ -1,6 +1,7 @@
 // What stands still around the robot: workspace and obstacles.
 
-import { Box3, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
+import { Box3, DoubleSide, LineBasicMaterial, Mesh, MeshBasicMaterial } from 'three';
+import { MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
 import { dots, hairlines, wideLines } from './marks.js';
 import { buildShapes, solidGeometry } from './shapes.js';
 
@@ -13,7 +14,8 @@ function boxCorners({ min, max }) {
   );
 }
 
-function boxEdges(box) {
+/** The twelve edges of a box as pairs of points. */
+export function boxEdges(box) {
   const corners = boxCorners(box);
   const edges = [];
   corners.forEach((corner, i) => {
@@ -44,6 +46,9 @@ function obstacleMaterial(theme, options) {
   const material = new MeshLambertMaterial({
     transparent: true,
     opacity: OBSTACLE_OPACITY,
+    // Seen from inside where the section plane cuts it.
+    side: DoubleSide,
+    forceSinglePass: true,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

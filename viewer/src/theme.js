@@ -11,6 +11,12 @@ export const REGION_COLORS = MUTED.length;
 const regionRoles = (colors) => Object.fromEntries(colors.map((color, index) => [`region${index}`, color]));
 
 const LIGHT = {
+  text: '#1b1f24',
+  muted: '#545c66',
+  panel: 'rgb(255 255 255 / 88%)',
+  border: '#c9cfd6',
+  button: '#eceff3',
+  focus: '#0059c9',
   ...regionRoles(MUTED),
   background: '#f6f7f9',
   platform: '#0072b2',
@@ -23,12 +29,20 @@ const LIGHT = {
   finalPath: '#009e73',
   waypoint: '#00664a',
   ghost: '#b0578d',
+  highlight: '#6a3d9a',
+  frame: '#545c66',
   workspace: '#8d97a3',
   floor: '#8d97a3',
   violation: '#d40000',
 };
 
 const DARK = {
+  text: '#eceff3',
+  muted: '#a9b1bb',
+  panel: 'rgb(30 34 41 / 88%)',
+  border: '#434b56',
+  button: '#333a44',
+  focus: '#8cc4ff',
   ...regionRoles(PALE),
   background: '#14171c',
   platform: '#56b4e9',
@@ -41,19 +55,27 @@ const DARK = {
   finalPath: '#14c795',
   waypoint: '#a5f0d9',
   ghost: '#e29ac1',
+  highlight: '#d9b8ff',
+  frame: '#a9b1bb',
   workspace: '#68717d',
   floor: '#68717d',
   violation: '#f0392b',
 };
 
-/** Keeps the colours of materials, page and 3D background in step with the look the reader prefers. */
+/**
+ * Keeps the colours of materials, page and 3D background in step with the look the reader prefers: that of the system,
+ * until `toggle` is called.
+ */
 export function createTheme(onChange) {
   const query = window.matchMedia('(prefers-color-scheme: dark)');
   const bound = [];
-  const palette = () => (query.matches ? DARK : LIGHT);
+  let chosen = null;
+  const isDark = () => chosen ?? query.matches;
+  const palette = () => (isDark() ? DARK : LIGHT);
 
   function apply() {
     const colors = palette();
+    document.documentElement.style.colorScheme = isDark() ? 'dark' : 'light';
     for (const [role, color] of Object.entries(colors)) {
       document.documentElement.style.setProperty(`--${role}`, color);
     }
@@ -66,9 +88,16 @@ export function createTheme(onChange) {
     color.set(palette()[role]);
   }
 
+  function toggle() {
+    chosen = !isDark();
+    apply();
+  }
+
   query.addEventListener('change', apply);
   apply();
   return {
+    /** From light to dark and back. */
+    toggle,
     /** Ties a colour to a role of the palette. */
     bind,
     /** Ties the colour of a material to a role of the palette. */

@@ -34,6 +34,25 @@ export function formatGap(metres) {
   return `${Number((metres * 1e6).toPrecision(3))} µm`;
 }
 
+/** A tension: "412.3 N", or a dash where there is none. */
+export function formatForce(newtons) {
+  if (!Number.isFinite(newtons)) return '–';
+  if (Math.abs(newtons) >= 1e4) return `${(newtons / 1e3).toFixed(2)} kN`;
+  return `${newtons.toFixed(Math.abs(newtons) >= 100 ? 0 : 1)} N`;
+}
+
+/** Who comes nearest to whom: "cable 3 and pillar, 12 mm apart". */
+export function describeNearest({ culprits, gap }) {
+  const who = culprits.join(' and ');
+  if (gap < 0) return `in collision: ${who}, ${formatGap(-gap)} deep`;
+  return gap === 0 ? `in collision: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
+}
+
+/** What the colours of the wrench-feasible workspace mean. */
+export function describeFeasible({ measure, unit, greatest }) {
+  return `${measure} margin beyond the demand, 0 to ${Number(greatest.toPrecision(3))} ${unit}`;
+}
+
 const NO_PATH = {
   budget_spent: 'no path found within the budget',
   start_invalid: 'no path: the start is not valid',

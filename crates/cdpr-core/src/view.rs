@@ -1,7 +1,12 @@
 //! One self-contained HTML page that shows a scene with its path or its forbidden regions; it opens offline.
 //!
+//! What is not asked for but helps to see is computed here: the plots along the path, shadows, the wrench-feasible
+//! workspace. A part of it that cannot be computed is left out; whoever asks for a page has checked path and scene before.
+//!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
 //! scene as JSON.
+
+mod extras;
 
 use serde_json::{Value, json};
 
@@ -39,7 +44,11 @@ pub struct ShownPath {
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
 pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
-    filled(scene, &data(scene, path, violations))
+    let mut data = data(scene, path, violations);
+    data["motion"] = json!(path.and_then(|path| extras::motion(scene, &path.waypoints).ok().flatten()));
+    data["regions"] = json!(extras::shadows(scene).ok().flatten());
+    data["feasible"] = json!(extras::feasible(scene).ok().flatten());
+    filled(scene, &data)
 }
 
 /// The page for a scene and its forbidden regions: translucent, and switched on and off by cable.
@@ -54,10 +63,7 @@ pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation
 /// ```
 pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
     let mut data = data(scene, None, &[]);
-    data["regions"] = json!({
-        "space": regions.space,
-        "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>(),
-    });
+    data["regions"] = extras::regions_value(regions, true);
     filled(scene, &data)
 }
 
@@ -104,7 +110,7 @@ fn body(body: &Polytope) -> Value {
 }
 
 fn region(NamedMesh { name, kind, culprits, mesh }: &NamedMesh) -> Value {
-    let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(xyz).collect();
+    let vertices: Vec<[f32; 3]> = mesh.vertices.iter().map(|p| xyz(p).map(|x| x as f32)).collect();
     json!({ "name": name, "kind": kind, "culprits": culprits, "vertices": vertices, "triangles": mesh.triangles })
 }
 

@@ -1,0 +1,221 @@
+//! What a page shows besides the scene and its path: the numbers that it plots along the path, shadows, and the
+//! wrench-feasible workspace.
+
+use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::region;
+use crate::collision::path_check::path_length;
+use crate::collision::{Constraints, GjkEngine, Interference, Validity};
+use crate::error::Error;
+use crate::geometry::{Aabb, Point};
+use crate::model::Scene;
+use crate::regions::{RegionOptions, Regions, regions};
+use crate::wrench::constraint::limit_at;
+use crate::wrench::map::Grid;
+use crate::wrench::tensions::even_steps;
+use crate::wrench::{Loads, Measure, Statics, TensionQp, measures};
+
+/// Steps along a path at which its plots are computed: about one a pixel.
+const STEPS: f64 = 300.0;
+
+/// Numbers along a path, one column for each plot. Three or four digits more than a plot can show are left out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Motion {
+    /// Way along the path, m.
+    s: Vec<f32>,
+    /// For each cable its length, m.
+    lengths: Vec<Vec<f32>>,
+    /// Nearest approach, m; empty where there is nothing to keep away from.
+    clearance: Vec<f32>,
+    /// Between whom, as indices into `pairs`.
+    nearest: Vec<usize>,
+    /// Names of those who come nearest somewhere.
+    pairs: Vec<Vec<String>>,
+    /// For each cable its tension, N, none where the loads cannot be balanced; empty where the robot has no mass or no
+    /// tension limits.
+    tensions: Vec<Vec<Option<f32>>>,
+    /// For each cable the least and the largest tension, N.
+    tension_limits: Vec<[f64; 2]>,
+}
+
+/// What a path is plotted by; none for a path that goes nowhere.
+///
+/// # Errors
+/// As [`GjkEngine::new`]; a tension solver that came to no answer.
+pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion>, Error> {
+    let length = path_length(waypoints);
+    if !(length > 0.0) {
+        return Ok(None);
+    }
+    let places = even_steps(waypoints, length / STEPS)?;
+    let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
+    let engine = GjkEngine::new(scene, Interference::Exact)?;
+    let mut motion = Motion {
+        s: places.iter().map(|place| place.s as f32).collect(),
+        lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
+        clearance: Vec::new(),
+        nearest: Vec::new(),
+        pairs: Vec::new(),
+        tensions: Vec::new(),
+        tension_limits: Vec::new(),
+    };
+    let nearest: Option<Vec<_>> = positions.par_iter().map(|position| engine.clearance(position, position)).collect();
+    for clearance in nearest.into_iter().flatten() {
+        let known = motion.pairs.iter().position(|pair| *pair == clearance.culprits);
+        motion.clearance.push(clearance.value as f32);
+        motion.nearest.push(known.unwrap_or(motion.pairs.len()));
+        if known.is_none() {
+            motion.pairs.push(clearance.culprits);
+        }
+    }
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
+        let found: Result<Vec<_>, Error> = positions
+            .par_iter()
+            .map_init(TensionQp::default, |solver, position| statics.tensions(solver, position, None))
+            .collect();
+        let count = statics.cables().len();
+        let row = |tensions: Option<Vec<f64>>| match tensions {
+            Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
+            None => vec![None; count],
+        };
+        motion.tensions = by_cable(found?.into_iter().map(row).collect());
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
+    let length = |cable: &crate::model::Cable| {
+        (cable.outlet - (position + scene.orientation() * cable.attachment.coords)).norm() as f32
+    };
+    scene.robot().cables().iter().map(length).collect()
+}
+
+/// Rows with a number for each cable as columns.
+fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
+    let cables = rows.first().map_or(0, Vec::len);
+    (0..cables).map(|cable| rows.iter().map(|row| row[cable].clone()).collect()).collect()
+}
+
+/// Triangles of shadows beyond which a page goes without them, so that it stays below 2 MB.
+const MOST_TRIANGLES: usize = 6000;
+/// Pairs of a cable and an obstacle beyond which shadows are not even computed.
+const MOST_SHADOWS: usize = 2000;
+
+/// The shadows of a scene in the space of attachments; none if there are none or too many.
+pub(super) fn shadows(scene: &Scene) -> Result<Option<Value>, Error> {
+    let parts: usize = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
+    if parts == 0 || parts * scene.robot().cables().len() > MOST_SHADOWS {
+        return Ok(None);
+    }
+    let found = regions(scene, &RegionOptions::default())?;
+    let triangles: usize = found.meshes.iter().map(|region| region.mesh.triangles.len()).sum();
+    Ok((1..=MOST_TRIANGLES).contains(&triangles).then(|| regions_value(&found, false)))
+}
+
+/// Regions as the page reads them; `shown` tells whether they are visible at first.
+pub(super) fn regions_value(regions: &Regions, shown: bool) -> Value {
+    json!({ "space": regions.space, "shown": shown, "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>() })
+}
+
+/// Most steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
+const MOST_MAP_STEPS: f64 = 16.0;
+/// With fewer steps a map would say nothing, and the page goes without it.
+const LEAST_MAP_STEPS: f64 = 6.0;
+/// Nodes times choices of five cables, of which each may span a facet: about two seconds on two cores.
+const MAP_WORK: f64 = 4e6;
+
+/// How fine a map of a robot with this many cables is; none if it would take too long.
+fn map_steps(cables: usize) -> Option<f64> {
+    let choices: f64 = (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product();
+    let steps = ((MAP_WORK / choices).cbrt() - 1.0).floor();
+    (steps >= LEAST_MAP_STEPS).then_some(steps.min(MOST_MAP_STEPS))
+}
+
+/// A coarse grid over the positions where the platform is in the workspace.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Feasible {
+    origin: [f64; 3],
+    step: f64,
+    counts: [usize; 3],
+    /// Margin beyond what is demanded, z fastest; none where it is not positive.
+    margins: Vec<Option<f32>>,
+    measure: &'static str,
+    unit: &'static str,
+}
+
+/// Where a scene with `[wrench]` has the wrenches that it demands; none for other scenes.
+///
+/// # Errors
+/// As [`measures`].
+pub(super) fn feasible(scene: &Scene) -> Result<Option<Feasible>, Error> {
+    let measures = measures(scene)?;
+    let Some(first) = measures.first() else { return Ok(None) };
+    let (min, max) = Constraints::new(scene)?.position_box();
+    let longest = (max - min).max();
+    let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
+    let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
+    // Where one measure of several fails, the whole demand does.
+    let margin = |node: usize| {
+        let position = grid.position(node);
+        let positive = |measure: &Measure| Some(measure.slack(&position)).filter(|slack| *slack > 0.0);
+        let slacks: Option<Vec<f64>> = measures.iter().map(positive).collect();
+        slacks.map(|slacks| slacks[0] as f32)
+    };
+    let limit = limit_at(first, &grid.origin);
+    Ok(Some(Feasible {
+        origin: grid.origin.into(),
+        step: grid.step,
+        counts: grid.counts,
+        margins: (0..grid.len()).into_par_iter().map(margin).collect(),
+        measure: limit.measure,
+        unit: limit.unit,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{block, hard1, paper_scene, scene};
+
+    #[test]
+    fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
+        let found = motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)]).unwrap().unwrap();
+        assert_eq!((found.s.len(), found.s[300]), (301, 1.0));
+        assert_eq!((found.lengths.len(), found.lengths[0].len(), found.clearance.len()), (8, 301, 301));
+        assert!(found.nearest.iter().all(|&k| found.pairs[k].len() == 2));
+        let (first, end) = (Point::new(0.225, 0.925, 0.275), found.lengths[0][0]);
+        assert!((f64::from(end) - first.coords.norm()).abs() < 1e-6);
+        assert!(found.tensions.iter().all(|cable| cable.iter().flatten().all(|t| (9.9..1000.1).contains(t))));
+    }
+
+    #[test]
+    fn a_path_that_stays_has_no_plots() {
+        assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()]).unwrap(), None);
+        assert_eq!(motion(&hard1(), &[]).unwrap(), None);
+    }
+
+    #[test]
+    fn only_scenes_that_demand_wrenches_have_a_wrench_feasible_workspace() {
+        assert_eq!(feasible(&hard1()).unwrap(), None);
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(crate::model::WrenchSpec::default());
+        let found = feasible(&Scene::new(spec).unwrap()).unwrap().unwrap();
+        assert_eq!((found.counts, found.margins.len()), ([16, 16, 17], 16 * 16 * 17));
+    }
+
+    #[test]
+    fn maps_of_many_cables_are_coarser_or_left_out() {
+        assert_eq!([3, 8, 12, 16, 24].map(map_steps), [Some(16.0), Some(16.0), Some(16.0), Some(8.0), None]);
+    }
+
+    #[test]
+    fn too_many_shadows_are_left_out() {
+        assert!(shadows(&hard1()).unwrap().is_some());
+        let many = (0..300).map(|k| block(&format!("{k}"), [0.01; 3], [0.5, 0.5, 0.001 * k as f64 + 0.1])).collect();
+        assert!(shadows(&scene(paper_scene("many", many))).unwrap().is_none());
+    }
+}

@@ -1,0 +1,106 @@
+"""The page that shows a scene and a path: in a notebook, in a browser, in a file."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import sys
+import tempfile
+import webbrowser
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import rows
+from ._model import Interference, Scene
+from ._planning import Path, Result
+
+_INLINE_HEIGHT = 640
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """One self-contained HTML page; a notebook shows it inline.
+
+    Attributes
+    ----------
+    html : str
+        The page.
+    """
+
+    html: str = field(repr=False)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the page to a file; it opens offline."""
+        _core.save_text(os.fspath(path), self.html)
+
+    def open(self) -> FilePath:
+        """Open the page in a browser tab and return its file, in the folder for temporary files."""
+        handle, name = tempfile.mkstemp(prefix="cdpr-", suffix=".html")
+        os.close(handle)
+        self.save(name)
+        webbrowser.open_new_tab(FilePath(name).as_uri())
+        return FilePath(name)
+
+    def _repr_html_(self) -> str:
+        # A frame of its own, so that the page and the notebook cannot touch each other.
+        return (
+            f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts allow-downloads" title="cdpr" '
+            f'style="width: 100%; height: {_INLINE_HEIGHT}px; border: 0"></iframe>'
+        )
+
+
+def view(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interference: Interference = "exact") -> View:
+    result = waypoints if isinstance(waypoints, Result) else None
+    given = waypoints.waypoints if isinstance(waypoints, Path) else waypoints
+    array = None if given is None else rows("waypoints", given)
+    cost = None if array is None else float(np.linalg.norm(np.diff(array, axis=0), axis=1).sum())
+    raw = None if result is None else np.ascontiguousarray(result.raw_waypoints)
+    raw_cost = None if result is None or not result.solved else result.raw_cost
+    status = None if result is None else result.status
+    planner = None if result is None else str(json.loads(result._json)["planner"])
+    return View(scene._core.page(status, array, cost, raw, raw_cost, planner, interference))
+
+
+def save_view(
+    path: str | os.PathLike[str],
+    scene: Scene,
+    waypoints: ArrayLike | Path | None = None,
+    *,
+    interference: Interference = "exact",
+) -> None:
+    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline."""
+    view(scene, waypoints, interference=interference).save(path)
+
+
+def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interference: Interference = "exact") -> View:
+    """Show a scene and, if given, a path: inline as the last line of a notebook's cell, otherwise in a browser tab.
+
+    Parameters
+    ----------
+    scene : Scene
+    waypoints : array_like (k, 3), Path or Result, optional
+        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path.
+    interference : {"exact", "swept"}
+        How the path is checked for what the page shows in red.
+
+    Returns
+    -------
+    View
+        ``show(...).save("view.html")`` keeps the page.
+    """
+    shown = view(scene, waypoints, interference=interference)
+    if not _in_notebook():
+        shown.open()
+    return shown
+
+
+def _in_notebook() -> bool:
+    """Whether a Jupyter kernel runs this: a terminal's IPython cannot show pages."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    return shell is not None and "IPKernelApp" in shell.config

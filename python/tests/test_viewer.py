@@ -1,0 +1,432 @@
+"""The HTML page in a real browser: everything that a reader can see or press."""
+
+import copy
+import math
+import os
+import re
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+import cdpr
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENES = ROOT / "testdata/scenes"
+SCREENSHOTS = ROOT / "target/screenshots"
+FLAGS = (
+    "--no-sandbox --disable-gpu --use-angle=swiftshader --enable-unsafe-swiftshader --disable-quic --no-first-run"
+).split()
+NAMES = ("chromium", "google-chrome", "chromium-browser")
+HOW = (
+    "no Chromium found: install the package chromium (Debian) or Google Chrome, or name its program in CDPR_CHROMIUM; "
+    "as root on Debian `make test` installs it"
+)
+MOST_BYTES = 2_000_000
+DESK = (1280, 800)
+PHONE = (390, 800)
+
+Open = Callable[..., Page]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
+    if program is None:
+        (pytest.fail if os.environ.get("CI") else pytest.skip)(HOW)
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Open]:
+    """Opens the page of a scene and path; afterwards nothing may have gone wrong, and nothing been fetched."""
+    complaints: list[str] = []
+    pages: list[Page] = []
+
+    def complain(text: str) -> None:
+        complaints.append(text)
+
+    def opened(
+        scene: cdpr.Scene, path: Any = None, size: tuple[int, int] = DESK, look: Any = "light", file: str = "view.html"
+    ) -> Page:
+        cdpr.save_view(tmp_path / file, scene, path)
+        assert (tmp_path / file).stat().st_size < MOST_BYTES
+        context = browser.new_context(viewport={"width": size[0], "height": size[1]}, color_scheme=look)
+        page = context.new_page()
+        own = (tmp_path / file).as_uri()
+        page.on("console", lambda message: complain(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: complain(str(error)))
+        page.on("dialog", lambda dialog: (complain(f"dialog {dialog.message}"), dialog.dismiss()))
+        page.on("request", lambda r: None if r.url == own or r.url[:5] == "data:" else complain(f"request {r.url}"))
+        page.goto(own)
+        wait_until(page, "Boolean(window.cdprViewer?.ready)")
+        pages.append(page)
+        return page
+
+    yield opened
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    for number, page in enumerate(pages):
+        name = re.sub(r"[^a-z0-9]+", "-", request.node.name.removeprefix("test_").lower()).strip("-")
+        page.screenshot(path=SCREENSHOTS / f"{name}-{number}.png")
+        page.context.close()
+    assert complaints == []
+
+
+def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
+    """Waits in Python: the page's own policy forbids Playwright to do so by evaluating text within it."""
+    end = time.monotonic() + seconds
+    while not page.evaluate(condition):
+        assert time.monotonic() < end, f"waited {seconds} s for {condition}"
+        page.wait_for_timeout(20)
+
+
+def picture(page: Page) -> str:
+    """The 3D view with its labels as a PNG in base 64."""
+    return str(page.evaluate("cdprViewer.picture().toDataURL()"))
+
+
+def colors(page: Page) -> int:
+    """How many colours the 3D view has."""
+    return int(
+        page.evaluate("""() => {
+            const canvas = cdprViewer.picture();
+            const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+            return new Set(new Uint32Array(data.buffer)).size;
+        }""")
+    )
+
+
+def along(waypoints: Any, distance: float) -> np.ndarray[Any, Any]:
+    """The position at a distance along a path."""
+    array = np.asarray(waypoints, dtype=float)
+    ends = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(array, axis=0), axis=1))])
+    return np.array([np.interp(distance, ends, array[:, axis]) for axis in range(3)])
+
+
+@pytest.fixture(scope="module")
+def cogiro() -> cdpr.Scene:
+    return cdpr.Scene.load(SCENES / "cogiro.toml")
+
+
+@pytest.fixture(scope="module")
+def planned(cogiro: cdpr.Scene) -> cdpr.Result:
+    result = cdpr.plan(cogiro, seed=0)
+    assert result.solved
+    return result
+
+
+BAD = [[0.3, 1.0, 0.3], [1.7, 1.0, 1.7]]
+
+
+def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result) -> None:
+    page = open_page(cogiro, planned)
+    assert page.title() == "cogiro – cdpr"
+    assert colors(page) > 100
+    assert page.locator(".plot figcaption").all_inner_texts() == ["cable lengths", "clearance", "cable tensions"]
+    assert page.locator("#cable-table tr").count() == 9
+    assert page.locator("#nearest").inner_text().startswith("nearest: ")
+
+
+@pytest.mark.parametrize("which", ["planned", "bad"])
+def test_every_switch_changes_the_picture(
+    open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result, hard1: cdpr.Scene, which: str
+) -> None:
+    page = open_page(cogiro, planned) if which == "planned" else open_page(hard1, BAD)
+    page.evaluate("document.querySelectorAll('details').forEach((fold) => { fold.open = true; })")
+    page.evaluate("Object.values(cdprViewer.layers).forEach((layer) => { layer.visible = true; })")
+    page.evaluate("cdprViewer.setDistance(0.4 * cdprViewer.length)")
+    rows = page.locator(".legend-row")
+    names = rows.locator(".legend-name").all_inner_texts()
+    layers = {"platform", "obstacles", "names of obstacles", "cables", "names of cables", "outlets and frame"}
+    layers |= {"final path", "start and goal", "workspace", "nearest to each other", "swept by cables"}
+    layers |= {"shadows of obstacles", "cable 0"}
+    layers |= {"raw path", "wrench-feasible workspace"} if which == "planned" else {"violations"}
+    assert layers <= set(names)
+    before = picture(page)
+    for number, name in enumerate(names):
+        box = rows.nth(number).locator("input")
+        box.click()
+        assert picture(page) != before, name
+        box.click()
+        assert picture(page) == before, name
+
+
+def test_views_section_and_look_change_the_picture(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD)
+    first = picture(page)
+    seen = {first}
+    for button in ["#view-x", "#view-y", "#view-z"]:
+        page.locator(button).click()
+        seen.add(picture(page))
+    page.locator("#reset").click()
+    assert picture(page) == first
+    for axis in "xyz":
+        page.select_option("#section", axis)
+        seen.add(picture(page))
+    page.locator("#section-at").fill("0.25")
+    seen.add(picture(page))
+    page.select_option("#section", "")
+    assert picture(page) == first
+    page.locator("#look").click()
+    seen.add(picture(page))
+    assert len(seen) == 9
+    page.locator("#look").click()
+    assert picture(page) == first
+
+
+def test_dark_look_follows_the_system(open_page: Open, empty: cdpr.Scene) -> None:
+    background = "getComputedStyle(document.body).backgroundColor"
+    light, dark = (open_page(empty, look=look).evaluate(background) for look in ["light", "dark"])
+    assert (light, dark) == ("rgb(246, 247, 249)", "rgb(20, 23, 28)")
+
+
+def test_play_moves_the_platform_and_speed_counts(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD)
+    before = picture(page)
+    page.select_option("#speed", "4")
+    page.locator("#play").click()
+    wait_until(page, "cdprViewer.distance() > 0.2 * cdprViewer.length")
+    page.locator("#play").click()
+    distance = page.evaluate("cdprViewer.distance()")
+    assert np.allclose(page.evaluate("cdprViewer.position()"), along(BAD, distance))
+    assert picture(page) != before
+    page.wait_for_timeout(200)
+    assert page.evaluate("cdprViewer.distance()") == distance
+    page.locator("#play").click()
+    # The whole path takes 8 s at speed 1.
+    wait_until(page, "cdprViewer.distance() === cdprViewer.length", 8.0)
+
+
+def test_slider_sets_the_pose_and_plots_follow(open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result) -> None:
+    page = open_page(cogiro, planned)
+    length = page.evaluate("cdprViewer.length")
+    assert math.isclose(length, planned.cost, rel_tol=1e-12)
+    for share in [0.0, 0.3, 1.0]:
+        page.locator("#slider").fill(str(share * length))
+        position = np.array(page.evaluate("cdprViewer.position()"))
+        assert np.allclose(position, along(planned.waypoints, share * length), atol=1e-9)
+        # The orientation of this scene is the identity.
+        lines = cogiro.robot.outlets - (position + cogiro.robot.attachments)
+        shown = [float(text.split()[0]) for text in page.locator("#cable-table td:nth-child(2)").all_inner_texts()]
+        assert np.allclose(shown, np.linalg.norm(lines, axis=1), atol=1e-3 + length / 300)
+        left = page.locator(".cursor").first.evaluate("(cursor) => parseFloat(cursor.style.left)")
+        assert math.isclose(left, 100 * share, abs_tol=1e-6)
+    area = page.locator(".area").first
+    box = area.bounding_box()
+    assert box is not None
+    area.click(position={"x": box["width"] / 2, "y": 10})
+    assert math.isclose(page.evaluate("cdprViewer.distance()"), length / 2, rel_tol=0.02)
+
+
+def test_a_collision_is_shown_and_jumped_to(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD)
+    assert page.locator("#status").inner_text().startswith("not valid")
+    report = cdpr.check(hard1, BAD)
+    first = report.violations[0]
+    assert page.locator("#violation-count").inner_text() == f"{len(report.violations)} violations"
+    button = page.locator(".violation").first
+    assert all(name in button.inner_text() for name in first.culprits)
+    button.click()
+    assert math.isclose(page.evaluate("cdprViewer.distance()"), first.at * report.length, rel_tol=1e-9)
+    assert page.locator("#nearest.bad").inner_text().startswith("in collision: ")
+    assert page.locator(".fault").count() == 3 * len(report.violations)
+    crossed = picture(page)
+    page.evaluate("cdprViewer.layers.violations.visible = false")
+    assert picture(page) != crossed
+    page.evaluate("cdprViewer.setDistance(0)")
+    assert page.locator("#nearest.bad").count() == 0
+
+
+def test_keys_do_what_buttons_do(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD)
+    first = picture(page)
+    seen = {first}
+    for key in ["1", "2", "3"]:
+        page.keyboard.press(key)
+        seen.add(picture(page))
+    page.keyboard.press("r")
+    assert picture(page) == first
+    page.keyboard.press("s")
+    assert page.locator("#section").input_value() == "x"
+    page.keyboard.press("d")
+    seen.add(picture(page))
+    assert len(seen) == 5
+    page.keyboard.press("End")
+    assert page.evaluate("cdprViewer.distance() === cdprViewer.length")
+    page.keyboard.press("ArrowLeft")
+    assert math.isclose(page.evaluate("cdprViewer.distance() / cdprViewer.length"), 0.99)
+    page.keyboard.press("Home")
+    page.keyboard.press(" ")
+    wait_until(page, "cdprViewer.distance() > 0")
+    page.keyboard.press(" ")
+    assert page.locator("#play").get_attribute("aria-label") == "play"
+    reached = set()
+    focus = "(({ id, className, tagName }) => id || className || tagName)(document.activeElement)"
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        reached.add(page.evaluate(focus))
+    assert {"CANVAS", "play", "slider", "speed", "reset", "section", "save", "look", "violation"} <= reached
+
+
+def test_picture_is_saved(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
+    page = open_page(hard1, BAD)
+    for press in [lambda: page.locator("#save").click(), lambda: page.keyboard.press("p")]:
+        with page.expect_download() as found:
+            press()
+        assert found.value.suggested_filename == "hard1.png"
+        found.value.save_as(tmp_path / "saved.png")
+        assert (tmp_path / "saved.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_phone_width(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD, size=PHONE)
+    assert page.evaluate("document.documentElement.scrollWidth") <= PHONE[0]
+    assert colors(page) > 100
+    for part in ["#panel", "#plots", "#bar", "#play", "#slider", "#speed"]:
+        box = page.locator(part).bounding_box()
+        assert box is not None and box["x"] >= 0 and box["x"] + box["width"] <= PHONE[0], part
+    page.locator("#details > summary").click()
+    page.locator("#tools").scroll_into_view_if_needed()
+    before = picture(page)
+    page.locator("#view-z").click()
+    assert picture(page) != before
+    page.locator("#details > summary").click()
+    page.locator("#plots > summary").click()
+    assert page.locator(".area").first.is_visible()
+    page.locator("#play").click()
+    wait_until(page, "cdprViewer.distance() > 0")
+
+
+HOSTILE = [
+    "</script><script>window.hacked = 1</script>",
+    "<img src=x onerror='window.hacked = 1'>",
+    "\"><svg onload=\"window.hacked = 1\">",
+    "<!--<script>{{data}}/*{{script}}*/",
+    "__proto__",
+]
+
+
+def test_names_cannot_inject_anything(open_page: Open, hard1: cdpr.Scene) -> None:
+    spec = hard1.to_dict()
+    spec["name"] = spec["robot"]["name"] = HOSTILE[0]
+    for number, cable in enumerate(spec["robot"]["cables"]):
+        cable["name"] = f"{HOSTILE[number % 3]} {number}"
+    side = {"box": [0.1, 0.1, 0.1]}
+    spec["obstacles"] = [{"name": n, **side, "position": [1.0, 1.0, 0.2 + 0.3 * k]} for k, n in enumerate(HOSTILE)]
+    page = open_page(cdpr.Scene.from_dict(spec), BAD)
+    page.evaluate("Object.values(cdprViewer.layers).forEach((layer) => { layer.visible = true; })")
+    page.evaluate("cdprViewer.setDistance(0.5 * cdprViewer.length)")
+    page.wait_for_timeout(300)
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("#panel img, #panel svg, #panel script, #labels *:not(.label), #nearest *").count() == 0
+    assert page.locator("#title").inner_text() == HOSTILE[0]
+    labels = page.locator(".label").all_inner_texts()
+    assert set(HOSTILE) <= set(labels)
+    assert spec["robot"]["cables"][1]["name"] in page.locator("#cable-table .cable-name").all_inner_texts()[1]
+
+
+def scaled(spec: dict[str, Any], factor: float) -> dict[str, Any]:
+    """The same scene at another size."""
+
+    def times(value: Any) -> Any:
+        return [times(v) for v in value] if isinstance(value, list) else value * factor
+
+    spec = copy.deepcopy(spec)
+    spec["workspace"] = {key: times(value) for key, value in spec["workspace"].items()}
+    for cable in spec["robot"]["cables"]:
+        cable |= {"outlet": times(cable["outlet"]), "attachment": times(cable["attachment"])}
+    for body in [*spec["robot"]["platform"], *spec["obstacles"]]:
+        body |= {key: times(body[key]) for key in ("box", "position") if key in body}
+    spec["query"] = {key: times(value) for key, value in spec["query"].items()}
+    return spec
+
+
+def with_cables(spec: dict[str, Any], count: int) -> dict[str, Any]:
+    """The same scene with another number of cables, around the ceiling."""
+    spec = copy.deepcopy(spec)
+    turns = [2 * math.pi * k / count for k in range(count)]
+    spec["robot"]["cables"] = [
+        {
+            "outlet": [1 + math.cos(a), 1 + math.sin(a), 2.0],
+            "attachment": [0.07 * math.cos(a), 0.07 * math.sin(a), 0.025],
+            "tension": [1.0, 500.0],
+        }
+        for a in turns
+    ]
+    return spec
+
+
+def with_obstacles(spec: dict[str, Any], count: int) -> dict[str, Any]:
+    """The same scene with cubes on a grid on the floor and the walls."""
+    spec = copy.deepcopy(spec)
+    side = math.ceil(count ** (1 / 3))
+    places = [[0.1 + 1.8 * (n // k % side) / side for k in (1, side, side * side)] for n in range(count)]
+    spec["obstacles"] = [{"name": f"cube {n}", "box": [0.03] * 3, "position": p} for n, p in enumerate(places)]
+    return spec
+
+
+ODD = ["kilometres", "millimetres", "3 cables", "24 cables", "no obstacles", "1000 obstacles"]
+
+
+@pytest.mark.parametrize("which", ODD)
+def test_huge_and_odd_scenes_open_and_frame_themselves(open_page: Open, hard1: cdpr.Scene, which: str) -> None:
+    spec = hard1.to_dict()
+    path = np.array([[0.3, 1.0, 0.3], [0.5, 1.2, 0.9]])
+    change: dict[str, Callable[[], dict[str, Any]]] = {
+        "kilometres": lambda: scaled(spec, 1e3),
+        "millimetres": lambda: scaled(spec, 1e-3),
+        "3 cables": lambda: with_cables(spec, 3),
+        "24 cables": lambda: with_cables(spec, 24),
+        "no obstacles": lambda: with_obstacles(spec, 0),
+        "1000 obstacles": lambda: with_obstacles(spec, 1000),
+    }
+    factor = {"kilometres": 1e3, "millimetres": 1e-3}.get(which, 1.0)
+    scene = cdpr.Scene.from_dict(change[which]())
+    start = time.perf_counter()
+    page = open_page(scene, path * factor)
+    # Generous: software rendering on a busy machine.
+    assert time.perf_counter() - start < 30
+    assert colors(page) > 20
+    if factor != 1.0:
+        same = open_page(hard1, path, file="same.html")
+        for each in (page, same):
+            each.evaluate("cdprViewer.layers.obstacleNames.visible = cdprViewer.layers.startGoal.visible = false")
+        assert abs(colors(page) - colors(same)) < 0.2 * colors(same)
+    half = 0.5 * page.evaluate("cdprViewer.length")
+    page.evaluate("(half) => cdprViewer.setDistance(half)", half)
+    assert np.allclose(page.evaluate("cdprViewer.position()"), along(path * factor, half))
+
+
+def test_show_opens_a_tab_and_a_notebook_frames_the_page(
+    browser: Browser, hard1: cdpr.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open_new_tab", lambda url: opened.append(url) or True)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    view = cdpr.show(hard1, BAD)
+    (file,) = tmp_path.iterdir()
+    assert opened == [file.as_uri()]
+    assert file.read_text(encoding="utf-8") == view.html
+    page = browser.new_page()
+    page.set_content(f"<body>{view._repr_html_()}")
+    frame = page.frames[1]
+    frame.wait_for_selector("#title >> text=hard1")
+    assert frame.evaluate("cdprViewer.ready") and frame.evaluate("cdprViewer.length") > 1.9
+    page.close()
+
+
+def test_show_opens_no_tab_in_a_notebook(hard1: cdpr.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    shell = SimpleNamespace(config={"IPKernelApp": {}})
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setattr("webbrowser.open_new_tab", lambda url: pytest.fail(f"opened {url}"))
+    assert cdpr.show(hard1)._repr_html_().startswith("<iframe srcdoc=")

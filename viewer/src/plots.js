@@ -1,0 +1,191 @@
+// The side panel: lengths, clearance and tensions along the path, with a cursor that follows the platform.
+
+import { describeNearest, formatForce, formatLength } from './wording.js';
+import { REGION_COLORS } from './theme.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+const WIDTH = 300;
+const HEIGHT = 80;
+// Limits further away than this many heights of the curves are not drawn: they would press them flat.
+const FAR = 1;
+
+const byId = (id) => document.getElementById(id);
+
+const colorOf = (index) => `var(--region${index % REGION_COLORS})`;
+
+function html(tag, className, text) {
+  const result = document.createElement(tag);
+  result.className = className;
+  if (text !== undefined) result.textContent = text;
+  return result;
+}
+
+function svg(tag, attributes) {
+  const result = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) result.setAttribute(name, value);
+  return result;
+}
+
+// What the vertical axis covers: all values, and limits that are near.
+function rangeOf(values, limits) {
+  let low = Math.min(...values);
+  let high = Math.max(...values);
+  const height = high - low || Math.abs(high) || 1;
+  for (const limit of limits) {
+    if (limit > high + FAR * height || limit < low - FAR * height) continue;
+    low = Math.min(low, limit);
+    high = Math.max(high, limit);
+  }
+  const rim = (high - low || height) * 0.04;
+  return { low: low - rim, high: high + rim };
+}
+
+// Where a curve has gaps it is drawn in pieces.
+function curve(values, x, y) {
+  let pen = 'M';
+  return values
+    .map((value, i) => {
+      if (!Number.isFinite(value)) {
+        pen = 'M';
+        return '';
+      }
+      const step = `${pen}${x[i].toFixed(1)} ${y(value).toFixed(1)}`;
+      pen = 'L';
+      return step;
+    })
+    .join('');
+}
+
+function line(className, y) {
+  return svg('line', { class: className, x1: 0, x2: WIDTH, y1: y, y2: y });
+}
+
+function drawing({ name, series, limits, floor }, x, marks, { low, high }) {
+  const y = (value) => HEIGHT * (1 - (value - low) / (high - low));
+  const size = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' };
+  const picture = svg('svg', { ...size, role: 'img', 'aria-label': name });
+  if (floor !== undefined && floor > low) {
+    const top = Math.max(0, y(floor));
+    picture.append(svg('rect', { class: 'forbidden', x: 0, y: top, width: WIDTH, height: HEIGHT - top }));
+  }
+  for (const at of marks) picture.append(svg('line', { class: 'fault', x1: at, x2: at, y1: 0, y2: HEIGHT }));
+  for (const limit of limits) if (limit >= low && limit <= high) picture.append(line('limit', y(limit)));
+  series.forEach((values, i) => {
+    const path = svg('path', { d: curve(values, x, y) });
+    path.style.stroke = series.length > 1 ? colorOf(i) : 'var(--text)';
+    picture.append(path);
+  });
+  return picture;
+}
+
+// The greatest or least value, written below or above its height.
+function mark(className, value, { low, high }, format) {
+  const label = html('span', className, format(value));
+  const share = className === 'high' ? (high - value) / (high - low) : (value - low) / (high - low);
+  label.style[className === 'high' ? 'top' : 'bottom'] = `${(100 * share).toFixed(1)}%`;
+  return label;
+}
+
+function chart(plot, x, marks, pick) {
+  const box = html('figure', 'plot');
+  const values = plot.series.flat().filter(Number.isFinite);
+  box.append(html('figcaption', '', plot.name));
+  if (values.length === 0) {
+    box.append(html('p', 'more', 'none: the cables cannot balance the platform anywhere on this path'));
+    return { box, cursor: null };
+  }
+  const range = rangeOf(values, plot.limits);
+  const area = html('div', 'area');
+  const cursor = html('div', 'cursor');
+  const high = mark('high', Math.max(...values), range, plot.format);
+  const low = mark('low', Math.min(...values), range, plot.format);
+  area.append(drawing(plot, x, marks, range), high, low, cursor);
+  const follow = (event) => {
+    const { left, width } = area.getBoundingClientRect();
+    pick(Math.min(1, Math.max(0, (event.clientX - left) / width)));
+  };
+  area.addEventListener('pointerdown', (event) => {
+    area.setPointerCapture(event.pointerId);
+    follow(event);
+  });
+  area.addEventListener('pointermove', (event) => {
+    if (event.buttons === 1) follow(event);
+  });
+  box.append(area);
+  return { box, cursor };
+}
+
+function plotsOf({ lengths, clearance, tensions, tensionLimits }) {
+  const plots = [{ name: 'cable lengths', series: lengths, limits: [], format: formatLength }];
+  if (clearance.length > 0) {
+    plots.push({ name: 'clearance', series: [clearance], limits: [0], floor: 0, format: formatLength });
+  }
+  if (tensions.length > 0) {
+    const limits = [...new Set(tensionLimits.flat())];
+    plots.push({ name: 'cable tensions', series: tensions, limits, format: formatForce });
+  }
+  return plots;
+}
+
+// The numbers of each cable at the cursor; the swatches are the key to the curves.
+function cableTable(cables, hasTensions) {
+  const table = byId('cable-table');
+  const head = html('tr', '');
+  for (const text of ['cable', 'length', ...(hasTensions ? ['tension'] : [])]) head.append(html('th', '', text));
+  table.append(head);
+  return cables.map(({ name }, i) => {
+    const row = html('tr', '');
+    const title = html('td', 'cable-name');
+    const swatch = html('span', 'swatch line');
+    swatch.style.setProperty('--swatch', colorOf(i));
+    title.append(swatch, html('span', '', name));
+    const cells = [html('td', 'number'), ...(hasTensions ? [html('td', 'number')] : [])];
+    row.append(title, ...cells);
+    table.append(row);
+    return cells;
+  });
+}
+
+// Indices of the steps on both sides of a distance, the nearer one first.
+function stepsAt(s, distance) {
+  let low = 0;
+  let high = s.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (s[middle] <= distance) low = middle;
+    else high = middle;
+  }
+  return distance - s[low] < s[high] - distance ? [low, high] : [high, low];
+}
+
+/**
+ * Fills the side panel. `pick` hears the distance that the reader points at; the function returned shows a distance and
+ * says who comes nearest there.
+ */
+export function createPlots(model, route, pick) {
+  const { motion } = model;
+  if (!motion) return () => null;
+  byId('plots').hidden = false;
+  const x = motion.s.map((s) => (WIDTH * s) / route.length);
+  const marks = model.violations.map(({ segment, at }) => (WIDTH * route.distanceAt(segment, at)) / route.length);
+  const charts = plotsOf(motion).map((plot) => chart(plot, x, marks, (fraction) => pick(fraction * route.length)));
+  byId('plot-list').replaceChildren(...charts.map(({ box }) => box));
+  const cells = cableTable(model.cables, motion.tensions.length > 0);
+  const cursors = charts.map(({ cursor }) => cursor).filter(Boolean);
+
+  return (distance) => {
+    const [step, other] = stepsAt(motion.s, distance);
+    for (const cursor of cursors) cursor.style.left = `${(100 * distance) / route.length}%`;
+    cells.forEach(([length, tension], i) => {
+      length.textContent = formatLength(motion.lengths[i][step]);
+      if (tension) tension.textContent = formatForce(motion.tensions[i][step]);
+    });
+    if (motion.clearance.length === 0) return null;
+    // Where a collision begins between two steps, it is told.
+    const told = motion.clearance[step] >= 0 && motion.clearance[other] < 0 ? other : step;
+    const nearest = { culprits: motion.pairs[motion.nearest[told]], gap: motion.clearance[told] };
+    byId('nearest').textContent = describeNearest(nearest);
+    byId('nearest').classList.toggle('bad', nearest.gap < 0);
+    return nearest;
+  };
+}
