@@ -11,6 +11,7 @@ from ._core import MAX_COORDINATE
 from .exceptions import InputError
 
 Floats: TypeAlias = NDArray[np.float64]
+Ints: TypeAlias = NDArray[np.int64]
 
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:

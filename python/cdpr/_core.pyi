@@ -11,6 +11,7 @@ MAX_COORDINATE: float
 
 _Point = tuple[float, float, float]
 _Floats = NDArray[np.float64]
+_Ints = NDArray[np.int64]
 
 @final
 class Scene:
@@ -44,7 +45,7 @@ class Scene:
         repeats: int,
         budget: float | None,
         settings: str,
-    ) -> str: ...
+    ) -> tuple[str, _Floats, _Ints]: ...
     def rewind(
         self, waypoints: _Floats, step: float, order: str, repeats: int, engine: str, interference: str
     ) -> str: ...
@@ -62,6 +63,7 @@ class Scene:
         raw_waypoints: _Floats | None,
         raw_cost: float | None,
         planner: str | None,
+        tree: tuple[_Floats, _Ints] | None,
         interference: str,
     ) -> str: ...
 

@@ -7,13 +7,13 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point, rows
+from ._arrays import Floats, Ints, point, rows
 from ._model import Engine, Interference, Scene, Violation, violation_from
 from .exceptions import InputError
 
@@ -51,6 +51,25 @@ class Path:
         _core.save_path(os.fspath(path), self._json)
 
 
+class SearchTree(NamedTuple):
+    """The tree of a planner, or several of them one after the other.
+
+    Attributes
+    ----------
+    states : ndarray (n, 3)
+        Position of each node, world, m.
+    parents : ndarray (n,) of int64
+        Index of each node's parent; a root is its own.
+    """
+
+    states: Floats
+    parents: Ints
+
+
+def _no_tree() -> SearchTree:
+    return SearchTree(np.empty((0, 3)), np.empty(0, dtype=np.int64))
+
+
 @dataclass(frozen=True, eq=False)
 class Result(Path):
     """What planning found.
@@ -73,6 +92,9 @@ class Result(Path):
         Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
+    tree : SearchTree
+        The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if start
+        or goal is invalid; path files do not hold it.
     """
 
     status: str = ""
@@ -81,6 +103,7 @@ class Result(Path):
     reason: Violation | None = None
     min_clearance: Mapping[str, Any] | None = None
     stats: Mapping[str, float] = field(default_factory=dict)
+    tree: SearchTree = field(repr=False, default_factory=_no_tree)
 
     @property
     def solved(self) -> bool:
@@ -203,7 +226,7 @@ def plan(
         "goal_bias": _finite("goal_bias", goal_bias),
         "near_radius": _finite("near_radius", near_radius),
     }
-    text = scene._core.plan(
+    text, states, parents = scene._core.plan(
         planner,
         engine,
         interference,
@@ -226,6 +249,7 @@ def plan(
         reason=None if found["reason"] is None else violation_from(found["reason"]),
         min_clearance=found["min_clearance"],
         stats=found["stats"],
+        tree=SearchTree(states, parents),
         _json=text,
     )
 

@@ -63,7 +63,8 @@ def view(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     raw_cost = None if result is None or not result.solved else result.raw_cost
     status = None if result is None else result.status
     planner = None if result is None else str(json.loads(result._json)["planner"])
-    return View(scene._core.page(status, array, cost, raw, raw_cost, planner, interference))
+    tree = None if result is None else (np.ascontiguousarray(result.tree[0]), np.ascontiguousarray(result.tree[1]))
+    return View(scene._core.page(status, array, cost, raw, raw_cost, planner, tree, interference))
 
 
 def save_view(
@@ -84,7 +85,7 @@ def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     ----------
     scene : Scene
     waypoints : array_like (k, 3), Path or Result, optional
-        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path.
+        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
 

@@ -32,6 +32,26 @@ def test_a_plan_is_solved_reproducible_and_valid(hard1):
     assert raw.cost == raw.raw_cost == result.raw_cost
 
 
+def test_the_search_tree_is_kept(hard1):
+    for planner in ("modified-rrt", "rrt", "rrt-star"):
+        found = cdpr.plan(hard1, planner, seed=3, keep_going=True, max_nodes=300)
+        states, parents = found.tree
+        assert (states.shape, states.dtype) == ((found.stats["nodes"], 3), np.float64)
+        assert (parents.shape, parents.dtype) == (states.shape[:1], np.int64)
+        assert np.flatnonzero(parents == np.arange(len(parents))).tolist() == [0]  # one root, the start
+        assert hard1.motions_valid(states[parents], states).all()
+        way, node = [], len(parents) - 1  # the goal
+        while node not in way:
+            way.append(node)
+            node = parents[node]
+        assert (states[way[::-1]] == found.raw_waypoints).all()
+    assert cdpr.plan(hard1, seed=3, max_samples=5).tree.states.shape[1] == 3  # unsolved, and yet there is a tree
+    assert len(cdpr.plan(hard1, start=[1, 1, 0.5]).tree.states) == 0
+    again = pickle.loads(pickle.dumps(found))
+    assert (again.tree.states == states).all() and (again.tree.parents == parents).all()
+    assert again.cost == found.cost and "tree" not in json.loads(found._json)
+
+
 def test_rewinding_by_hand_is_what_the_plan_does(hard1):
     raw = cdpr.plan(hard1, seed=8, post="none")
     both = cdpr.rewind(hard1, raw, step=0.1)

@@ -65,7 +65,7 @@ fn plan_writes_a_path_that_check_accepts_and_a_page() {
         assert!(file["stats"][key].is_number(), "no stats.{key}");
     }
     let page = fs::read_to_string(folder.path().join("view.html")).unwrap();
-    assert!(page.starts_with("<!doctype html>") && page.contains("\"waypoints\""));
+    assert!(page.starts_with("<!doctype html>") && page.contains("\"waypoints\"") && page.contains("\"tree\":{"));
     let checked = cdpr_in(folder.path(), &["check", &hard1, "path.json", "--format", "json"]);
     assert_eq!((status(&checked), &json(&checked)["valid"]), (0, &true.into()));
     assert!(json(&checked)["min_clearance"]["value"].as_f64().unwrap() > 0.0);

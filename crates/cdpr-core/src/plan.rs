@@ -1,5 +1,6 @@
 //! The whole answer to a planning question: engine, planner, rewinding, and a last check of the path.
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use rand::SeedableRng;
@@ -12,7 +13,7 @@ use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, V
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
-use crate::planning::{Outcome, PlannerOptions, Problem, Status, TranslationSpace, Watch};
+use crate::planning::{Outcome, PlannerOptions, Problem, SearchTree, Status, TranslationSpace, Watch};
 use crate::postprocess::{Order, RewindOptions, rewind};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
@@ -100,6 +101,8 @@ pub struct PlanResult {
     pub raw_waypoints: Vec<Point>,
     /// Its length, m; NaN unless solved.
     pub raw_cost: f64,
+    /// The planner's tree, shared by all rewindings of its path; empty if start or goal is invalid.
+    pub tree: Arc<SearchTree<Point>>,
     /// Counts and times.
     pub stats: Stats,
 }
@@ -193,9 +196,9 @@ fn search(
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
     let outcome = options.planner.search(&problem, engine, &mut rng, &watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
-    let Outcome { status, waypoints: raw_waypoints, nodes, motion_checks, samples } = outcome;
-    let stats = Stats { nodes, motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    let unsolved = PlanResult::unsolved(status, None, stats);
+    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples } = outcome;
+    let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
+    let unsolved = PlanResult { tree: tree.into(), ..PlanResult::unsolved(status, None, stats) };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
         _ => unsolved,
@@ -230,7 +233,8 @@ pub fn post_process(
 impl PlanResult {
     fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
         let (cost, raw_cost) = (f64::NAN, f64::NAN);
-        PlanResult { status, reason, waypoints: Vec::new(), cost, raw_waypoints: Vec::new(), raw_cost, stats }
+        let tree = Arc::default();
+        PlanResult { status, reason, waypoints: Vec::new(), cost, raw_waypoints: Vec::new(), raw_cost, tree, stats }
     }
 }
 

@@ -20,3 +20,4 @@ pub use rrt::{RrtOptions, rrt};
 pub use rrt_star::{RrtStarOptions, rrt_star};
 pub use search::{Limits, Until};
 pub use space::{Problem, StateSpace, TranslationSpace};
+pub use tree::SearchTree;

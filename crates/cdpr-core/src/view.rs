@@ -8,11 +8,14 @@
 
 mod extras;
 
+use std::sync::Arc;
+
 use serde_json::{Value, json};
 
 use crate::collision::path_check::PathViolation;
 use crate::geometry::{Point, Polytope};
 use crate::model::{Obstacle, Scene};
+use crate::planning::SearchTree;
 use crate::regions::{NamedMesh, Regions};
 
 const TEMPLATE: &str = include_str!("view/assets/template.html");
@@ -34,6 +37,8 @@ pub struct ShownPath {
     pub raw_cost: Option<f64>,
     /// Name of the planner.
     pub planner: Option<String>,
+    /// Its search tree; empty where it is not known, as with paths from files.
+    pub tree: Arc<SearchTree<Point>>,
 }
 
 /// The page for a scene, a path and what is wrong with it.
@@ -95,6 +100,7 @@ fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -
             "raw_waypoints": p.raw_waypoints.iter().map(xyz).collect::<Vec<_>>(),
             "raw_cost": p.raw_cost,
             "planner": p.planner,
+            "tree": extras::tree(&p.tree),
         })),
         "violations": violations,
     })

@@ -151,6 +151,28 @@ fn going_on_never_costs_more_and_stops_at_its_target() {
 }
 
 #[test]
+fn the_search_tree_is_kept_and_holds_the_path() {
+    let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
+    for planner in every_planner() {
+        let found = planned(&hard1(), &planner, 4);
+        let tree = &found.tree;
+        assert_eq!((tree.states.len(), tree.parents.len()), (found.stats.nodes, found.stats.nodes));
+        assert_eq!(tree.edges().count(), found.stats.nodes - 1); // one root
+        assert!(tree.edges().all(|[from, to]| engine.motion_valid(from, to)));
+        let mut node = tree.states.len() - 1;
+        let mut way = vec![tree.states[node]];
+        while tree.parents[node] != node {
+            node = tree.parents[node];
+            way.push(tree.states[node]);
+        }
+        way.reverse();
+        assert_eq!(way, found.raw_waypoints);
+    }
+    let outside = PlanOptions { start: Some(Point::new(9.0, 1.0, 1.0)), ..PlanOptions::default() };
+    assert!(plan(&hard1(), &outside, &|| false).unwrap().tree.states.is_empty());
+}
+
+#[test]
 fn nodes_time_and_interruption_end_every_planner() {
     let mut spec = paper_scene("walled", vec![block("wall", [0.05, 2.0, 2.0], [1.0, 1.0, 1.0])]);
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();

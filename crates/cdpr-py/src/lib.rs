@@ -11,16 +11,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
-use cdpr_core::geometry::{Polytope, distance};
+use cdpr_core::geometry::{Point, Polytope, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path};
-use cdpr_core::planning::{PlannerOptions, PlannerSettings};
+use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, Robot};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use convert::{point, points, row};
@@ -179,11 +179,11 @@ impl Scene {
         interruptible(py, along).map(|rows| serialized(&rows))
     }
 
-    /// The result of planning as JSON, as in a path file.
+    /// The result of planning as JSON, as in a path file, and its search tree: states (n, 3) and parents (n,).
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
-    fn plan(
+    fn plan<'py>(
         &self,
-        py: Python<'_>,
+        py: Python<'py>,
         planner: &str,
         engine: &str,
         interference: &str,
@@ -195,7 +195,7 @@ impl Scene {
         repeats: usize,
         budget: Option<f64>,
         settings: &str,
-    ) -> PyResult<String> {
+    ) -> PyResult<Planned<'py>> {
         let settings: PlannerSettings = io::text::parse(settings, Notation::Json).map_err(raised)?;
         let options = PlanOptions {
             planner: PlannerOptions::new(named(planner)?, step, &settings).map_err(raised)?,
@@ -214,7 +214,9 @@ impl Scene {
         let nearest = min_clearance(&*checker, &found.waypoints);
         let measures = core_wrench::measures(&self.0).map_err(raised)?;
         let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
-        Ok(io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref()).to_string())
+        let json = io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref());
+        let (states, parents) = tree_arrays(py, &found.tree)?;
+        Ok((json.to_string(), states, parents))
     }
 
     /// The rewound path as JSON.
@@ -281,6 +283,7 @@ impl Scene {
         raw_waypoints: Option<PyReadonlyArray2<'_, f64>>,
         raw_cost: Option<f64>,
         planner: Option<String>,
+        tree: Option<Tree<'_>>,
         interference: &str,
     ) -> PyResult<String> {
         let list = |rows: Option<PyReadonlyArray2<'_, f64>>| {
@@ -290,9 +293,34 @@ impl Scene {
         let waypoints = points(waypoints.as_slice()?);
         let engine = engine_of(self, Engine::default().name(), interference)?;
         let violations = check_path(&*engine, &waypoints).violations;
-        let shown = ShownPath { status, waypoints, cost, raw_waypoints: list(raw_waypoints)?, raw_cost, planner };
+        let raw_waypoints = list(raw_waypoints)?;
+        let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
+        let shown = ShownPath { status, waypoints, cost, raw_waypoints, raw_cost, planner, tree };
         Ok(page(&self.0, Some(&shown), &violations))
     }
+}
+
+type Planned<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
+type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
+
+/// The states of a search tree as rows, and the parent of each.
+fn tree_arrays<'py>(
+    py: Python<'py>,
+    tree: &SearchTree<Point>,
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>)> {
+    let states = tree.states.iter().flat_map(|state| [state.x, state.y, state.z]).collect();
+    let parents = tree.parents.iter().map(|parent| *parent as i64).collect();
+    Ok((triples(py, states)?, PyArray1::from_vec(py, parents)))
+}
+
+fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
+    let states = points(states.as_slice()?);
+    let known = |parent: &i64| usize::try_from(*parent).ok().filter(|parent| *parent < states.len());
+    let found: Option<Vec<usize>> = parents.as_slice()?.iter().map(known).collect();
+    let parents = found.filter(|parents| parents.len() == states.len()).ok_or_else(|| {
+        raised(Error::invalid("tree.parents", "found others, expected for each state the index of its parent"))
+    })?;
+    Ok(SearchTree { states, parents })
 }
 
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);

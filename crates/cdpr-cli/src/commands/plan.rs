@@ -68,6 +68,7 @@ fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
         raw_waypoints: found.raw_waypoints.clone(),
         raw_cost: cost(found.raw_cost),
         planner: name(serde_json::json!(options.planner.planner())),
+        tree: found.tree.clone(),
     }
 }
 

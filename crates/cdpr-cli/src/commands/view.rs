@@ -50,5 +50,6 @@ fn shown(loaded: io::LoadedPath, length: f64) -> ShownPath {
         raw_waypoints: file.iter().flat_map(|f| &f.raw_waypoints).map(|p| Point::from(*p)).collect(),
         raw_cost: file.as_ref().and_then(|f| f.raw_cost),
         planner: file.and_then(|f| f.planner),
+        ..ShownPath::default()
     }
 }

@@ -362,6 +362,7 @@ fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
         cost: f64::NAN,
         raw_waypoints: Vec::new(),
         raw_cost: f64::NAN,
+        tree: Default::default(),
         stats: Default::default(),
     };
     let failed = |(name, _): &(String, _)| Row {

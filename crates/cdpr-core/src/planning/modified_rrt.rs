@@ -65,7 +65,7 @@ pub fn modified_rrt<S: StateSpace>(
             }
         }
         if search.over(tree.len(), best)? {
-            return Ok(search.outcome(&mut tree, goal_parent));
+            return Ok(search.outcome(tree, goal_parent));
         }
         let Some(x_rand) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
         let x_cheap = tree.feasible_cheapest(space, &x_rand, |from, to| search.collision_free(from, to))?;

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::tree::SearchTree;
 use crate::error::Error;
 
 /// How a well-posed planning question can end.
@@ -27,8 +28,8 @@ pub struct Outcome<State> {
     pub status: Status,
     /// The path from start to goal; empty unless solved.
     pub waypoints: Vec<State>,
-    /// Nodes of the tree.
-    pub nodes: usize,
+    /// The tree as it was at the end; if solved, the goal is its last node.
+    pub tree: SearchTree<State>,
     /// Motions that were checked.
     pub motion_checks: usize,
     /// Random samples that were drawn.

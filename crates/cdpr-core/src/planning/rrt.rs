@@ -73,7 +73,7 @@ pub fn rrt<S: StateSpace>(
             }
         }
         if search.over(tree.len(), best)? {
-            return Ok(search.outcome(&mut tree, goal_parent));
+            return Ok(search.outcome(tree, goal_parent));
         }
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };

@@ -62,19 +62,18 @@ pub fn rrt_star<S: StateSpace>(
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    grow(problem, validity, options, rng, watch).map(|(outcome, _)| outcome)
+    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let (tree, goal_parent) = grow(&mut search, options, rng)?;
+    Ok(search.outcome(tree, goal_parent))
 }
 
-/// The outcome and, for tests, the tree as it was at the end.
+/// The tree when the search is over, and the node through which the goal is reached at the least cost, if any is.
 fn grow<S: StateSpace>(
-    problem: &Problem<S>,
-    validity: &dyn Validity<S::State>,
+    search: &mut Search<S>,
     options: &RrtStarOptions,
     rng: &mut impl Rng,
-    watch: &Watch,
-) -> Result<(Outcome<S::State>, Tree<S>), Error> {
-    let Problem { space, start, goal } = problem;
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+) -> Result<(Tree<S>, Option<usize>), Error> {
+    let Problem { space, start, goal } = search.problem;
     let mut neighbours = Neighbours::default();
     neighbours.push(space.place(start));
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
@@ -88,7 +87,7 @@ fn grow<S: StateSpace>(
         }
         let (goal_parent, best) = cheapest(&tree, space, &goal_parents, goal);
         if search.over(tree.len(), best)? {
-            return Ok((search.outcome(&mut tree, goal_parent), tree));
+            return Ok((tree, goal_parent));
         }
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
@@ -96,10 +95,10 @@ fn grow<S: StateSpace>(
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
             let radius = options.near_radius.unwrap_or_else(|| near_radius(space, tree.len(), options.step));
             let x_near = neighbours.near(space, &tree, &x_new, radius);
-            let x_parent = find_parent(&mut search, &tree, &x_near, x_nearest, &x_new)?;
+            let x_parent = find_parent(search, &tree, &x_near, x_nearest, &x_new)?;
             let x_new = tree.append(space, x_parent, x_new);
             neighbours.push(space.place(tree.state(x_new)));
-            rewire(&mut search, &mut tree, x_parent, &x_near, x_new)?;
+            rewire(search, &mut tree, x_parent, &x_near, x_new)?;
             newest = Some(x_new);
         }
     }
@@ -175,15 +174,17 @@ mod tests {
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let limits = Limits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
         let options = RrtStarOptions { near_radius: Some(0.3), limits, ..RrtStarOptions::default() };
-        grow(&problem, &engine, &options, &mut ChaCha8Rng::seed_from_u64(seed), &Watch::NONE).unwrap()
+        let mut search = Search::new(&problem, &engine, &options.limits, &Watch::NONE);
+        let (tree, goal_parent) = grow(&mut search, &options, &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();
+        (search.outcome(tree.clone(), goal_parent), tree)
     }
 
     #[test]
     fn every_cost_is_the_length_of_its_path_and_every_edge_is_free() {
         for (scene, seed) in [(hard1(), 1), (hard1(), 2), (hard3(), 3)] {
             let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
-            let (_, tree) = grown(&scene, seed, 1500);
-            assert_eq!(tree.len(), 1501); // the last one is the goal
+            let (outcome, tree) = grown(&scene, seed, 1500);
+            assert_eq!((tree.len(), outcome.tree.states.len()), (1500, 1501)); // the last one is the goal
             for node in 0..tree.len() {
                 let path = tree.path_to(node); // ends only where there is no cycle
                 let length = path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, |sum, edge| sum + edge);

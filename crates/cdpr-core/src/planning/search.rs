@@ -102,7 +102,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
     }
 
     /// The outcome, with the goal appended to its parent, if there is one.
-    pub fn outcome(&self, tree: &mut Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
+    pub fn outcome(&self, mut tree: Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
         let Problem { space, goal, .. } = self.problem;
         let (status, waypoints) = match goal_parent {
             Some(parent) => {
@@ -112,6 +112,6 @@ impl<'a, S: StateSpace> Search<'a, S> {
             None => (Status::BudgetSpent, Vec::new()),
         };
         let (motion_checks, samples) = (self.motion_checks, self.samples);
-        Outcome { status, waypoints, nodes: tree.len(), motion_checks, samples }
+        Outcome { status, waypoints, tree: tree.into(), motion_checks, samples }
     }
 }

@@ -5,6 +5,29 @@ use std::collections::BinaryHeap;
 
 use super::space::StateSpace;
 
+/// A search tree to look at, or several of them one after the other: plain data.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SearchTree<State> {
+    /// The state of each node.
+    pub states: Vec<State>,
+    /// The parent of each node; a root is its own.
+    pub parents: Vec<usize>,
+}
+
+impl<State> SearchTree<State> {
+    /// The state of each node's parent and its own; roots have no edge.
+    pub fn edges(&self) -> impl Iterator<Item = [&State; 2]> {
+        let nodes = self.parents.iter().enumerate().filter(|(node, parent)| node != *parent);
+        nodes.map(|(node, parent)| [&self.states[*parent], &self.states[node]])
+    }
+}
+
+impl<S: StateSpace> From<Tree<S>> for SearchTree<S::State> {
+    fn from(Tree { states, parents, .. }: Tree<S>) -> Self {
+        SearchTree { states, parents }
+    }
+}
+
 /// Nodes with their parents and the length of the way to them from the root, node 0.
 #[derive(Debug, Clone)]
 pub struct Tree<S: StateSpace> {

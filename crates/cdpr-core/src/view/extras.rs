@@ -11,6 +11,7 @@ use crate::collision::{Constraints, GjkEngine, Interference, Validity};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
+use crate::planning::SearchTree;
 use crate::regions::{RegionOptions, Regions, regions};
 use crate::wrench::constraint::limit_at;
 use crate::wrench::map::Grid;
@@ -98,6 +99,28 @@ fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
 fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
     let cables = rows.first().map_or(0, Vec::len);
     (0..cables).map(|cable| rows.iter().map(|row| row[cable].clone()).collect()).collect()
+}
+
+/// Edges of a search tree beyond which a page shows only some of them, so that it stays below 2 MB.
+const MOST_EDGES: usize = 8000;
+
+/// Edges of a search tree, each as the positions of its ends.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Edges {
+    /// Every how many edges one is shown, 1 where all are.
+    every: usize,
+    /// How many the tree has.
+    count: usize,
+    /// x, y, z of both ends, edge after edge, m.
+    ends: Vec<f32>,
+}
+
+/// A search tree as the page draws it; none if it has no edges.
+pub(super) fn tree(tree: &SearchTree<Point>) -> Option<Edges> {
+    let count = tree.edges().count();
+    let every = count.div_ceil(MOST_EDGES);
+    let ends = || tree.edges().step_by(every).flatten().flat_map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+    (count > 0).then(|| Edges { every, count, ends: ends() })
 }
 
 /// Triangles of shadows beyond which a page goes without them, so that it stays below 2 MB.
@@ -210,6 +233,20 @@ mod tests {
     #[test]
     fn maps_of_many_cables_are_coarser_or_left_out() {
         assert_eq!([3, 8, 12, 16, 24].map(map_steps), [Some(16.0), Some(16.0), Some(16.0), Some(8.0), None]);
+    }
+
+    #[test]
+    fn trees_are_drawn_whole_up_to_a_size_and_evenly_thinned_beyond() {
+        let line = |nodes: usize| SearchTree {
+            states: (0..nodes).map(|k| Point::new(k as f64, 0.5, 2.0)).collect(),
+            parents: (0..nodes).map(|k| k.saturating_sub(1)).collect(),
+        };
+        assert_eq!((tree(&line(0)), tree(&line(1))), (None, None)); // a root alone has no edge
+        let whole = tree(&line(3)).unwrap();
+        assert_eq!((whole.every, whole.count), (1, 2));
+        assert_eq!(whole.ends, [0.0, 0.5, 2.0, 1.0, 0.5, 2.0, 1.0, 0.5, 2.0, 2.0, 0.5, 2.0]);
+        let thinned = tree(&line(MOST_EDGES + 2)).unwrap();
+        assert_eq!((thinned.every, thinned.count, thinned.ends.len()), (2, MOST_EDGES + 1, (MOST_EDGES / 2 + 1) * 6));
     }
 
     #[test]
