@@ -1,6 +1,7 @@
 """The HTML page in a real browser: everything that a reader can see or press."""
 
 import copy
+import json
 import math
 import os
 import re
@@ -132,9 +133,23 @@ def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, pl
     page = open_page(cogiro, planned)
     assert page.title() == "cogiro – cdpr"
     assert colors(page) > 100
-    assert page.locator(".plot figcaption").all_inner_texts() == ["cable lengths", "clearance", "cable tensions"]
+    plots = ["cable lengths", "clearance", "cable tensions (limits dashed)", "capacity margin beyond the demand"]
+    assert page.locator(".plot figcaption").all_inner_texts() == plots
     assert page.locator("#cable-table tr").count() == 9
     assert page.locator("#nearest").inner_text().startswith("nearest: ")
+    page.evaluate("cdprViewer.setDistance(cdprViewer.length)")
+    demand = cogiro.to_dict()["wrench"]
+    margin = cdpr.capacity_margin(cogiro.robot, [cogiro.goal], force=demand["force"], moment=demand["moment"])[0]
+    said = page.locator("#wrench").inner_text().replace("\xa0", " ")
+    assert said == f"capacity margin: {margin:.4g} N beyond the demand"
+
+
+def test_a_wrench_margin_that_is_missing_is_shown_in_red(open_page: Open, cogiro: cdpr.Scene) -> None:
+    page = open_page(cogiro, [cogiro.start, [0.0, 0.0, 5.8]])
+    page.evaluate("cdprViewer.setDistance(cdprViewer.length)")
+    assert re.fullmatch(r"capacity margin: [\d.]+\sN short of the demand", page.locator("#wrench.bad").inner_text())
+    page.evaluate("cdprViewer.setDistance(0)")
+    assert page.locator("#wrench.bad").count() == 0
 
 
 @pytest.mark.parametrize("which", ["planned", "bad"])
@@ -149,8 +164,9 @@ def test_every_switch_changes_the_picture(
     names = rows.locator(".legend-name").all_inner_texts()
     layers = {"platform", "obstacles", "names of obstacles", "cables", "names of cables", "outlets and frame"}
     layers |= {"final path", "start and goal", "workspace", "nearest to each other", "swept by cables"}
-    layers |= {"shadows of obstacles", "cable 0"}
-    layers |= {"raw path", "wrench-feasible workspace"} if which == "planned" else {"violations"}
+    layers |= {"shadows of obstacles", "cable 0", "column" if which == "planned" else "pillar"}
+    tree = f"search tree ({planned.stats['nodes']} nodes)"
+    layers |= {"raw path", "wrench-feasible workspace", tree} if which == "planned" else {"violations"}
     assert layers <= set(names)
     before = picture(page)
     for number, name in enumerate(names):
@@ -159,6 +175,61 @@ def test_every_switch_changes_the_picture(
         assert picture(page) != before, name
         box.click()
         assert picture(page) == before, name
+
+
+def test_obstacles_are_switched_one_by_one_and_together(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(cdpr.Scene.from_dict(with_obstacles(hard1.to_dict(), 100)))
+    fold = page.locator(".fold", has_text="by name (100)")
+    assert not fold.get_by_text("cube 42", exact=True).is_visible()
+    fold.locator("summary").click()
+    everything = picture(page)
+    seen = {everything}
+    for name in ["cube 0", "cube 42", "cube 99"]:
+        fold.get_by_label(name, exact=True).uncheck()
+        seen.add(picture(page))
+    fold.get_by_role("button", name="none").click()
+    assert page.evaluate("Object.values(cdprViewer.layers.obstacles.parts).some((part) => part.visible)") is False
+    without = picture(page)
+    switch = page.get_by_label("obstacles", exact=True)
+    switch.uncheck()
+    assert picture(page) == without
+    switch.check()
+    fold.get_by_role("button", name="all").click()
+    assert picture(page) == everything
+    assert len(seen | {without}) == 5
+
+
+def test_a_hundred_obstacles_and_a_tree_of_5000_nodes_are_few_draw_calls(open_page: Open, hard1: cdpr.Scene) -> None:
+    scene = cdpr.Scene.from_dict(with_obstacles(hard1.to_dict(), 100))
+    points = np.random.default_rng(0).uniform(0.2, 1.8, (10_000, 3))
+    start, *_, goal = points[scene.states_valid(points)]
+    found = cdpr.plan(scene, "rrt", start=start, goal=goal, keep_going=True, max_nodes=5000, max_samples=10**6)
+    assert found.stats["nodes"] >= 5000
+    page = open_page(scene, found)
+    assert page.evaluate("cdprViewer.layers.searchTree.visible") is False  # it would hide the picture
+    before = picture(page)
+    calls = page.evaluate("cdprViewer.statistics().calls")
+    page.evaluate("cdprViewer.layers.searchTree.visible = true")
+    assert picture(page) != before
+    statistics = page.evaluate("cdprViewer.statistics()")
+    assert statistics["calls"] == calls + 1 < 40
+    assert statistics["lines"] >= found.stats["nodes"] - 1
+    measured("100-obstacles-5000-nodes", page)
+
+
+def test_the_papers_scene_is_small_and_soon_there(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
+    page = open_page(hard1, cdpr.plan(hard1, seed=0))
+    assert (tmp_path / "view.html").stat().st_size < 1_000_000
+    measured("hard1", page)
+
+
+def measured(what: str, page: Page) -> None:
+    """Notes down what the page measures of itself; times depend on the machine, so nothing is asserted of them."""
+    wait_until(page, "cdprViewer.statistics().firstPicture !== null")
+    size = Path(page.url.removeprefix("file://")).stat().st_size
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    found = {"bytes": size, **page.evaluate("cdprViewer.statistics()")}
+    (SCREENSHOTS / f"measured-{what}.json").write_text(json.dumps(found))
 
 
 def test_views_section_and_look_change_the_picture(open_page: Open, hard1: cdpr.Scene) -> None:

@@ -32,6 +32,13 @@ function readObstacle(obstacle, index) {
   return { name: text(obstacle?.name, `obstacle ${index}`), parts: readParts(obstacle?.parts) };
 }
 
+// Edges as x, y, z of both ends, one after the other.
+function readTree(tree) {
+  const ends = list(tree?.ends);
+  if (ends.length < 6 || ends.length % 6 !== 0 || !ends.every(Number.isFinite)) return null;
+  return { ends, count: numberOrNull(tree.count) ?? ends.length / 6, every: numberOrNull(tree.every) ?? 1 };
+}
+
 function readPath(path) {
   if (!path) return null;
   return {
@@ -41,6 +48,7 @@ function readPath(path) {
     rawWaypoints: list(path.raw_waypoints).filter(isPoint),
     cost: numberOrNull(path.cost),
     rawCost: numberOrNull(path.raw_cost),
+    tree: readTree(path.tree),
   };
 }
 
@@ -58,6 +66,10 @@ function readRegions(regions) {
   return { space: text(regions.space, 'attachment'), shown: regions.shown !== false, meshes };
 }
 
+function readMargins({ measure, unit, values }) {
+  return { measure: text(measure, 'wrench'), unit: text(unit, ''), values: list(values) };
+}
+
 // Numbers along the path; they come from the program, one column for each plot.
 function readMotion(motion) {
   if (!motion || list(motion.s).length < 2) return null;
@@ -69,6 +81,7 @@ function readMotion(motion) {
     pairs: list(motion.pairs).map((pair) => list(pair).map(String)),
     tensions: list(motion.tensions),
     tensionLimits: list(motion.tension_limits),
+    margins: list(motion.margins).map(readMargins),
   };
 }
 

@@ -1,7 +1,7 @@
 // Groups of the scene that the reader can show and hide.
 
 import { Group, Object3D } from 'three';
-import { addLegendRow } from './panel.js';
+import { addLegendFold, addLegendNote, addLegendRow } from './panel.js';
 
 const NAMES = {
   platform: { name: 'platform', swatch: 'solid' },
@@ -10,6 +10,7 @@ const NAMES = {
   cables: { name: 'cables', swatch: 'line' },
   cableNames: { name: 'names of cables', swatch: 'letter' },
   outlets: { name: 'outlets and frame', swatch: 'outline' },
+  searchTree: { name: 'search tree', swatch: 'hair' },
   rawPath: { name: 'raw path', swatch: 'dashed' },
   finalPath: { name: 'final path', swatch: 'thick' },
   nearest: { name: 'nearest to each other', swatch: 'thick' },
@@ -24,22 +25,35 @@ const NAMES = {
 /** Something to put into layers whose content is not drawn in 3D. */
 export const placeholder = () => new Object3D();
 
+/** Something to show and hide, `shown` at first, with a legend row; `apply` hears of changes. */
+export function createSwitch({ name, swatch, shown, apply, parent }) {
+  let visible = shown;
+  const layer = {
+    get visible() {
+      return visible;
+    },
+    set visible(value) {
+      visible = Boolean(value);
+      row.tick(visible);
+      apply(visible);
+    },
+  };
+  const row = addLegendRow(name, swatch, layer, parent);
+  return Object.assign(layer, {
+    fold: (title, open) => addLegendFold(title, open, row.element),
+    note: (text) => addLegendNote(text, row.element),
+  });
+}
+
 /** A layer for a group; an empty one has no legend row. */
 export function createLayer(group, name, swatch, invalidate, shown = true, parent = undefined) {
   group.visible = shown;
-  const layer = {
-    get visible() {
-      return group.visible;
-    },
-    set visible(value) {
-      group.visible = Boolean(value);
-      tick(group.visible);
-      invalidate();
-    },
+  if (group.children.length === 0) return group;
+  const apply = (visible) => {
+    group.visible = visible;
+    invalidate();
   };
-  const isEmpty = group.children.length === 0;
-  const tick = isEmpty ? () => {} : addLegendRow(name, swatch, layer, parent);
-  return layer;
+  return createSwitch({ name, swatch, shown, apply, parent });
 }
 
 /**

@@ -5,9 +5,9 @@ import { readModel } from './data.js';
 import { createFrame } from './frame.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
-import { createLayer, createLayers, placeholder } from './layers.js';
+import { createLayer, createLayers, createSwitch, placeholder } from './layers.js';
 import * as panel from './panel.js';
-import { createFinalPath, createRawPath, createViolations } from './paths.js';
+import { createFinalPath, createRawPath, createSearchTree, createViolations } from './paths.js';
 import { createPlayback } from './playback.js';
 import { createPlots } from './plots.js';
 import { createRegions } from './regions.js';
@@ -17,6 +17,7 @@ import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
 import { createSwept } from './swept.js';
 import { createTheme } from './theme.js';
+import { describeFeasible, describeTree } from './wording.js';
 import { createFeasible } from './workspace.js';
 
 function restingPosition({ start, workspace }) {
@@ -42,6 +43,11 @@ function createGhosts(model, frame, shapes, theme) {
 // Names of more obstacles than this would hide the picture; they can be switched on.
 const MOST_NAMES = 12;
 
+// Larger trees would hide the picture, too.
+const MOST_EDGES = 500;
+// So many obstacles have their switches in sight at first.
+const FEW_OBSTACLES = 3;
+
 // A ghost right where the platform is would only flicker on it.
 const SAME_PLACE = 1e-3;
 
@@ -51,19 +57,21 @@ function fillScene(model, route, frame, stage, theme) {
   const platform = createPlatform(shapes, model.orientation, theme);
   const cables = createCables(model, frame, theme);
   const ghosts = createGhosts(model, frame, shapes, theme);
+  const obstacles = createObstacles(model, frame, theme);
   const regions = createRegions(model, frame, theme);
   const highlight = createHighlight(model, frame, shapes, theme);
   const contents = {
     platform: [platform],
-    obstacles: createObstacles(model, frame, theme),
+    obstacles: obstacles.objects,
     obstacleNames: model.obstacles.length > 0 ? [placeholder()] : [],
     cables: cables.parts,
     cableNames: model.cables.length > 0 ? [placeholder()] : [],
     outlets: createOutlets(model, frame, theme),
+    searchTree: createSearchTree(model.path, frame, theme),
     rawPath: createRawPath(model.path, frame, theme),
     finalPath: createFinalPath(model.path, frame, theme),
     nearest: highlight.objects,
-    violations: createViolations(model.violations, route, frame, theme),
+    violations: createViolations(model, route, frame, theme),
     startGoal: ghosts,
     workspace: createWorkspace(model, frame, theme),
     swept: createSwept(model, frame, theme),
@@ -78,34 +86,59 @@ function fillScene(model, route, frame, stage, theme) {
     for (const ghost of ghosts) ghost.visible = ghost.position.distanceTo(platform.position) > SAME_PLACE;
     stage.invalidate();
   };
-  return { contents, ghosts, regions, move };
+  return { contents, obstacles, ghosts, regions, move };
 }
 
-const hiddenAtFirst = ({ obstacles, regions }) => [
+const hiddenAtFirst = ({ obstacles, regions, path }) => [
   'cableNames',
   'swept',
   'feasible',
+  ...(path?.tree?.count > MOST_EDGES ? ['searchTree'] : []),
   ...(regions?.shown ? [] : ['regions']),
   ...(obstacles.length > MOST_NAMES ? ['obstacleNames'] : []),
 ];
 
-function otherNames({ regions }) {
+function otherNames({ regions, path }) {
   const onlyShadows = regions?.meshes.every(({ kind }) => kind === 'cable-obstacle');
-  return onlyShadows ? { regions: 'shadows of obstacles' } : {};
+  return {
+    ...(onlyShadows && { regions: 'shadows of obstacles' }),
+    ...(path?.tree && { searchTree: describeTree(path.tree) }),
+  };
 }
 
 function addNames(model, frame, labels, layers) {
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
-    labels.add(name, box.getCenter(new Vector3()), layers.obstacleNames);
+    const part = layers.obstacles.parts[name];
+    const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
+    labels.add(name, box.getCenter(new Vector3()), seen);
   }
   for (const { name, outlet } of model.cables) labels.add(name, frame.point(outlet), layers.cableNames);
+}
+
+// A switch for each obstacle.
+function addObstacleParts(model, obstacles, layers, stage) {
+  if (model.obstacles.length === 0) return;
+  const hidden = new Set();
+  const few = model.obstacles.length <= FEW_OBSTACLES;
+  const parent = layers.obstacles.fold(few ? 'by name' : `by name (${model.obstacles.length})`, few);
+  const showObstacles = () => obstacles.show(hidden);
+  const part = ({ name }, i) => {
+    const apply = (visible) => {
+      if (visible) hidden.delete(i);
+      else hidden.add(i);
+      stage.beforeNext(showObstacles);
+    };
+    return createSwitch({ name, swatch: 'part solid of-obstacles', shown: true, apply, parent });
+  };
+  layers.obstacles.parts = Object.fromEntries(model.obstacles.map((obstacle, i) => [obstacle.name, part(obstacle, i)]));
+  if (!few) panel.addAllOrNone(parent, Object.values(layers.obstacles.parts));
 }
 
 // A switch for each cable whose regions are drawn.
 function addRegionParts(regions, layers, shown, invalidate) {
   if (regions.length === 0) return;
-  const fold = panel.addLegendFold('by cable', shown);
+  const fold = layers.regions.fold('by cable', shown);
   const part = ({ group, role }) => createLayer(group, group.name, `part ghost of-${role}`, invalidate, true, fold);
   layers.regions.parts = Object.fromEntries(regions.map((region) => [region.group.name, part(region)]));
 }
@@ -128,16 +161,18 @@ function createView(model, route) {
   const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
   const theme = createTheme(stage.invalidate);
   theme.bind(stage.scene.background, 'background');
-  const { contents, ghosts, regions, move } = fillScene(model, route, frame, stage, theme);
+  const { contents, obstacles, ghosts, regions, move } = fillScene(model, route, frame, stage, theme);
   const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), stage.scene, stage.invalidate);
+  addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
-  if (contents.feasible.length > 0) panel.addRampKey(model.feasible);
+  if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
   addNames(model, frame, labels, layers);
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
   const { look, cut, resize } = stage;
   const picture = () => labels.written(stage.picture(), container);
   const save = () => savePicture(picture(), model.title);
-  return { move, layers, look, cut, resize, picture, save, toggleLook: theme.toggle };
+  const { statistics } = stage;
+  return { move, layers, look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
 }
 
 // What stands in for the 3D part where it cannot be drawn.
@@ -163,7 +198,7 @@ function connect(model, route, view) {
   };
   showPlots = createPlots(model, route, jump);
   panel.connectTransport(playback);
-  panel.showViolations(model.violations, ({ segment, at }) => jump(route.distanceAt(segment, at)));
+  panel.showViolations(model.violations, ({ segment, at }) => route.distanceAt(segment, at), jump);
   if (view.look) panel.connectTools(view);
   panel.connectKeys(playback, view);
   playback.setDistance(0);
@@ -180,6 +215,7 @@ function publish(route, view, playback) {
     layers: view.layers,
     look: view.look,
     picture: view.picture ?? null,
+    statistics: view.statistics ?? null,
     resetView: view.look && (() => view.look()),
     ready: true,
   };

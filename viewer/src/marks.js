@@ -14,15 +14,20 @@ export function chain(points) {
   return points.slice(1).flatMap((point, i) => [points[i], point]);
 }
 
+/** The geometry of hairlines, and of dots. */
+export const pointGeometry = (points) => new BufferGeometry().setFromPoints(points);
+
 /** Lines one pixel wide between pairs of points. */
 export function hairlines(pairs, material = new LineBasicMaterial()) {
-  return new LineSegments(new BufferGeometry().setFromPoints(pairs), material);
+  return new LineSegments(pointGeometry(pairs), material);
 }
+
+/** The geometry of wide lines. */
+export const wideGeometry = (pairs) => new LineSegmentsGeometry().setPositions(flatten(pairs));
 
 /** Lines of a width in pixels between pairs of points. */
 export function wideLines(pairs, options) {
-  const geometry = new LineSegmentsGeometry().setPositions(flatten(pairs));
-  const lines = new LineSegments2(geometry, new LineMaterial(options));
+  const lines = new LineSegments2(wideGeometry(pairs), new LineMaterial(options));
   if (options.dashed) lines.computeLineDistances();
   lines.frustumCulled = false;
   return lines;
@@ -67,7 +72,7 @@ function drawCross(context, radius, thickness) {
 
 function sprites(points, size, map) {
   const material = new PointsMaterial({ size, map, sizeAttenuation: false, transparent: true, alphaTest: 0.5 });
-  const marks = new Points(new BufferGeometry().setFromPoints(points), material);
+  const marks = new Points(pointGeometry(points), material);
   marks.frustumCulled = false;
   return marks;
 }

@@ -1,6 +1,6 @@
 // The panel: title, outcome, legend and list of violations; and the bar with the slider.
 
-import { describeFeasible, describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
+import { describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const NARROW = '(max-width: 560px)';
@@ -26,21 +26,35 @@ export function showSummary(model, length) {
   byId('plots').open = !isNarrow;
 }
 
-/** Adds rows for parts of a layer to the legend, in a fold. */
-export function addLegendFold(title, open) {
+/** Adds a fold below a row of the legend, for rows of parts of that layer. */
+export function addLegendFold(title, open, row) {
   const fold = element('details', 'fold');
   fold.open = open;
   fold.append(element('summary', '', title));
-  byId('legend').append(fold);
+  row.after(fold);
   return fold;
 }
 
-/** Says what the colours of the wrench-feasible workspace mean. */
-export function addRampKey(feasible) {
-  byId('legend').append(element('p', 'more', describeFeasible(feasible)));
+/** Adds a remark below a row of the legend. */
+export function addLegendNote(text, row) {
+  row.after(element('p', 'more fold', text));
 }
 
-/** Adds a row with a checkbox to the legend, or to a fold of it, and returns a function that ticks it. */
+/** Adds buttons to a fold that show or hide all of its parts. */
+export function addAllOrNone(fold, parts) {
+  const row = element('div', 'row');
+  for (const [text, visible] of [['all', true], ['none', false]]) {
+    const button = element('button', '', text);
+    button.type = 'button';
+    button.addEventListener('click', () => {
+      for (const part of parts) part.visible = visible;
+    });
+    row.append(button);
+  }
+  fold.querySelector('summary').after(row);
+}
+
+/** Adds a row with a checkbox to the legend, or to a fold of it, and returns it with a function that ticks it. */
 export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   const row = element('label', 'legend-row');
   const box = element('input');
@@ -51,24 +65,25 @@ export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   });
   row.append(box, element('span', `swatch ${swatch}`), element('span', 'legend-name', name));
   parent.append(row);
-  return (visible) => {
+  const tick = (visible) => {
     box.checked = visible;
   };
+  return { element: row, tick };
 }
 
-function violationItem(violation, onPick) {
+function violationItem(violation, distance, onPick) {
   const item = element('li');
-  const button = element('button', 'violation', describeViolation(violation));
+  const button = element('button', 'violation', describeViolation(violation, distance));
   button.type = 'button';
-  button.addEventListener('click', () => onPick(violation));
+  button.addEventListener('click', () => onPick(distance));
   item.append(button);
   return item;
 }
 
-/** Lists violations; `onPick` hears which one is clicked. */
-export function showViolations(violations, onPick) {
+/** Lists violations; `distanceOf` tells where one begins, `onPick` hears the distance of the one that is clicked. */
+export function showViolations(violations, distanceOf, onPick) {
   if (violations.length === 0) return;
-  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, onPick));
+  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, distanceOf(v), onPick));
   byId('violation-list').replaceChildren(...shown);
   byId('violation-count').textContent = `${violations.length} violation${violations.length === 1 ? '' : 's'}`;
   const rest = violations.length - shown.length;

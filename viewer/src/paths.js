@@ -1,6 +1,19 @@
-// Raw path, final path and the violations along it.
+// Search tree, raw path, final path and the violations along it.
 
-import { chain, crosses, dots, wideLines } from './marks.js';
+import { LineBasicMaterial, Vector3 } from 'three';
+import { chain, crosses, dots, hairlines, wideLines } from './marks.js';
+
+/** The edges of the planner's tree, however many, as one object. */
+export function createSearchTree(path, frame, theme) {
+  if (!path?.tree) return [];
+  const { ends } = path.tree;
+  const places = Array.from({ length: ends.length / 3 }, (_, i) => frame.point(ends.slice(3 * i, 3 * i + 3), new Vector3()));
+  const lines = hairlines(places, new LineBasicMaterial({ transparent: true, opacity: 0.75, depthWrite: false }));
+  theme.paint(lines.material, 'tree');
+  // After the obstacles, which would otherwise paint over it.
+  lines.renderOrder = 4;
+  return [lines];
+}
 
 /** The path as the planner found it: thin and dashed. */
 export function createRawPath(path, frame, theme) {
@@ -22,12 +35,21 @@ export function createFinalPath(path, frame, theme) {
   return [line, marks];
 }
 
-/** A cross with a white rim where each violation begins. */
-export function createViolations(violations, route, frame, theme) {
+// Pieces of the path where something is in collision or a wrench margin is missing.
+function badPieces({ clearance, margins, s }, route, frame) {
+  const isBad = (i) => clearance[i] < 0 || margins.some(({ values }) => values[i] < 0);
+  const places = s.map((distance) => frame.point(route.positionAt(distance)));
+  return s.slice(1).flatMap((_, i) => (isBad(i) && isBad(i + 1) ? [places[i], places[i + 1]] : []));
+}
+
+/** A cross with a white rim where each violation begins, and what of the path is not valid. */
+export function createViolations({ violations, motion }, route, frame, theme) {
   if (violations.length === 0) return [];
+  const pieces = wideLines(motion ? badPieces(motion, route, frame) : [], { linewidth: 6 });
+  theme.paint(pieces.material, 'violation');
   const points = violations.map((v) => frame.point(route.positionAt(route.distanceAt(v.segment, v.at))));
   const rim = crosses(points, 22, 0.7, 10);
   const core = crosses(points, 22, 0.4, 11);
   theme.paint(core.material, 'violation');
-  return [rim, core];
+  return [pieces, rim, core];
 }

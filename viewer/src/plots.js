@@ -1,6 +1,6 @@
 // The side panel: lengths, clearance and tensions along the path, with a cursor that follows the platform.
 
-import { describeNearest, formatForce, formatLength } from './wording.js';
+import { describeNearest, describeWrench, formatForce, formatLength, formatNumber } from './wording.js';
 import { REGION_COLORS } from './theme.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -78,12 +78,15 @@ function drawing({ name, series, limits, floor }, x, marks, { low, high }) {
   return picture;
 }
 
-// The greatest or least value, written below or above its height.
-function mark(className, value, { low, high }, format) {
-  const label = html('span', className, format(value));
-  const share = className === 'high' ? (high - value) / (high - low) : (value - low) / (high - low);
-  label.style[className === 'high' ? 'top' : 'bottom'] = `${(100 * share).toFixed(1)}%`;
-  return label;
+// The greatest and the least value, each written beside its height.
+function scale(values, { low, high }, format) {
+  const ends = [Math.max(...values), Math.min(...values)];
+  const texts = new Map(ends.map((value) => [format(value), value]));
+  return [...texts].map(([text, value]) => {
+    const label = html('span', 'scale', text);
+    label.style.top = `${((100 * (high - value)) / (high - low)).toFixed(1)}%`;
+    return label;
+  });
 }
 
 function chart(plot, x, marks, pick) {
@@ -97,9 +100,7 @@ function chart(plot, x, marks, pick) {
   const range = rangeOf(values, plot.limits);
   const area = html('div', 'area');
   const cursor = html('div', 'cursor');
-  const high = mark('high', Math.max(...values), range, plot.format);
-  const low = mark('low', Math.min(...values), range, plot.format);
-  area.append(drawing(plot, x, marks, range), high, low, cursor);
+  area.append(drawing(plot, x, marks, range), ...scale(values, range, plot.format), cursor);
   const follow = (event) => {
     const { left, width } = area.getBoundingClientRect();
     pick(Math.min(1, Math.max(0, (event.clientX - left) / width)));
@@ -115,16 +116,25 @@ function chart(plot, x, marks, pick) {
   return { box, cursor };
 }
 
-function plotsOf({ lengths, clearance, tensions, tensionLimits }) {
+function plotsOf({ lengths, clearance, tensions, tensionLimits, margins }) {
   const plots = [{ name: 'cable lengths', series: lengths, limits: [], format: formatLength }];
   if (clearance.length > 0) {
     plots.push({ name: 'clearance', series: [clearance], limits: [0], floor: 0, format: formatLength });
   }
   if (tensions.length > 0) {
     const limits = [...new Set(tensionLimits.flat())];
-    plots.push({ name: 'cable tensions', series: tensions, limits, format: formatForce });
+    plots.push({ name: 'cable tensions (limits dashed)', series: tensions, limits, format: formatForce });
+  }
+  for (const { measure, unit, values } of margins) {
+    const format = (value) => formatNumber(value, unit);
+    plots.push({ name: `${measure} margin beyond the demand`, series: [values], limits: [0], floor: 0, format });
   }
   return plots;
+}
+
+function showMargins(margins, step) {
+  byId('wrench').textContent = margins.map((margin) => describeWrench(margin, margin.values[step])).join('; ');
+  byId('wrench').classList.toggle('bad', margins.some(({ values }) => !(values[step] >= 0)));
 }
 
 // The numbers of each cable at the cursor; the swatches are the key to the curves.
@@ -180,6 +190,7 @@ export function createPlots(model, route, pick) {
       length.textContent = formatLength(motion.lengths[i][step]);
       if (tension) tension.textContent = formatForce(motion.tensions[i][step]);
     });
+    showMargins(motion.margins, step);
     if (motion.clearance.length === 0) return null;
     // Where a collision begins between two steps, it is told.
     const told = motion.clearance[step] >= 0 && motion.clearance[other] < 0 ? other : step;

@@ -66,6 +66,13 @@ export function buildShapes(parts, place) {
   return out;
 }
 
+/** Several shapes as one. */
+export function mergeShapes(all) {
+  const merged = (key) => all.flatMap((shapes) => shapes[key]);
+  const [positions, normals, edges] = ['positions', 'normals', 'edges'].map(merged);
+  return { positions, normals, edges, segments: merged('segments'), dots: merged('dots') };
+}
+
 /** Triangles of shapes as one geometry. */
 export function solidGeometry(shapes) {
   const geometry = new BufferGeometry();

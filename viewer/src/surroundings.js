@@ -2,8 +2,8 @@
 
 import { Box3, DoubleSide, LineBasicMaterial, Mesh, MeshBasicMaterial } from 'three';
 import { MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
-import { dots, hairlines, wideLines } from './marks.js';
-import { buildShapes, solidGeometry } from './shapes.js';
+import { dots, hairlines, pointGeometry, wideGeometry, wideLines } from './marks.js';
+import { buildShapes, mergeShapes, solidGeometry } from './shapes.js';
 
 const OBSTACLE_OPACITY = 0.78;
 
@@ -58,25 +58,41 @@ function obstacleMaterial(theme, options) {
 }
 
 // Drawn twice, depth first, so that only the nearest surface shows and looks the same from every side.
-function translucentSolid(shapes, theme) {
-  const geometry = solidGeometry(shapes);
-  const depth = new Mesh(geometry, obstacleMaterial(theme, { colorWrite: false }));
-  const color = new Mesh(geometry, obstacleMaterial(theme, { depthWrite: false }));
+function translucentSolid(theme) {
+  const depth = new Mesh(undefined, obstacleMaterial(theme, { colorWrite: false }));
+  const color = new Mesh(undefined, obstacleMaterial(theme, { depthWrite: false }));
   depth.renderOrder = 1;
   color.renderOrder = 2;
   return [depth, color];
 }
 
-/** All obstacles as a handful of merged objects. */
+function replaceGeometry(geometry, ...objects) {
+  objects[0].geometry.dispose();
+  for (const object of objects) object.geometry = geometry;
+}
+
+/** All obstacles as a handful of merged objects, however many; `show` draws those whose index is not in a set. */
 export function createObstacles(model, frame, theme) {
-  const shapes = buildShapes(model.obstacles.flatMap((obstacle) => obstacle.parts), (v) => frame.point(v));
-  const edges = hairlines(shapes.edges, new LineBasicMaterial({ transparent: true }));
-  const bars = wideLines(shapes.segments, { linewidth: 3 });
-  const marks = dots(shapes.dots, 8);
+  const all = model.obstacles.map(({ parts }) => buildShapes(parts, (v) => frame.point(v)));
+  const [depth, color] = translucentSolid(theme);
+  const edges = hairlines([], new LineBasicMaterial({ transparent: true }));
+  const bars = wideLines([], { linewidth: 3 });
+  const marks = dots([], 8);
   edges.renderOrder = 3;
   theme.paint(edges.material, 'obstacleEdge');
   theme.paint(bars.material, 'obstacle');
   theme.paint(marks.material, 'obstacle');
-  const isEmpty = shapes.positions.length + shapes.segments.length + shapes.dots.length === 0;
-  return isEmpty ? [] : [...translucentSolid(shapes, theme), edges, bars, marks];
+
+  function show(hidden) {
+    const shapes = mergeShapes(all.filter((_, i) => !hidden.has(i)));
+    replaceGeometry(solidGeometry(shapes), depth, color);
+    replaceGeometry(pointGeometry(shapes.edges), edges);
+    replaceGeometry(wideGeometry(shapes.segments), bars);
+    replaceGeometry(pointGeometry(shapes.dots), marks);
+    bars.visible = shapes.segments.length > 0;
+    marks.visible = shapes.dots.length > 0;
+  }
+
+  show(new Set());
+  return { objects: all.length > 0 ? [depth, color, edges, bars, marks] : [], show };
 }

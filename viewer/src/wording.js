@@ -8,7 +8,7 @@ const UNITS = [
 ];
 
 function withUnit(metres, unit, digits) {
-  return `${(metres * unit.factor).toFixed(digits)} ${unit.name}`;
+  return `${(metres * unit.factor).toFixed(digits)}\u00a0${unit.name}`;
 }
 
 const unitFor = (metres) => UNITS.find((unit) => Math.abs(metres) >= unit.from);
@@ -28,10 +28,10 @@ export function formatProgress(distance, whole) {
 
 /** A small gap without needless digits: "12 mm". */
 export function formatGap(metres) {
-  if (metres >= 1) return `${Number(metres.toPrecision(3))} m`;
+  if (metres >= 1) return `${Number(metres.toPrecision(3))}\u00a0m`;
   const millimetres = metres * 1e3;
-  if (millimetres >= 0.1) return `${Number(millimetres.toPrecision(3))} mm`;
-  return `${Number((metres * 1e6).toPrecision(3))} µm`;
+  if (millimetres >= 0.1) return `${Number(millimetres.toPrecision(3))}\u00a0mm`;
+  return `${Number((metres * 1e6).toPrecision(3))}\u00a0µm`;
 }
 
 /** A tension: "412.3 N", or a dash where there is none. */
@@ -46,6 +46,22 @@ export function describeNearest({ culprits, gap }) {
   const who = culprits.join(' and ');
   if (gap < 0) return `in collision: ${who}, ${formatGap(-gap)} deep`;
   return gap === 0 ? `in collision: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
+}
+
+/** A wrench margin or another number with its unit: "12.34 N". */
+export const formatNumber = (value, unit) => (Number.isFinite(value) ? `${Number(value.toPrecision(4))}\u00a0${unit}` : '–');
+
+/** A wrench margin in words: "capacity margin: 12.34 N beyond the demand". */
+export function describeWrench({ measure, unit }, value) {
+  if (!Number.isFinite(value)) return `${measure} margin: none here, a cable has no direction`;
+  const side = value < 0 ? 'short of' : 'beyond';
+  return `${measure} margin: ${formatNumber(Math.abs(value), unit)} ${side} the demand`;
+}
+
+/** What is drawn of a search tree: all of it, or some of its edges. */
+export function describeTree({ count, every }) {
+  const nodes = `${(count + 1).toLocaleString('en')} nodes`;
+  return every > 1 ? `search tree (${nodes}, 1 edge in ${every})` : `search tree (${nodes})`;
 }
 
 /** What the colours of the wrench-feasible workspace mean. */
@@ -108,8 +124,8 @@ function describeMargin({ kind, margin }) {
   return margin > 0 ? `, only ${gap} apart` : '';
 }
 
-/** A violation in one sentence. */
-export function describeViolation(violation) {
-  const where = `at ${violation.at.toFixed(2)} of segment ${violation.segment}`;
+/** A violation that begins at a distance along the path in one sentence. */
+export function describeViolation(violation, distance) {
+  const where = `after ${formatLength(distance)} (segment ${violation.segment})`;
   return `${describeEvent(violation)} ${where}${describeMargin(violation)}`;
 }

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::region;
 use crate::collision::path_check::path_length;
-use crate::collision::{Constraints, GjkEngine, Interference, Validity};
+use crate::collision::{Constraints, GjkEngine, Interference, Validity, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
@@ -39,6 +39,17 @@ pub(super) struct Motion {
     tensions: Vec<Vec<Option<f32>>>,
     /// For each cable the least and the largest tension, N.
     tension_limits: Vec<[f64; 2]>,
+    /// One for each measure of a scene with `[wrench]`; empty for robots of so many cables that they would take long.
+    margins: Vec<Margins>,
+}
+
+/// Wrench margins along a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Margins {
+    measure: &'static str,
+    unit: &'static str,
+    /// Margin beyond what is demanded, none where a cable has no direction.
+    values: Vec<Option<f32>>,
 }
 
 /// What a path is plotted by; none for a path that goes nowhere.
@@ -61,6 +72,7 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion
         pairs: Vec::new(),
         tensions: Vec::new(),
         tension_limits: Vec::new(),
+        margins: margins(scene, &positions)?,
     };
     let nearest: Option<Vec<_>> = positions.par_iter().map(|position| engine.clearance(position, position)).collect();
     for clearance in nearest.into_iter().flatten() {
@@ -86,6 +98,19 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion
         motion.tension_limits = statics.limits();
     }
     Ok(Some(motion))
+}
+
+fn margins(scene: &Scene, positions: &[Point]) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if positions.len() as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK {
+        return Ok(Vec::new());
+    }
+    let along = |measure: &Measure| {
+        let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
+        let value = |position| Some(measure.slack(position) as f32).filter(|slack| slack.is_finite());
+        Margins { measure: name, unit, values: positions.par_iter().map(value).collect() }
+    };
+    Ok(measures.iter().map(along).collect())
 }
 
 fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
@@ -148,13 +173,17 @@ pub(super) fn regions_value(regions: &Regions, shown: bool) -> Value {
 const MOST_MAP_STEPS: f64 = 16.0;
 /// With fewer steps a map would say nothing, and the page goes without it.
 const LEAST_MAP_STEPS: f64 = 6.0;
-/// Nodes times choices of five cables, of which each may span a facet: about two seconds on two cores.
-const MAP_WORK: f64 = 4e6;
+/// Positions times choices of five cables, of which each may span a facet: about two seconds on two cores.
+const MARGIN_WORK: f64 = 4e6;
+
+/// In how many ways five cables are chosen.
+fn choices(cables: usize) -> f64 {
+    (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product()
+}
 
 /// How fine a map of a robot with this many cables is; none if it would take too long.
 fn map_steps(cables: usize) -> Option<f64> {
-    let choices: f64 = (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product();
-    let steps = ((MAP_WORK / choices).cbrt() - 1.0).floor();
+    let steps = ((MARGIN_WORK / choices(cables)).cbrt() - 1.0).floor();
     (steps >= LEAST_MAP_STEPS).then_some(steps.min(MOST_MAP_STEPS))
 }
 
@@ -216,9 +245,37 @@ mod tests {
     }
 
     #[test]
+    fn trees_are_drawn_whole_up_to_a_size_and_evenly_thinned_beyond() {
+        let line = |nodes: usize| SearchTree {
+            states: (0..nodes).map(|k| Point::new(k as f64, 0.5, 2.0)).collect(),
+            parents: (0..nodes).map(|k| k.saturating_sub(1)).collect(),
+        };
+        assert_eq!((tree(&line(0)), tree(&line(1))), (None, None)); // a root alone has no edge
+        let whole = tree(&line(3)).unwrap();
+        assert_eq!((whole.every, whole.count), (1, 2));
+        assert_eq!(whole.ends, [0.0, 0.5, 2.0, 1.0, 0.5, 2.0, 1.0, 0.5, 2.0, 2.0, 0.5, 2.0]);
+        let thinned = tree(&line(MOST_EDGES + 2)).unwrap();
+        assert_eq!((thinned.every, thinned.count, thinned.ends.len()), (2, MOST_EDGES + 1, (MOST_EDGES / 2 + 1) * 6));
+    }
+
+    #[test]
     fn a_path_that_stays_has_no_plots() {
         assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()]).unwrap(), None);
         assert_eq!(motion(&hard1(), &[]).unwrap(), None);
+    }
+
+    #[test]
+    fn wrench_margins_are_plotted_where_they_are_demanded() {
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
+        assert_eq!(motion(&hard1(), &path).unwrap().unwrap().margins, []);
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(crate::model::WrenchSpec::default());
+        let demanding = Scene::new(spec).unwrap();
+        let [found] = &motion(&demanding, &path).unwrap().unwrap().margins[..] else { panic!("one measure") };
+        let [measure] = &measures(&demanding).unwrap()[..] else { panic!("one measure") };
+        assert_eq!((found.measure, found.unit, found.values.len()), ("capacity", "N", 301));
+        assert_eq!(found.values[0], Some(measure.slack(&path[0]) as f32));
+        assert_eq!(found.values[300], Some(measure.slack(&path[1]) as f32));
     }
 
     #[test]
@@ -233,20 +290,6 @@ mod tests {
     #[test]
     fn maps_of_many_cables_are_coarser_or_left_out() {
         assert_eq!([3, 8, 12, 16, 24].map(map_steps), [Some(16.0), Some(16.0), Some(16.0), Some(8.0), None]);
-    }
-
-    #[test]
-    fn trees_are_drawn_whole_up_to_a_size_and_evenly_thinned_beyond() {
-        let line = |nodes: usize| SearchTree {
-            states: (0..nodes).map(|k| Point::new(k as f64, 0.5, 2.0)).collect(),
-            parents: (0..nodes).map(|k| k.saturating_sub(1)).collect(),
-        };
-        assert_eq!((tree(&line(0)), tree(&line(1))), (None, None)); // a root alone has no edge
-        let whole = tree(&line(3)).unwrap();
-        assert_eq!((whole.every, whole.count), (1, 2));
-        assert_eq!(whole.ends, [0.0, 0.5, 2.0, 1.0, 0.5, 2.0, 1.0, 0.5, 2.0, 2.0, 0.5, 2.0]);
-        let thinned = tree(&line(MOST_EDGES + 2)).unwrap();
-        assert_eq!((thinned.every, thinned.count, thinned.ends.len()), (2, MOST_EDGES + 1, (MOST_EDGES / 2 + 1) * 6));
     }
 
     #[test]
