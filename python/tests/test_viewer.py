@@ -1,6 +1,7 @@
 """The HTML page in a real browser: everything that a reader can see or press."""
 
 import copy
+import itertools
 import json
 import math
 import os
@@ -378,6 +379,20 @@ def test_phone_width(open_page: Open, hard1: cdpr.Scene) -> None:
     wait_until(page, "cdprViewer.distance() > 0")
 
 
+def test_labels_do_not_cover_each_other(open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result) -> None:
+    page = open_page(cogiro, planned, size=PHONE)
+    page.evaluate("cdprViewer.layers.cableNames.visible = true")
+    page.evaluate("cdprViewer.setDistance(0.45 * cdprViewer.length)")
+    picture(page)
+    boxes = page.evaluate("""[...document.querySelectorAll('.label:not([hidden])')].map((label) => {
+        const { left, right, top, bottom } = label.getBoundingClientRect();
+        return [left, right, top, bottom];
+    })""")
+    assert len(boxes) == 11
+    for (a, b, c, d), (e, f, g, h) in itertools.combinations(boxes, 2):
+        assert b <= e + 0.5 or f <= a + 0.5 or d <= g + 0.5 or h <= c + 0.5
+
+
 HOSTILE = [
     "</script><script>window.hacked = 1</script>",
     "<img src=x onerror='window.hacked = 1'>",
@@ -473,6 +488,8 @@ def test_huge_and_odd_scenes_open_and_frame_themselves(open_page: Open, hard1: c
         for each in (page, same):
             each.evaluate("cdprViewer.layers.obstacleNames.visible = cdprViewer.layers.startGoal.visible = false")
         assert abs(colors(page) - colors(same)) < 0.2 * colors(same)
+    curves = page.locator(".plot").first.locator("path").evaluate_all("(all) => all.map((p) => p.getAttribute('style'))")
+    assert len(set(curves)) == len(curves) == len(scene.robot.outlets)
     half = 0.5 * page.evaluate("cdprViewer.length")
     page.evaluate("(half) => cdprViewer.setDistance(half)", half)
     assert np.allclose(page.evaluate("cdprViewer.position()"), along(path * factor, half))
@@ -493,6 +510,7 @@ def test_show_opens_a_tab_and_a_notebook_frames_the_page(
     frame = page.frames[1]
     frame.wait_for_selector("#title >> text=hard1")
     assert frame.evaluate("cdprViewer.ready") and frame.evaluate("cdprViewer.length") > 1.9
+    assert frame.evaluate("document.getElementById('details').open")  # a notebook is wide enough for the legend
     page.close()
 
 

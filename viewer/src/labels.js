@@ -2,6 +2,22 @@
 
 import { Vector3 } from 'three';
 
+// More labels than this are left where they are, one over the other.
+const MOST_NUDGED = 40;
+
+const overlap = (a, b) =>
+  Math.abs(a.x - b.x) < (a.x < b.x ? a : b).width && Math.abs(a.y - b.y) < (a.y < b.y ? a : b).height;
+
+// Moves labels down until none lies over an earlier one.
+function nudge(labels) {
+  const placed = [];
+  for (const label of labels) {
+    const covered = () => placed.find((other) => overlap(label, other));
+    for (let other = covered(); other; other = covered()) label.y = other.y + other.height + 1;
+    placed.push(label);
+  }
+}
+
 /** Labels over the view; `place` is called after each picture. */
 export function createLabels(container) {
   const labels = [];
@@ -12,21 +28,24 @@ export function createLabels(container) {
     element.className = 'label';
     element.textContent = text;
     container.append(element);
-    labels.push({ element, anchor, layer, x: 0, y: 0 });
+    labels.push({ element, anchor, layer, x: 0, y: 0, width: 0, height: 0 });
   }
 
-  function placeOne(label, camera, { clientWidth, clientHeight }) {
+  function project(label, camera, { clientWidth, clientHeight }) {
     const { element, anchor, layer } = label;
     projected.copy(anchor).project(camera);
     const hidden = !layer.visible || Math.abs(projected.z) > 1;
     element.hidden = hidden;
     label.x = ((projected.x + 1) / 2) * clientWidth;
     label.y = ((1 - projected.y) / 2) * clientHeight;
-    if (!hidden) element.style.transform = `translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;
+    if (!hidden && label.width === 0) ({ offsetWidth: label.width, offsetHeight: label.height } = element);
   }
 
   function place(camera, view) {
-    for (const label of labels) placeOne(label, camera, view);
+    for (const label of labels) project(label, camera, view);
+    const seen = labels.filter(({ element }) => !element.hidden);
+    if (seen.length <= MOST_NUDGED) nudge(seen);
+    for (const { element, x, y } of seen) element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
   }
 
   /** A picture with the labels that are seen written into it. */

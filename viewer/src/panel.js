@@ -21,9 +21,17 @@ export function showSummary(model, length) {
   const outcome = describeOutcome(model.path, length, model.violations.length);
   byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
-  const isNarrow = window.matchMedia(NARROW).matches;
-  byId('details').open = !isNarrow;
-  byId('plots').open = !isNarrow;
+  foldWhereNarrow();
+}
+
+// A frame in a notebook may get its width only after the page has started.
+function foldWhereNarrow() {
+  const query = window.matchMedia(NARROW);
+  const fold = () => {
+    for (const id of ['details', 'plots']) byId(id).open = !query.matches;
+  };
+  query.addEventListener('change', fold);
+  fold();
 }
 
 /** Adds a fold below a row of the legend, for rows of parts of that layer. */

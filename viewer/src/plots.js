@@ -13,6 +13,11 @@ const byId = (id) => document.getElementById(id);
 
 const colorOf = (index) => `var(--region${index % REGION_COLORS})`;
 
+// Where there are more cables than colours, these tell them apart: border styles and dashes of curves.
+const STYLES = [['solid', 'none'], ['dashed', '7 3'], ['dotted', '2 3']];
+
+const styleOf = (index) => STYLES[Math.floor(index / REGION_COLORS) % STYLES.length];
+
 function html(tag, className, text) {
   const result = document.createElement(tag);
   result.className = className;
@@ -73,6 +78,7 @@ function drawing({ name, series, limits, floor }, x, marks, { low, high }) {
   series.forEach((values, i) => {
     const path = svg('path', { d: curve(values, x, y) });
     path.style.stroke = series.length > 1 ? colorOf(i) : 'var(--text)';
+    [, path.style.strokeDasharray] = styleOf(i);
     picture.append(path);
   });
   return picture;
@@ -148,6 +154,7 @@ function cableTable(cables, hasTensions) {
     const title = html('td', 'cable-name');
     const swatch = html('span', 'swatch line');
     swatch.style.setProperty('--swatch', colorOf(i));
+    [swatch.style.borderTopStyle] = styleOf(i);
     title.append(swatch, html('span', '', name));
     const cells = [html('td', 'number'), ...(hasTensions ? [html('td', 'number')] : [])];
     row.append(title, ...cells);
