@@ -226,7 +226,7 @@ def plan(
         "goal_bias": _finite("goal_bias", goal_bias),
         "near_radius": _finite("near_radius", near_radius),
     }
-    text, states, parents = scene._core.plan(
+    text, tree = scene._core.plan(
         planner,
         engine,
         interference,
@@ -249,7 +249,7 @@ def plan(
         reason=None if found["reason"] is None else violation_from(found["reason"]),
         min_clearance=found["min_clearance"],
         stats=found["stats"],
-        tree=SearchTree(states, parents),
+        tree=SearchTree(*tree),
         _json=text,
     )
 

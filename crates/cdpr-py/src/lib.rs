@@ -215,8 +215,7 @@ impl Scene {
         let measures = core_wrench::measures(&self.0).map_err(raised)?;
         let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
         let json = io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref());
-        let (states, parents) = tree_arrays(py, &found.tree)?;
-        Ok((json.to_string(), states, parents))
+        Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
     /// The rewound path as JSON.
@@ -300,14 +299,12 @@ impl Scene {
     }
 }
 
-type Planned<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
+type Planned<'py> = (String, TreeArrays<'py>);
+type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
 type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
 
 /// The states of a search tree as rows, and the parent of each.
-fn tree_arrays<'py>(
-    py: Python<'py>,
-    tree: &SearchTree<Point>,
-) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>)> {
+fn tree_arrays<'py>(py: Python<'py>, tree: &SearchTree<Point>) -> PyResult<TreeArrays<'py>> {
     let states = tree.states.iter().flat_map(|state| [state.x, state.y, state.z]).collect();
     let parents = tree.parents.iter().map(|parent| *parent as i64).collect();
     Ok((triples(py, states)?, PyArray1::from_vec(py, parents)))
