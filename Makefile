@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 WHEELS := target/wheels
 
-.PHONY: test lint rust-test release-test verify wheel python-test demo bench viewer browser clean
+.PHONY: test lint rust-test release-test verify wheel python-test demo figures bench viewer browser clean
 
 test: lint rust-test release-test python-test
 
@@ -55,6 +55,11 @@ python-test: wheel browser
 # Plan the paper's scene; writes path.json and view.html.
 demo:
 	cargo run --release --locked -p cdpr-cli -- plan testdata/scenes/hard1.toml -o path.json --html view.html
+
+# Every picture of the documentation, drawn by cdpr.figures; the experiments behind them take some minutes.
+# `make figures FIGURES="fig3 fig5"` draws some of them.
+figures: wheel browser
+	$(BIN)/python docs/figures/make.py $(FIGURES)
 
 bench:
 	cargo bench --locked -p cdpr-benches

@@ -25,10 +25,13 @@ from ._planning import Path, Report, Result, SearchTree, check, load_path, plan,
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
 from ._wrench import (
+    AvailableSet,
     Tensions,
     capacity_margin,
     force_margin,
+    force_set,
     moment_margin,
+    moment_set,
     tension_distribution,
     tensions_along,
     wrench_matrix,
@@ -37,6 +40,7 @@ from ._wrench_map import WrenchMap, wrench_map
 from .exceptions import CdprError, CdprWarning, FileError, InputError
 
 __all__ = [
+    "AvailableSet",
     "BatchResult",
     "CdprError",
     "CdprWarning",
@@ -59,8 +63,10 @@ __all__ = [
     "check",
     "distance",
     "force_margin",
+    "force_set",
     "load_path",
     "moment_margin",
+    "moment_set",
     "plan",
     "rewind",
     "run_batch",

@@ -47,7 +47,8 @@ class BatchResult:
     summary : DataFrame or dict
         A row for each scenario and method: ``n``, ``solved``, and for each measure ``_mean``, ``_sd``, ``_median``,
         ``_q05``, ``_q25``, ``_q75``, ``_q95``, ``_min``, ``_max``, ``_low`` and ``_high`` (the confidence interval of the
-        mean). Without pandas the dict of ``summary.json``.
+        mean); of methods that are swept also ``of``, their name, and what is swept of ``step``, ``post``, ``repeats``.
+        Without pandas the dict of ``summary.json``.
     t_tests : list of dict
         ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None where there is no number.
     trials_csv : bytes
@@ -268,13 +269,23 @@ def _summary(facts: dict[str, Any]) -> Any:
     return pandas.DataFrame([_flat(entry) for entry in facts["methods"]])
 
 
+def summary_rows(batch: BatchResult) -> list[dict[str, Any]]:
+    """Return the rows of a summary as they are without pandas too, leaving out what does not exist."""
+    if isinstance(batch.summary, dict):
+        return [_flat(entry) for entry in batch.summary["methods"]]
+    rows: list[dict[str, Any]] = batch.summary.to_dict("records")
+    return [{key: value for key, value in row.items() if value == value} for row in rows]
+
+
 def _flat(entry: dict[str, Any]) -> dict[str, Any]:
     """Return one row: measures with their statistics become columns."""
     row = {name: entry[name] for name in ("scenario", "method", "n", "solved")}
+    row |= {name: value for name, value in entry.get("sweep", {}).items() if value is not None}
     for measure, statistics in entry.items():
-        if measure in row or measure in ("statuses", "sweep"):
+        if measure in ("scenario", "method", "n", "solved", "statuses", "sweep"):
             continue
-        low, high = statistics.pop("confidence_interval")
-        for name, value in {**statistics, "low": low, "high": high}.items():
+        numbers = dict(statistics)
+        low, high = numbers.pop("confidence_interval")
+        for name, value in {**numbers, "low": low, "high": high}.items():
             row[f"{measure}_{name}"] = np.nan if value is None else value
     return row

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Floats, numbers, point, rows
@@ -178,6 +178,84 @@ def moment_margin(
     array([5505.6])
     """
     return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), threads)
+
+
+@dataclass(frozen=True, eq=False)
+class AvailableSet:
+    """The forces, or the moments, that the cables can exert at a position, as a surface.
+
+    Attributes
+    ----------
+    rank : int
+        Dimension of the set; 3 has a closed surface, 2 a polygon with two sides, 1 two ends, 0 one point.
+    balance : ndarray (3,)
+        What balances weight and load, N (N·m).
+    margin : float
+        Radius of the largest ball around ``balance`` inside the set, N (N·m); negative where the balance is outside.
+    vertices : ndarray (n, 3)
+        Corners, N (N·m), world axes.
+    triangles : ndarray (k, 3) of int64
+        Corners of each triangle, counter-clockwise seen from outside, as indices into ``vertices``.
+    """
+
+    rank: int
+    balance: Floats
+    margin: float
+    vertices: Floats = field(repr=False)
+    triangles: NDArray[np.int64] = field(repr=False)
+
+
+def force_set(
+    robot: Robot,
+    position: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+) -> AvailableSet:
+    """Set of the forces that the cables can exert at a position, whatever their moment: the paper's Figure 4b.
+
+    Parameters
+    ----------
+    position : array_like (3,)
+        Of the platform's origin, world, m. Other parameters are those of `capacity_margin`.
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits; a position where a cable has no length.
+
+    Examples
+    --------
+    >>> found = force_set(Robot.load("testdata/robots/paper.toml"), [1, 1, 1])
+    >>> len(found.vertices), round(found.balance[2], 1)  # a rhombic dodecahedron: four directions, both ways
+    (14, np.float64(98.1))
+    """
+    return _available(_statics(robot, orientation, gravity, load).force_set(point("position", position)))
+
+
+def moment_set(
+    robot: Robot,
+    position: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    gravity: ArrayLike | None = None,
+    orientation: ArrayLike | None = None,
+) -> AvailableSet:
+    """As `force_set`, of moments about the platform's origin, N·m; a point mass has none and is refused.
+
+    Examples
+    --------
+    >>> found = moment_set(Robot.load("testdata/robots/cogiro.toml"), [0, 0, 2])
+    >>> found.rank, round(found.margin, 1)
+    (3, 5505.6)
+    """
+    return _available(_statics(robot, orientation, gravity, load).moment_set(point("position", position)))
+
+
+def _available(found: tuple[int, tuple[float, float, float], float, Floats, NDArray[np.int64]]) -> AvailableSet:
+    rank, balance, margin, vertices, triangles = found
+    return AvailableSet(rank, np.array(balance, dtype=np.float64), margin, vertices, triangles)
 
 
 def tension_distribution(

@@ -112,6 +112,14 @@ def test_the_same_bytes_as_from_the_shell_and_a_folder_that_goes_on(one_thread, 
     assert (tmp_path / "again/trials.csv").read_bytes() == one_thread.trials_csv
 
 
+def test_a_summary_says_what_is_swept(one_thread):
+    summary = cdpr.run_batch(ROOT / "experiments/fig8.toml", trials=1).summary
+    assert set(summary["of"]) == {"modified RRT"} and "step" not in summary
+    swept = [(order, k) for order in ("backward", "forward") for k in range(1, 11)]
+    assert list(zip(summary["post"], summary["repeats"])) == swept
+    assert set(one_thread.summary["of"].dropna()) == {"swept, <both>"} and one_thread.summary["of"].isna().any()
+
+
 def test_without_pandas_there_are_arrays(one_thread, monkeypatch):
     with monkeypatch.context() as patch:
         patch.setitem(sys.modules, "pandas", None)

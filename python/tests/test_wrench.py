@@ -188,3 +188,19 @@ def test_a_map_holds_the_margins_of_its_positions_and_belongs_to_its_robot(tmp_p
         cdpr.WrenchMap.load(tmp_path / "torn.npz")
     with pytest.raises(cdpr.InputError, match="step"):
         cdpr.wrench_map(scene, step=1e-9)
+
+
+def test_available_sets_reach_as_far_as_the_tensions_allow(empty):
+    forces, moments = cdpr.force_set(empty.robot, [0.7, 1.2, 0.8]), cdpr.moment_set(empty.robot, [0.7, 1.2, 0.8])
+    assert forces.rank == 3 and forces.triangles.max() < len(forces.vertices)
+    w = cdpr.wrench_matrix(empty.robot, [[0.7, 1.2, 0.8]])[0]
+    for found, rows in ((forces, w[:3]), (moments, w[3:])):
+        direction = np.array([0.3, -0.5, 0.8])
+        pull = direction @ rows
+        support = np.where(pull > 0, 1000, 10) @ pull  # every cable at the limit that reaches farthest
+        assert (found.vertices @ direction).max() == pytest.approx(support)
+    ball = cdpr.Robot([[0, 0, 1], [1, 0, 1]], [[0, 0, 0]] * 2, [[[0, 0, 0]]], mass=1, tensions=[1, 9])
+    with pytest.raises(cdpr.InputError, match="attachments are one point"):
+        cdpr.moment_set(ball, [0, 0, 0])
+    with pytest.raises(cdpr.InputError, match=r"position: found an array of shape \(2,\)"):
+        cdpr.force_set(ball, [0, 0])

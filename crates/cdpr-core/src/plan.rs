@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{Outcome, PlannerOptions, Problem, SearchTree, Status, TranslationSpace, Watch};
-use crate::postprocess::{Order, RewindOptions, rewind};
+use crate::postprocess::{Direction, Order, RewindOptions, Trace, rewind, rewind_traced};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
 /// The name for "leave the planner's path as it is" where an order of rewinding is chosen.
@@ -272,16 +272,32 @@ pub fn rewind_path(
     options: &RewindOptions,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<Vec<Point>, Error> {
-    if let Some(segment) = first_invalid_segment(engine, waypoints) {
-        let reason = engine.explain(&waypoints[segment], &waypoints[segment + 1]);
-        let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
-        return Err(Error::invalid(
-            format!("waypoints[{segment}]"),
-            format!("the segment from here is not valid{why}"),
-        ));
-    }
+    refuse_invalid(engine, waypoints)?;
     let space = TranslationSpace::of(engine.constraints());
     let shorter = rewind(&space, engine, waypoints, options, &Watch { deadline: None, interrupted })?;
     verified(engine, &shorter)?;
     Ok(shorter)
+}
+
+/// Rewinds a path of a scene once, in one direction, and tells every motion that was asked about.
+///
+/// # Errors
+/// As [`rewind_path`].
+pub fn trace_rewinding(
+    engine: &dyn Checker,
+    waypoints: &[Point],
+    step: f64,
+    direction: Direction,
+    interrupted: &dyn Fn() -> bool,
+) -> Result<Trace<Point>, Error> {
+    refuse_invalid(engine, waypoints)?;
+    let space = TranslationSpace::of(engine.constraints());
+    rewind_traced(&space, engine, waypoints, step, direction, &Watch { deadline: None, interrupted })
+}
+
+fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error> {
+    let Some(segment) = first_invalid_segment(engine, waypoints) else { return Ok(()) };
+    let reason = engine.explain(&waypoints[segment], &waypoints[segment + 1]);
+    let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
+    Err(Error::invalid(format!("waypoints[{segment}]"), format!("the segment from here is not valid{why}")))
 }

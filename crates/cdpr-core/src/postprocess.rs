@@ -1,5 +1,7 @@
 //! Making any waypoint path shorter.
 
 pub mod rewind;
+pub mod trace;
 
-pub use rewind::{Order, RewindOptions, rewind};
+pub use rewind::{Direction, Order, RewindOptions, rewind, rewind_once};
+pub use trace::{Trace, Try, rewind_traced};

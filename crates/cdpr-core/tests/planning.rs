@@ -8,9 +8,9 @@ use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{QuerySpec, Scene};
-use cdpr_core::plan::{PlanOptions, PlanResult, plan, rewind_path};
+use cdpr_core::plan::{PlanOptions, PlanResult, plan, rewind_path, trace_rewinding};
 use cdpr_core::planning::{PlannerOptions, Status};
-use cdpr_core::postprocess::{Order, RewindOptions};
+use cdpr_core::postprocess::{Direction, Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use rand::RngExt;
 use rayon::prelude::*;
@@ -190,6 +190,30 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
         assert!(backward <= path_length(&path) && forward <= path_length(&path));
         assert_eq!(both, backward.min(forward));
         assert!(cost(&RewindOptions { step: STEP, order: Order::Both, repeats: 5 }) <= both);
+    }
+}
+
+#[test]
+fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
+    let scene = hard1();
+    let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
+    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::default() }).raw_waypoints;
+    let pair = |order| {
+        let options = RewindOptions { step: STEP, order, repeats: 1 };
+        rewind_path(&engine, &raw, &options, &|| false).unwrap()
+    };
+    let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &|| false).unwrap();
+    for (order, first, second) in [
+        (Order::Backward, Direction::Backward, Direction::Forward),
+        (Order::Forward, Direction::Forward, Direction::Backward),
+    ] {
+        let once = traced(&raw, first);
+        assert!(path_length(&once.path) < path_length(&raw));
+        assert_eq!(traced(&once.path, second).path, pair(order));
+        assert!(once.tries.iter().any(|t| t.valid) && once.tries.iter().any(|t| !t.valid));
+        for asked in &once.tries {
+            assert_eq!(asked.valid, engine.motion_valid(&asked.from, &asked.to));
+        }
     }
 }
 

@@ -1,6 +1,8 @@
-//! Rows of C-contiguous (n, 3) arrays as points, without a copy of the array.
+//! Rows of C-contiguous (n, 3) arrays as points, without a copy of the array, and numbers as such arrays.
 
 use cdpr_core::geometry::Point;
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
 
 /// The k-th row.
 #[inline]
@@ -16,4 +18,10 @@ pub fn points(rows: &[f64]) -> Vec<Point> {
 /// Three numbers.
 pub fn point(numbers: [f64; 3]) -> Point {
     Point::from(numbers)
+}
+
+/// Numbers as an (n, 3) array.
+pub fn triples<'py, T: numpy::Element>(py: Python<'py>, numbers: Vec<T>) -> PyResult<Bound<'py, PyArray2<T>>> {
+    let rows = numbers.len() / 3;
+    PyArray1::from_vec(py, numbers).reshape([rows, 3])
 }

@@ -11,9 +11,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
-use cdpr_core::geometry::{Point, Polytope, distance};
+use cdpr_core::geometry::{Point, Polytope, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
-use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path};
+use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path, trace_rewinding};
 use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
@@ -22,8 +22,9 @@ use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, Robot};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use serde_json::{Value, json};
 
-use convert::{point, points, row};
+use convert::{point, points, row, triples};
 use errors::{interruptible, raised};
 
 /// A checked scene, with the engines compiled for it so far.
@@ -237,6 +238,48 @@ impl Scene {
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
 
+    /// The path rewound once, and every motion asked about: starts, ends, answers.
+    fn rewind_tries<'py>(
+        &self,
+        py: Python<'py>,
+        waypoints: PyReadonlyArray2<'py, f64>,
+        step: f64,
+        direction: &str,
+    ) -> PyResult<Tries<'py>> {
+        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
+        let (waypoints, direction) = (points(waypoints.as_slice()?), named(direction)?);
+        let trace =
+            interruptible(py, |interrupted| trace_rewinding(&*engine, &waypoints, step, direction, interrupted))?;
+        let rows = |list: &mut dyn Iterator<Item = Point>| triples(py, list.flat_map(|p| [p.x, p.y, p.z]).collect());
+        Ok((
+            rows(&mut trace.path.iter().copied())?,
+            rows(&mut trace.tries.iter().map(|t| t.from))?,
+            rows(&mut trace.tries.iter().map(|t| t.to))?,
+            trace.tries.iter().map(|t| t.valid).collect(),
+        ))
+    }
+
+    /// What there is to draw, as JSON: obstacles by name, world; platform and attachments around the platform's origin,
+    /// turned as in the scene. Each part has vertices and faces, corners counter-clockwise seen from outside.
+    fn bodies(&self) -> String {
+        let scene = &self.0;
+        let turned = |part: &Polytope| part.transformed(scene.orientation(), &Vector::zeros());
+        let cables = scene.robot().cables();
+        json!({
+            "obstacles": scene.obstacles().iter().map(|o| json!({
+                "name": o.name,
+                "parts": o.parts.iter().map(faces).collect::<Vec<_>>(),
+            })).collect::<Vec<_>>(),
+            "platform": scene.robot().parts().iter().map(|part| faces(&turned(part))).collect::<Vec<_>>(),
+            "cables": cables.iter().map(|cable| json!({
+                "name": cable.name,
+                "outlet": <[f64; 3]>::from(cable.outlet),
+                "attachment": <[f64; 3]>::from(scene.orientation() * cable.attachment),
+            })).collect::<Vec<_>>(),
+        })
+        .to_string()
+    }
+
     /// Each forbidden region as summary (JSON), vertices (n, 3) and triangles (m, 3).
     fn regions<'py>(
         &self,
@@ -320,6 +363,7 @@ fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
     Ok(SearchTree { states, parents })
 }
 
+type Tries<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Vec<bool>);
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 
 fn region_options(
@@ -331,10 +375,9 @@ fn region_options(
     Ok(RegionOptions { space: space.map(named).transpose()?, all, cables, obstacles })
 }
 
-/// Numbers as an (n, 3) array.
-fn triples<'py, T: numpy::Element>(py: Python<'py>, numbers: Vec<T>) -> PyResult<Bound<'py, PyArray2<T>>> {
-    let rows = numbers.len() / 3;
-    PyArray1::from_vec(py, numbers).reshape([rows, 3])
+fn faces(body: &Polytope) -> Value {
+    let vertices: Vec<[f64; 3]> = body.vertices().iter().map(|&v| v.into()).collect();
+    json!({ "vertices": vertices, "faces": body.facets().iter().map(|f| &f.corners).collect::<Vec<_>>() })
 }
 
 fn seconds(budget: f64) -> PyResult<std::time::Duration> {

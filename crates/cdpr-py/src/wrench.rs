@@ -4,12 +4,14 @@ use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::model::{self, Robot, RobotSpec};
-use cdpr_core::wrench::{self, CapacityMargin, Limit, Loads, Required, TensionQp, force_limit, moment_limit};
+use cdpr_core::wrench::{
+    self, AvailableSet, CapacityMargin, Limit, Loads, Required, TensionQp, force_limit, moment_limit,
+};
 use cdpr_core::{Error, kinematics};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::{points, row};
+use crate::convert::{point, points, row, triples};
 use crate::errors::{interruptible, raised};
 
 /// A robot with the loads that its cables must balance.
@@ -138,6 +140,25 @@ impl Statics {
         }
         PyArray1::from_vec(py, numbers).reshape([n, cables])
     }
+
+    /// The set of forces available at a position: rank, balance, margin, and its surface.
+    fn force_set<'py>(&self, py: Python<'py>, position: [f64; 3]) -> PyResult<Set<'py>> {
+        surface(py, wrench::force_set(&self.core()?, &point(position)))
+    }
+
+    /// The set of moments available at a position.
+    fn moment_set<'py>(&self, py: Python<'py>, position: [f64; 3]) -> PyResult<Set<'py>> {
+        surface(py, wrench::moment_set(&self.core()?, &point(position)))
+    }
+}
+
+type Set<'py> = (usize, [f64; 3], f64, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
+
+fn surface(py: Python<'_>, set: Result<AvailableSet, Error>) -> PyResult<Set<'_>> {
+    let AvailableSet { rank, mesh, balance, margin } = set.map_err(raised)?;
+    let vertices = triples(py, mesh.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect())?;
+    let triangles = triples(py, mesh.triangles.iter().flatten().map(|i| *i as i64).collect())?;
+    Ok((rank, balance.into(), margin, vertices, triangles))
 }
 
 impl Statics {

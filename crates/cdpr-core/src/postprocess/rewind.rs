@@ -98,10 +98,37 @@ pub fn rewind<S: StateSpace>(
     }
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Direction {
+/// From which end of a path a single rewinding starts.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Direction {
+    /// The last waypoint is connected to the earliest point that it can be connected to (Algorithm 4).
+    #[default]
     Backward,
+    /// The first waypoint is connected to the latest one (Algorithm 5).
     Forward,
+}
+
+choices!(Direction, "direction", [
+    Backward = "backward": "From the last waypoint: Algorithm 4",
+    Forward = "forward": "From the first waypoint: Algorithm 5",
+]);
+
+/// Rewinds a path once, in one direction; options as of [`rewind`], but for order and repeats.
+///
+/// # Errors
+/// As [`rewind`].
+pub fn rewind_once<S: StateSpace>(
+    space: &S,
+    validity: &dyn Validity<S::State>,
+    waypoints: &[S::State],
+    step: f64,
+    direction: Direction,
+    watch: &Watch,
+) -> Result<Vec<S::State>, Error> {
+    let step = RewindOptions { step, ..RewindOptions::default() }.checked()?.step;
+    let mut path = waypoints.to_vec();
+    Rewinder { space, validity, step, watch }.rewind(&mut path, direction)?;
+    Ok(path)
 }
 
 /// After which waypoint a reference is connected, and, if not there, at which new point of the segment that follows.

@@ -1,0 +1,273 @@
+//! Taut paths: anyone's path becomes a shortest one of its kind, exactly.
+//!
+//! At fixed orientation what is forbidden are convex polyhedra in the space of positions, and a shortest path among
+//! polyhedra is straight but for bends at their edges (J. H. Reif and J. A. Storer; M. Sharir and A. Schorr, "On shortest paths in polyhedral
+//! spaces", SIAM J. Comput. 15, 1986). So a path is tightened in two turns, until neither helps:
+//!
+//! - *pull*: a bend and its neighbours span a triangle; the string over the corner is pulled taut in that plane
+//!   ([`pull`]). Its new bends lie on edges of the polyhedra.
+//! - *slide*: all bends move along their edges to where the path through these edges is shortest, a convex problem
+//!   ([`slide`]). A segment that meets something on its way there is led around it by pulling.
+//!
+//! Whatever the polyhedra say, a change is made only if the engine finds every new segment valid and the path gets
+//! shorter; so the result is valid, never longer, and it does not matter if the polyhedra say too much (the sets fattened by a
+//! clearance) or too little (wrenches).
+
+pub mod hull;
+pub mod pull;
+pub mod slide;
+
+use std::sync::OnceLock;
+
+use rand::{Rng, RngExt};
+
+use crate::collision::{Checker, Validity};
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
+use crate::planning::Watch;
+use hull::{FreeEdge, Hull, in_box};
+use pull::Pull;
+
+/// A waypoint; where it bends around a polyhedron, the direction of the edge on which it can slide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bend {
+    /// Position, m.
+    pub place: Point,
+    /// Unit vector along the edge; none for a waypoint that is on no edge.
+    pub edge: Option<Vector>,
+}
+
+/// What is known of a scene for pulling paths taut in it.
+pub struct Taut<'a> {
+    validity: &'a dyn Validity,
+    hulls: Vec<Hull>,
+    low: Point,
+    high: Point,
+    edges: OnceLock<Edges>,
+}
+
+/// The free parts of all edges.
+struct Edges {
+    edges: Vec<FreeEdge>,
+    /// Length of all edges up to each, m.
+    sums: Vec<f64>,
+}
+
+/// Rounds of pulling and sliding; five to ten are usual.
+const ROUNDS: usize = 50;
+/// Halvings of a slide that cannot be made in full.
+const HALVINGS: usize = 12;
+
+impl<'a> Taut<'a> {
+    /// The polyhedra that an engine keeps out of.
+    pub fn new(engine: &'a dyn Checker) -> Self {
+        let (low, high) = engine.constraints().position_box();
+        let corners: Vec<Point> = (0..8).map(|k| corner(&low, &high, k)).collect();
+        let hulls = engine.polyhedra().into_iter().map(Hull::around).filter(|hull| !hull.apart(&corners)).collect();
+        Taut { validity: engine, hulls, low, high, edges: OnceLock::new() }
+    }
+
+    /// The path pulled taut: valid if it was, never longer, with the same ends.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`]. A deadline ends it with what is reached by then.
+    pub fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
+        let mut string = String::new(self, path);
+        string.tighten(watch)?;
+        Ok(string.path.into_iter().map(|bend| bend.place).collect())
+    }
+
+    /// A point on an edge of a polyhedron, outside of all others, uniformly: shortest paths bend there and nowhere else. None if
+    /// there are no such points.
+    pub fn sample_edge(&self, rng: &mut dyn Rng) -> Option<Point> {
+        let Edges { edges, sums } = self.edges.get_or_init(|| self.free_edges());
+        let at = rng.random::<f64>() * sums.last()?;
+        let edge = sums.partition_point(|sum| *sum <= at).min(edges.len() - 1);
+        Some(edges[edge].sample(rng))
+    }
+
+    fn free_edges(&self) -> Edges {
+        let of = |(own, hull): (usize, &Hull)| hull.free_edges(own, &self.hulls, &self.low, &self.high);
+        let edges: Vec<FreeEdge> = self.hulls.iter().enumerate().flat_map(of).collect();
+        let sums = edges.iter().scan(0.0, |sum, edge| {
+            *sum += edge.length();
+            Some(*sum)
+        });
+        Edges { sums: sums.collect(), edges }
+    }
+
+    /// How far a bend can slide along its edge both ways before it meets another polyhedron or leaves the box.
+    fn range(&self, bend: &Bend) -> [f64; 2] {
+        let Some(along) = &bend.edge else { return [0.0; 2] };
+        let [mut low, mut high] = in_box(&self.low, &self.high, &bend.place, along);
+        for hull in &self.hulls {
+            match hull.inside(&bend.place, along) {
+                Some([_, end]) if end <= SAME_POINT => low = low.max(end),
+                Some([start, _]) if start >= -SAME_POINT => high = high.min(start),
+                _ => {}
+            }
+        }
+        [low.min(0.0), high.max(0.0)]
+    }
+
+    /// The directions of all edges through a place.
+    fn edges_at(&self, place: &Point) -> Vec<Vector> {
+        self.hulls.iter().flat_map(|hull| hull.edges_at(place)).collect()
+    }
+}
+
+fn corner(low: &Point, high: &Point, index: usize) -> Point {
+    Point::from(Vector::from_fn(|axis, _| if index >> axis & 1 == 1 { high[axis] } else { low[axis] }))
+}
+
+/// A path on its way to being taut.
+struct String<'a> {
+    taut: &'a Taut<'a>,
+    path: Vec<Bend>,
+    pull: Pull,
+    chain: Vec<Bend>,
+}
+
+impl<'a> String<'a> {
+    fn new(taut: &'a Taut<'a>, path: &[Point]) -> Self {
+        let mut bends: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
+        bends.dedup_by(|a, b| a.place == b.place);
+        String { taut, path: bends, pull: Pull::default(), chain: Vec::new() }
+    }
+
+    fn tighten(&mut self, watch: &Watch) -> Result<(), Error> {
+        let mut length = length(&self.path);
+        for _ in 0..ROUNDS {
+            self.shortcut();
+            self.pull();
+            self.slide();
+            let now = self::length(&self.path);
+            if watch.expired()? || !(now < length - TAUT) {
+                break;
+            }
+            length = now;
+        }
+        Ok(())
+    }
+
+    fn free(&self, from: &Bend, to: &Bend) -> bool {
+        self.taut.validity.motion_valid(&from.place, &to.place)
+    }
+
+    fn all_free(&self, path: &[Bend]) -> bool {
+        path.windows(2).all(|pair| self.free(&pair[0], &pair[1]))
+    }
+
+    /// From every waypoint straight to the last one that can be reached.
+    fn shortcut(&mut self) {
+        let mut from = 0;
+        while from + 2 < self.path.len() {
+            let reached = (from + 2..self.path.len()).rev().find(|to| self.free(&self.path[from], &self.path[*to]));
+            if let Some(to) = reached {
+                self.path.drain(from + 1..to);
+            }
+            from += 1;
+        }
+    }
+
+    /// Pulls the string over every bend until nothing gets shorter.
+    fn pull(&mut self) {
+        for _ in 0..ROUNDS {
+            let mut pulled = false;
+            let mut at = 1;
+            while at + 1 < self.path.len() {
+                if self.pull_over(at) {
+                    pulled = true; // and look at the first of the new bends
+                } else {
+                    at += 1;
+                }
+            }
+            if !pulled {
+                return;
+            }
+        }
+    }
+
+    fn pull_over(&mut self, at: usize) -> bool {
+        let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
+        let mut chain = std::mem::take(&mut self.chain);
+        self.pull.over(&self.taut.hulls, &u.place, &v.place, &w.place, &mut chain);
+        if let [same] = chain[..]
+            && (same.place - v.place).norm() < ON_SURFACE
+        {
+            self.path[at].edge = same.edge.or(v.edge);
+        }
+        chain.insert(0, u);
+        chain.push(w);
+        let shorter = length(&chain) < length(&[u, v, w]) - TAUT && self.all_free(&chain);
+        if shorter {
+            self.path.splice(at..=at, chain[1..chain.len() - 1].iter().copied());
+        }
+        self.chain = chain;
+        shorter
+    }
+
+    /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one.
+    fn slide(&mut self) {
+        if let Some(slid) = self.slid(&self.path) {
+            self.path = slid;
+            return;
+        }
+        let mut at = 1;
+        while at + 1 < self.path.len() {
+            let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
+            let held = |bend: Bend| Bend { edge: None, ..bend };
+            let along = |edge: Vector| self.slid(&[held(u), Bend { edge: Some(edge), ..v }, held(w)]);
+            if let Some(slid) = self.taut.edges_at(&v.place).into_iter().find_map(along) {
+                self.path.splice(at..=at, slid[1..slid.len() - 1].iter().copied());
+            }
+            at += 1;
+        }
+    }
+
+    /// The path with its bends slid to the best places on their edges, or as far on the way there as makes it shorter.
+    fn slid(&self, path: &[Bend]) -> Option<Vec<Bend>> {
+        if path.iter().all(|bend| bend.edge.is_none()) {
+            return None;
+        }
+        let ranges: Vec<[f64; 2]> = path.iter().map(|bend| self.taut.range(bend)).collect();
+        let slides = slide::best_slides(path, &ranges);
+        let most = length(path) - TAUT;
+        for halving in 0..HALVINGS {
+            let moved = slide::slid(path, &slides, 0.5f64.powi(halving as i32));
+            if !(length(&moved) < most) {
+                return None;
+            }
+            let led = self.led_around(path, &moved).filter(|led| length(led) < most);
+            if led.is_some() {
+                return led;
+            }
+        }
+        None
+    }
+
+    /// The slid path, with the segments that are not free led over the old ones and pulled taut.
+    fn led_around(&self, path: &[Bend], moved: &[Bend]) -> Option<Vec<Bend>> {
+        let mut led = vec![moved[0]];
+        for (old, new) in path.windows(2).zip(moved.windows(2)) {
+            if !self.free(&new[0], &new[1]) {
+                let over = old.iter().map(|bend| Bend { place: bend.place, edge: None });
+                let way = std::iter::once(new[0]).chain(over).chain([new[1]]);
+                let mut piece = String { path: way.collect(), pull: Pull::default(), chain: Vec::new(), ..*self };
+                piece.path.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
+                if !piece.all_free(&piece.path) {
+                    return None;
+                }
+                piece.pull();
+                led.extend_from_slice(&piece.path[1..piece.path.len() - 1]);
+            }
+            led.push(new[1]);
+        }
+        Some(led)
+    }
+}
+
+fn length(path: &[Bend]) -> f64 {
+    path.windows(2).map(|pair| (pair[1].place - pair[0].place).norm()).sum()
+}

@@ -1,0 +1,137 @@
+//! The forbidden polyhedra as taut paths meet them: a little wider than they are, so that a path along them is free.
+
+use rand::{Rng, RngExt};
+
+use crate::geometry::{HalfSpace, Point, Vector};
+use crate::numerics::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
+
+/// A convex polyhedron of positions that a path keeps out of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hull {
+    planes: Vec<HalfSpace>,
+}
+
+/// A piece of an edge of a hull that lies outside of all others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeEdge {
+    from: Point,
+    along: Vector,
+}
+
+impl Hull {
+    /// The polyhedron, its planes moved outward by [`STANDOFF`].
+    pub fn around(half_spaces: Vec<HalfSpace>) -> Self {
+        Hull { planes: half_spaces.into_iter().map(|h| h.widened(STANDOFF)).collect() }
+    }
+
+    /// Its planes.
+    pub fn planes(&self) -> &[HalfSpace] {
+        &self.planes
+    }
+
+    /// Whether one plane alone has all these points outside, or in it.
+    pub fn apart(&self, points: &[Point]) -> bool {
+        self.planes.iter().any(|plane| points.iter().all(|p| plane.height(p) >= -GRAZING))
+    }
+
+    /// The interval of t for which `from + t along` is inside; none if it never is.
+    pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
+        inside(self.planes.iter(), from, along)
+    }
+
+    /// The directions of its edges through a place.
+    pub fn edges_at(&self, place: &Point) -> Vec<Vector> {
+        if self.planes.iter().any(|plane| plane.height(place) > ON_SURFACE) {
+            return Vec::new();
+        }
+        let here: Vec<&HalfSpace> = self.planes.iter().filter(|plane| plane.height(place) > -ON_SURFACE).collect();
+        let pairs = here.iter().enumerate().flat_map(|(k, a)| here[k + 1..].iter().map(move |b| (a, b)));
+        pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
+    }
+
+    /// The parts of its edges that lie in a box and outside of the other hulls.
+    pub fn free_edges(&self, own: usize, hulls: &[Hull], low: &Point, high: &Point) -> Vec<FreeEdge> {
+        let mut free = Vec::new();
+        for (i, first) in self.planes.iter().enumerate() {
+            for (j, second) in self.planes.iter().enumerate().skip(i + 1) {
+                let Some((point, along)) = meeting_line(first, second) else { continue };
+                let others = self.planes.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, h)| h);
+                let Some(edge) = inside(others, &point, &along) else { continue };
+                let Some([from, to]) = common(edge, in_box(low, high, &point, &along)) else { continue };
+                let covers = |(k, hull): (usize, &Hull)| if k == own { None } else { hull.inside(&point, &along) };
+                let mut covered: Vec<[f64; 2]> = hulls.iter().enumerate().filter_map(covers).collect();
+                covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+                let piece = |a: f64, b: f64| FreeEdge { from: point + along * a, along: along * (b - a) };
+                let mut at = from;
+                for [a, b] in covered {
+                    if a.min(to) - at > STANDOFF {
+                        free.push(piece(at, a.min(to)));
+                    }
+                    at = at.max(b);
+                }
+                if to - at > STANDOFF {
+                    free.push(piece(at, to));
+                }
+            }
+        }
+        free
+    }
+}
+
+impl FreeEdge {
+    /// Its length, m.
+    pub fn length(&self) -> f64 {
+        self.along.norm()
+    }
+
+    /// A point of it, uniformly.
+    pub fn sample(&self, rng: &mut dyn Rng) -> Point {
+        self.from + self.along * rng.random::<f64>()
+    }
+}
+
+/// The interval of a line in an intersection of half-spaces; none if it is empty.
+fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: &Vector) -> Option<[f64; 2]> {
+    let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
+    for plane in planes {
+        let (height, slope) = (plane.height(from), plane.normal.dot(along));
+        if slope > PARALLEL {
+            high = high.min(-height / slope);
+        } else if slope < -PARALLEL {
+            low = low.max(-height / slope);
+        } else if height >= -GRAZING {
+            return None; // along the plane
+        }
+    }
+    (low < high).then_some([low, high])
+}
+
+/// The interval of a line in a box; it may be empty.
+pub fn in_box(low: &Point, high: &Point, from: &Point, along: &Vector) -> [f64; 2] {
+    let mut range = [f64::NEG_INFINITY, f64::INFINITY];
+    for axis in 0..3 {
+        if along[axis].abs() > PARALLEL {
+            let [a, b] = [low, high].map(|end| (end[axis] - from[axis]) / along[axis]);
+            range = [range[0].max(a.min(b)), range[1].min(a.max(b))];
+        }
+    }
+    range
+}
+
+fn common(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
+    let range = [a[0].max(b[0]), a[1].min(b[1])];
+    (range[0] < range[1] && range.iter().all(|t| t.is_finite())).then_some(range)
+}
+
+/// The line in which two planes meet: a point and a unit vector.
+fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
+    let along = edge_direction(a, b)?;
+    let system = nalgebra::Matrix3::from_rows(&[a.normal.transpose(), b.normal.transpose(), along.transpose()]);
+    let point = system.lu().solve(&Vector::new(a.offset, b.offset, 0.0))?;
+    Some((Point::from(point), along))
+}
+
+/// The unit vector along the edge of two planes; none where they are too nearly parallel to have one.
+pub fn edge_direction(a: &HalfSpace, b: &HalfSpace) -> Option<Vector> {
+    a.normal.cross(&b.normal).try_normalize(crate::numerics::NEARLY_PARALLEL)
+}

@@ -1,0 +1,128 @@
+//! A string over a triangle: the shortest way from one corner to another that passes the forbidden polyhedra on the
+//! side of the third.
+//!
+//! A plane cuts convex polyhedra in convex polygons. Where the way u → v → w is free, what they leave of the triangle's
+//! side v is bounded by the convex hull of u, w and the polygons inside the triangle, and so is the string. Its corners
+//! are corners of polygons, which lie on edges of polyhedra.
+
+use super::Bend;
+use super::hull::{Hull, edge_direction};
+use crate::geometry::{Point, Vector};
+use crate::numerics::{GRAZING, SAME_POINT};
+
+/// Room for one pull, used again for the next.
+#[derive(Debug, Default)]
+pub struct Pull {
+    polygon: Vec<Corner>,
+    clipped: Vec<Corner>,
+    found: Vec<(Place, Option<Vector>)>,
+}
+
+/// Coordinates in the plane of the triangle: along u → w, and across, v being above.
+type Place = [f64; 2];
+
+/// A corner of a polygon, and the line from it to the next: a plane of the hull, or none for a side of the triangle.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    place: Place,
+    line: Option<usize>,
+}
+
+/// The frame of a triangle.
+struct Frame {
+    origin: Point,
+    along: Vector,
+    across: Vector,
+}
+
+impl Pull {
+    /// Replaces `chain` by the corners of the string u → v → w pulled taut; empty where v is not needed at all.
+    pub fn over(&mut self, hulls: &[Hull], u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
+        chain.clear();
+        let Some((frame, top, length)) = framed(u, v, w) else { return };
+        self.found.clear();
+        for hull in hulls.iter().filter(|hull| !hull.apart(&[*u, *v, *w])) {
+            self.cut(hull, &frame, [[0.0, 0.0], [length, 0.0], top]);
+            self.collect(hull);
+        }
+        self.wrap(&frame, length, chain);
+    }
+
+    /// The polygon that a hull cuts out of the triangle: Sutherland and Hodgman, with the lines kept by name.
+    fn cut(&mut self, hull: &Hull, frame: &Frame, triangle: [Place; 3]) {
+        self.polygon.clear();
+        self.polygon.extend(triangle.map(|place| Corner { place, line: None }));
+        for (index, plane) in hull.planes().iter().enumerate() {
+            let (a, b) = (plane.normal.dot(&frame.along), plane.normal.dot(&frame.across));
+            let c = plane.height(&frame.origin);
+            let height = |place: &Place| a * place[0] + b * place[1] + c;
+            self.clipped.clear();
+            for (k, from) in self.polygon.iter().enumerate() {
+                let to = &self.polygon[(k + 1) % self.polygon.len()];
+                let (h, g) = (height(&from.place), height(&to.place));
+                if h < 0.0 {
+                    self.clipped.push(*from);
+                }
+                if (h < 0.0) != (g < 0.0) {
+                    let t = h / (h - g);
+                    let place = [0, 1].map(|axis| from.place[axis] + t * (to.place[axis] - from.place[axis]));
+                    self.clipped.push(Corner { place, line: if h < 0.0 { Some(index) } else { from.line } });
+                }
+            }
+            std::mem::swap(&mut self.polygon, &mut self.clipped);
+            if self.polygon.is_empty() {
+                return;
+            }
+        }
+    }
+
+    /// The corners of the polygon with the edges of the hull on which they lie.
+    fn collect(&mut self, hull: &Hull) {
+        let count = self.polygon.len();
+        for k in 0..count {
+            let (before, corner) = (self.polygon[(k + count - 1) % count], self.polygon[k]);
+            let edge = match (before.line, corner.line) {
+                (Some(i), Some(j)) if i != j => edge_direction(&hull.planes()[i], &hull.planes()[j]),
+                _ => None,
+            };
+            self.found.push((corner.place, edge));
+        }
+    }
+
+    /// The upper side of the convex hull of u, w and all corners, from u to w: R. A. Jarvis (1973).
+    fn wrap(&self, frame: &Frame, length: f64, chain: &mut Vec<Bend>) {
+        let end = [length, 0.0];
+        let mut at = [0.0, 0.0];
+        for _ in 0..=self.found.len() {
+            let (mut next, mut edge) = (end, None);
+            for (place, along) in &self.found {
+                let (ahead, there) = (minus(&next, &at), minus(place, &at));
+                let left = ahead[0] * there[1] - ahead[1] * there[0];
+                if there[0].hypot(there[1]) > SAME_POINT && left > GRAZING * ahead[0].hypot(ahead[1]) {
+                    (next, edge) = (*place, *along);
+                }
+            }
+            let rest = minus(&next, &end);
+            if rest[0].hypot(rest[1]) <= SAME_POINT {
+                return;
+            }
+            let place = frame.origin + frame.along * next[0] + frame.across * next[1];
+            chain.push(Bend { place, edge });
+            at = next;
+        }
+    }
+}
+
+fn minus(a: &Place, b: &Place) -> Place {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// The frame of a triangle, v in it, and the length of its base; none if it is flat.
+fn framed(u: &Point, v: &Point, w: &Point) -> Option<(Frame, Place, f64)> {
+    let (base, arm) = (w - u, v - u);
+    let length = base.norm();
+    let along = base.try_normalize(SAME_POINT)?;
+    let side = arm - along * arm.dot(&along);
+    let across = side.try_normalize(SAME_POINT)?;
+    Some((Frame { origin: *u, along, across }, [arm.dot(&along), side.norm()], length))
+}

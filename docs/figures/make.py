@@ -1,0 +1,319 @@
+"""Draw the pictures of the documentation with cdpr.figures: `make figures`, or some of them by name.
+
+    python docs/figures/make.py fig3 fig5
+
+The same files come out every time, but for what is measured in seconds (fig7, right) and what a browser draws (page).
+"""
+
+import functools
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from mpl_toolkits.mplot3d import Axes3D
+from playwright.sync_api import sync_playwright
+
+import cdpr
+from cdpr import figures
+from cdpr.figures import BLACK, BLUE, COLUMN, GREY, LIGHT, PAGE, VERMILION
+
+FOLDER = Path(__file__).parent
+ROOT = FOLDER.parents[1]
+BROWSERS = ("chromium", "google-chrome", "chromium-browser")
+SOFTWARE = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+SHOWN_AT = 0.55  # of the path
+METHODS = {
+    "RRT*": ("rrt-star", "none"),
+    "modified RRT": ("modified-rrt", "none"),
+    "RRT* + post-processing": ("rrt-star", "both"),
+    "modified RRT + post-processing": ("modified-rrt", "both"),
+}
+
+
+@functools.cache
+def scene(name: str) -> cdpr.Scene:
+    """A scene of testdata."""
+    return cdpr.Scene.load(ROOT / f"testdata/scenes/{name}.toml")
+
+
+@functools.cache
+def run(name: str) -> cdpr.BatchResult:
+    """A run of an experiment."""
+    return cdpr.run_batch(ROOT / f"experiments/{name}.toml")
+
+
+def spaces(rows: int, columns: int, height: float) -> tuple[Figure, list[Axes3D]]:
+    """A page-wide figure of drawings in space."""
+    figure = pyplot.figure(figsize=(PAGE, height))
+    axes = [figure.add_subplot(rows, columns, k + 1, projection="3d") for k in range(rows * columns)]
+    figure.subplots_adjust(left=0, right=0.97, bottom=0.06, top=0.95, wspace=0.02, hspace=0.1)
+    return figure, axes
+
+
+def titled(ax: Axes3D, text: str) -> None:
+    """Put a title close above a drawing."""
+    ax.set_title(text, y=1.02, fontsize=8)
+
+
+def random_prisms(count: int, seed: int) -> cdpr.Scene:
+    """The paper's robot among prisms as in its Table 1: 0.1 to 0.3 m wide, 0.5 to 1.5 m high."""
+    random = np.random.default_rng(seed)
+    obstacles = {}
+    for k in range(count):
+        wide, deep, high = random.uniform([0.1, 0.1, 0.5], [0.3, 0.3, 1.5])
+        x, y = random.uniform(0.4, 1.6, 2)
+        corners = np.array([[i, j, h] for i in (0, 1) for j in (0, 1) for h in (0, 1)])
+        obstacles[f"O{k + 1}"] = [x, y, 0] + corners * [wide, deep, high]
+    return cdpr.Scene(scene("empty").robot, obstacles, workspace=[[0, 0, 0], [2, 2, 2]])
+
+
+def fig1() -> Figure:
+    """Three random obstacles, and their shadows."""
+    figure, (left, right) = spaces(1, 2, 3.5)
+    among = random_prisms(3, seed=4)
+    places = np.random.default_rng(4).uniform(0.4, 1.6, (100, 3))
+    position = places[among.states_valid(places)][0]
+    figures.scene(among, at=position, ax=left)
+    figures.scene(among, at=position, shadows=True, labels=False, ax=right)
+    titled(left, "(a) robot among three obstacles")
+    titled(right, "(b) shadows of the obstacles, all cables")
+    return figure
+
+
+def fig2() -> Figure:
+    """The model."""
+    figure = pyplot.figure(figsize=(4.6, 4.2))
+    ax = figure.add_subplot(projection="3d")
+    figure.subplots_adjust(left=0, right=0.97, bottom=0.04, top=1)
+    corners = np.array([[x, y, z] for x in (-0.35, 0.35) for y in (-0.25, 0.25) for z in (-0.15, 0.15)])
+    outlets = np.array([[x, y, z] for x in (-1.5, 1.5) for y in (-1.5, 1.5) for z in (0, 3)])
+    robot = cdpr.Robot(outlets, corners, [corners])
+    pillar = [[x, y, z] for x in (0.8, 1.2) for y in (0.1, 0.5) for z in (0, 1.4)]
+    drawn = cdpr.Scene(robot, {"obstacle": pillar}, workspace=[[-1.5, -1.5, 0], [1.5, 1.5, 3]])
+    position = [-0.2, 0.2, 1.6]
+    assert drawn.states_valid([position]).all()
+    figures.model(drawn, cable=1, at=position, ax=ax)
+    return figure
+
+
+def fig3() -> Figure:
+    """Shadows of one obstacle."""
+    figure, (left, right) = spaces(1, 2, 3.5)
+    figures.scene(scene("hard1"), shadows=["cable 1", "cable 4"], ax=left)
+    figures.scene(scene("hard1"), shadows=True, labels=False, ax=right)
+    titled(left, "(a) shadows for cables 1 and 4")
+    titled(right, "(b) shadows for all cables")
+    return figure
+
+
+def fig4() -> Figure:
+    """The forces that are available at a position."""
+    figure, (left, right) = spaces(1, 2, 3.6)
+    position = np.random.default_rng(1).uniform(0.5, 1.5, 3).round(2)
+    figures.scene(scene("empty"), at=position, labels=False, ax=left)
+    figures.available_set(scene("empty").robot, position, ax=right)
+    titled(left, f"(a) the platform at ({', '.join(f'{x:g}' for x in position)}) m")
+    titled(right, f"(b) {right.get_title()}")
+    return figure
+
+
+def fig5() -> Figure:
+    """Rewinding, backward and then forward."""
+    figure, (left, right) = spaces(1, 2, 3.6)
+    raw = cdpr.plan(scene("hard3"), seed=8, post="none").waypoints
+    once, *_ = scene("hard3")._core.rewind_tries(raw, 0.1, "backward")
+    figures.rewinding(scene("hard3"), raw, direction="backward", ax=left)
+    figures.rewinding(scene("hard3"), once, direction="forward", ax=right)
+    titled(left, "(a) backward")
+    titled(right, "(b) then forward")
+    return figure
+
+
+def fig6() -> Figure:
+    """Paths of the four methods."""
+    figure, axes = spaces(2, 2, 7.0)
+    for letter, ax, (name, (planner, post)) in zip("abcd", axes, METHODS.items(), strict=True):
+        result = cdpr.plan(scene("hard1"), planner, seed=2, post=post)
+        figures.paths(scene("hard1"), {name: result}, ax=ax)
+        ax.get_legend().remove()
+        titled(ax, f"({letter}) {name}: {result.cost:.2f} m, {len(result.waypoints)} waypoints")
+    return figure
+
+
+def fig7() -> Figure:
+    """The step of rewinding."""
+    figure, (left, right) = charts(2, 2.5)
+    figures.step_sweep(run("fig7"), "reduction", ax=left)
+    figures.step_sweep(run("fig7"), "post_seconds", ax=right)
+    return figure
+
+
+def fig8() -> Figure:
+    """Order and repeats of rewinding."""
+    figure, (left, right) = charts(2, 2.6)
+    figures.repeats(run("fig8"), ax=left)
+    trials = run("fig8").trials
+    reduction = 100 * (1 - trials.cost / trials.raw_cost)
+    once = {f"{order} first": f"modified RRT, {order}, repeats 01" for order in ("backward", "forward")}
+    reductions = {name: reduction[trials.method == method] for name, method in once.items()}
+    figures.boxes(reductions, label="reduction of path length (%)", ax=right)
+    right.set_title("after one repeat", fontsize=8)
+    return figure
+
+
+def fig9() -> Figure:
+    """The two scenes of the study and their shadows."""
+    figure, axes = spaces(2, 2, 7.0)
+    for row, (name, what) in enumerate((("hard1", "one obstacle"), ("hard3", "three obstacles"))):
+        figures.scene(scene(name), labels=True, ax=axes[2 * row])
+        figures.scene(scene(name), shadows=True, labels=False, robot=False, ax=axes[2 * row + 1])
+        titled(axes[2 * row], f"({'ac'[row]}) {what}")
+        titled(axes[2 * row + 1], f"({'bd'[row]}) shadows for all cables")
+    return figure
+
+
+def table2() -> Figure:
+    """Path lengths of Table 2."""
+    figure, axes = charts(2, 3.2)
+    for ax, name in zip(axes, ("hard1", "hard3"), strict=True):
+        figures.boxes(run("table2"), scenario=name, ax=ax)
+        ax.set_title(name, fontsize=8)
+    return figure
+
+
+NODES = [4000, 8000, 16_000, 32_000, 64_000]
+SEEDS = range(10)
+BEST_KNOWN = {"hard1": 2.4352, "hard3": 2.6561}  # m
+
+
+def rrt_star_convergence() -> Figure:
+    """Path length of RRT* over the nodes of its tree."""
+    figure, ax = pyplot.subplots(figsize=(COLUMN * 1.3, 3), layout="constrained")
+    with ThreadPoolExecutor() as pool:  # planning leaves the interpreter to others
+        for (name, best), colour in zip(BEST_KNOWN.items(), (BLUE, VERMILION), strict=True):
+            trials = [(name, nodes, seed) for nodes in NODES for seed in SEEDS]
+            found = np.reshape(list(pool.map(raw_cost, trials)), (len(NODES), len(SEEDS)))
+            ax.plot(NODES, found.mean(axis=1), "o-", color=colour, label=f"{name}, mean of {len(SEEDS)} seeds")
+            ax.fill_between(NODES, found.min(axis=1), found.max(axis=1), color=colour, alpha=0.2, linewidth=0)
+            ax.axhline(best, color=colour, linestyle="--", linewidth=1, label=f"{name}, best known")
+    ax.set(xscale="log", xlabel="nodes of the tree", ylabel="path length (m)")
+    ax.minorticks_off()
+    ax.set_xticks(NODES, [f"{nodes:,}" for nodes in NODES])
+    ax.grid()
+    figure.legend(loc="outside upper center", ncols=2)
+    return figure
+
+
+def raw_cost(trial: tuple[str, int, int]) -> float:
+    """Length that RRT* with a ball of 0.3 m finds with so many nodes, m."""
+    name, nodes, seed = trial
+    options = {"post": "none", "near_radius": 0.3, "keep_going": True, "max_nodes": nodes, "max_samples": 500_000}
+    return cdpr.plan(scene(name), "rrt-star", seed=seed, **options).raw_cost
+
+
+def wrench_study() -> Figure:
+    """CoGiRo's path without and with [wrench], and the slack along both."""
+    figure, axes = pyplot.subplot_mosaic(
+        [["top", "along"], ["side", "along"]], figsize=(PAGE, 4), width_ratios=[1, 1.3], layout="constrained"
+    )
+    top, side, along = (axes[name] for name in ("top", "side", "along"))
+    demanding = scene("cogiro")
+    spec = demanding.to_dict()
+    del spec["wrench"]
+    for name, asked, colour in (("without", cdpr.Scene.from_dict(spec), VERMILION), ("with", demanding, BLUE)):
+        way = cdpr.tensions_along(demanding, cdpr.plan(asked))
+        broken = np.where(way.capacity_margin < 0, 1.0, np.nan)
+        for ax, x, y in (
+            (top, way.positions[:, 0], way.positions[:, 1]),
+            (side, way.positions[:, 0], way.positions[:, 2]),
+            (along, way.s, way.capacity_margin),
+        ):
+            ax.plot(x, y, color=colour, linewidth=1.2, label=f"{name} [wrench]")
+            ax.plot(x, y * broken, color=colour, linewidth=4, alpha=0.35, solid_capstyle="butt")
+    for ax, axis, title in ((top, 1, "(a) from above"), (side, 2, "(b) from the side")):
+        for obstacle in spec["obstacles"]:
+            middle, size = np.array(obstacle["position"]), np.array(obstacle["box"])
+            corner = (middle - size / 2)[[0, axis]]
+            ax.add_patch(Rectangle(corner, size[0], size[axis], facecolor=LIGHT, edgecolor=GREY))
+        for end in ("start", "goal"):
+            place = np.array(spec["query"][end])[[0, axis]]
+            ax.plot(*place, "D", color=BLACK, markersize=3)
+            ax.annotate(end, place, (5, 0), textcoords="offset points", va="bottom")
+        ax.set(xlabel="x (m)", ylabel=f"{'xyz'[axis]} (m)", xlim=(-6, 6), aspect="equal", title=title)
+    along.axhline(0, color=BLACK, linewidth=0.8)
+    along.set(xlabel="distance along the path (m)", ylabel="capacity margin beyond the demand (N)", title="(c) slack")
+    along.legend()
+    return figure
+
+
+def charts(columns: int, height: float) -> tuple[Figure, np.ndarray]:
+    """A page-wide figure of charts."""
+    return pyplot.subplots(1, columns, figsize=(PAGE, height), layout="constrained")
+
+
+DRAWINGS: dict[str, Callable[[], Figure]] = {
+    "fig1": fig1,
+    "fig2": fig2,
+    "fig3": fig3,
+    "fig4": fig4,
+    "fig5": fig5,
+    "fig6": fig6,
+    "fig7": fig7,
+    "fig8": fig8,
+    "fig9": fig9,
+    "table2": table2,
+    "rrt-star-convergence": rrt_star_convergence,
+    "wrench-study": wrench_study,
+}
+
+
+def page(file: Path) -> None:
+    """The page of a planned path, with the platform above the pillar, as a browser shows it."""
+    program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+    if program is None:
+        raise SystemExit("page.png: found no Chromium, expected one on the path or its name in CDPR_CHROMIUM")
+    hard1 = scene("hard1")
+    result = cdpr.plan(hard1)
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        view = Path(folder) / "view.html"
+        cdpr.save_view(view, hard1, result)
+        browser = playwright.chromium.launch(executable_path=program, args=SOFTWARE)
+        tab = browser.new_page(viewport={"width": 1200, "height": 760}, color_scheme="light")
+        tab.goto(view.as_uri())
+        tab.wait_for_function("Boolean(window.cdprViewer?.ready)")
+        tab.evaluate("distance => window.cdprViewer.setDistance(distance)", SHOWN_AT * result.cost)
+        tab.wait_for_timeout(500)  # ms, until the picture has been drawn
+        tab.screenshot(path=file)
+        browser.close()
+
+
+def main(names: list[str]) -> None:
+    """Draw these, or all."""
+    unknown = set(names) - {*DRAWINGS, "page"}
+    if unknown:
+        raise SystemExit(f"found {', '.join(sorted(unknown))}, expected some of page, {', '.join(DRAWINGS)}")
+    for name in names or [*DRAWINGS, "page"]:
+        file = FOLDER / (f"{name}.png" if name == "page" else f"{name}.svg")
+        if name == "page":
+            page(file)
+        else:
+            with figures.style():
+                figure = DRAWINGS[name]()
+                figure.savefig(file, metadata={"Date": None})
+                pyplot.close(figure)
+        print(f"{file.name}: {file.stat().st_size / 1000:.0f} kB", flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,39 @@
+"""Figures for print, with matplotlib: ``pip install 'cdpr[figures]'``.
+
+Each function draws one kind of figure into the axes that it is given, or into a new figure of the width of a column,
+and returns the axes; ``ax.figure.savefig("figure.svg")`` writes it. Colours are those of Okabe and Ito, which colour-blind
+readers can tell apart.
+"""
+
+try:
+    import matplotlib as _  # noqa: F401
+except ImportError as problem:
+    raise ImportError("cdpr.figures needs matplotlib: pip install 'cdpr[figures]'") from problem
+
+from ._charts import boxes, repeats, step_sweep
+from ._space import available_set, model, paths, rewinding, scene
+from ._style import BLACK, BLUE, COLUMN, CYCLE, GREEN, GREY, LIGHT, ORANGE, PAGE, PURPLE, SKY, VERMILION, style
+
+__all__ = [
+    "BLACK",
+    "BLUE",
+    "COLUMN",
+    "CYCLE",
+    "GREEN",
+    "GREY",
+    "LIGHT",
+    "ORANGE",
+    "PAGE",
+    "PURPLE",
+    "SKY",
+    "VERMILION",
+    "available_set",
+    "boxes",
+    "model",
+    "paths",
+    "repeats",
+    "rewinding",
+    "scene",
+    "step_sweep",
+    "style",
+]

@@ -1,0 +1,259 @@
+"""Charts of experiments: sweeps, repeats, and distributions as box-whisker plots."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+
+from .._arrays import Floats
+from .._batch import BatchResult, summary_rows
+from ..exceptions import InputError
+from ._style import BLACK, COLUMN, CYCLE, GREY, styled
+
+Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
+
+# What is on an axis, and by what the numbers of a run are multiplied for it.
+_AXES: dict[str, tuple[str, float]] = {
+    "cost": ("path length (m)", 1.0),
+    "raw_cost": ("raw path length (m)", 1.0),
+    "reduction": ("reduction of path length (%)", 100.0),
+    "planning_seconds": ("planning time (ms)", 1e3),
+    "post_seconds": ("rewinding time (µs)", 1e6),
+    "waypoints": ("waypoints", 1.0),
+}
+_TIMES = ("planning_seconds", "post_seconds")
+_HEIGHT = 2.4
+_TICK_WIDTH = 14  # characters
+_MARKERS = "os^Dv"
+
+
+@styled
+def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | None = None) -> Axes:
+    """Draw a measure over the step of rewinding: the mean with its confidence interval; of times median and quartiles.
+
+    What else the machine does spoils the mean of times of microseconds, but not their median.
+
+    Parameters
+    ----------
+    batch : BatchResult
+        Of an experiment that sweeps the step, such as experiments/fig7.toml.
+    measure : str
+        "reduction", "post_seconds" or another measure of the summary.
+    ax : Axes, optional
+        Where to draw; default a new figure of the width of a column.
+
+    Returns
+    -------
+    Axes
+        A line for each scenario and method.
+
+    Raises
+    ------
+    InputError
+        A run that sweeps no step, an unknown measure.
+    """
+    label, scale = _axis(measure)
+    ax = _axes(ax)
+    middle, low, high = ("median", "q25", "q75") if measure in _TIMES else ("mean", "low", "high")
+    for k, (name, rows) in enumerate(_lines(batch, "step").items()):
+        x = [row["step"] for row in rows]
+        line, below, above = _column(rows, measure, scale, middle, low, high)
+        ax.fill_between(x, below, above, color=CYCLE[k], alpha=0.25, linewidth=0)
+        ax.plot(x, line, color=CYCLE[k], label=f"{name}, {middle}")
+    ax.set(xlabel="step of rewinding (m)", ylabel=label, xlim=(0, None))
+    ax.set_ylim(0 if measure in _TIMES else None)
+    return _finished(ax)
+
+
+@styled
+def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | None = None) -> Axes:
+    """Draw the mean of a measure over the number of repeats of rewinding, a line for each order.
+
+    Parameters
+    ----------
+    batch : BatchResult
+        Of an experiment that sweeps the repeats, such as experiments/fig8.toml.
+    measure, ax
+        As in `step_sweep`.
+
+    Returns
+    -------
+    Axes
+        The orders stand a little beside each other, so that their confidence intervals can be told apart.
+    """
+    label, scale = _axis(measure)
+    ax = _axes(ax)
+    lines = _lines(batch, "repeats")
+    for k, (name, rows) in enumerate(lines.items()):
+        beside = 0.12 * (k - (len(lines) - 1) / 2)
+        x = [row["repeats"] + beside for row in rows]
+        (means,), (low, high) = _column(rows, measure, scale, "mean"), _column(rows, measure, scale, "low", "high")
+        style: dict[str, Any] = {"marker": _MARKERS[k % len(_MARKERS)], "markersize": 3, "capsize": 2, "linewidth": 1}
+        ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k], label=name, elinewidth=0.8, **style)
+    counts = sorted({row["repeats"] for rows in lines.values() for row in rows})
+    ax.set(xlabel="repeats of rewinding", ylabel=label, xticks=counts)
+    return _finished(ax, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(lines))
+
+
+@styled
+def boxes(
+    data: BatchResult | Mapping[str, ArrayLike],
+    measure: Measure = "cost",
+    *,
+    scenario: str | None = None,
+    methods: Sequence[str] | None = None,
+    label: str | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw distributions as box-whisker plots: median, quartiles, whiskers, outliers, and the mean as a diamond.
+
+    Whiskers reach to the farthest number within 1.5 interquartile ranges of the box.
+
+    Parameters
+    ----------
+    data : BatchResult, or mapping of str to array_like (n,)
+        Of a run the solved trials of every method; numbers that are NaN are left out.
+    measure : str
+        What to draw of a run.
+    scenario : str, optional
+        Which scenario of a run; needed where it has several.
+    methods : sequence of str, optional
+        Which methods of a run, in this order; default all.
+    label : str, optional
+        Of the axis; default that of the measure.
+    ax : Axes, optional
+        Where to draw; default a new figure of the width of a column.
+
+    Returns
+    -------
+    Axes
+
+    Raises
+    ------
+    InputError
+        Nothing to draw, unknown names.
+
+    Examples
+    --------
+    >>> import cdpr.figures
+    >>> ax = cdpr.figures.boxes({"a": [1, 2, 3, 9], "b": [2, 3, 4]}, label="length (m)")
+    >>> [text.get_text() for text in ax.get_xticklabels()]
+    ['a\\n(n = 4)', 'b\\n(n = 3)']
+    """
+    if isinstance(data, BatchResult):
+        name, _ = _axis(measure)
+        samples = _samples(data, measure, scenario, methods)
+        label = name if label is None else label
+    else:
+        samples = {name: _numbers(name, values) for name, values in data.items()}
+    if not samples:
+        raise InputError("data: found nothing, expected numbers by name")
+    ax = _axes(ax)
+    ticks = [textwrap.fill(name, _TICK_WIDTH) + f"\n(n = {len(values)})" for name, values in samples.items()]
+    drawn = ax.boxplot(
+        list(samples.values()),
+        tick_labels=ticks,
+        widths=0.5,
+        showmeans=True,
+        patch_artist=True,
+        medianprops={"color": BLACK, "linewidth": 1.2},
+        meanprops={"marker": "D", "markersize": 3, "markerfacecolor": "white", "markeredgecolor": BLACK},
+        flierprops={"marker": ".", "markersize": 2, "markerfacecolor": GREY, "markeredgecolor": "none"},
+        whiskerprops={"linewidth": 0.8},
+        capprops={"linewidth": 0.8},
+    )
+    for k, patch in enumerate(drawn["boxes"]):
+        patch.set(facecolor=CYCLE[k % len(CYCLE)], alpha=0.55, linewidth=0.8)
+    ax.set_ylabel(label or "")
+    ax.grid(axis="y")
+    ax.set_axisbelow(True)
+    return ax
+
+
+def _axis(measure: str) -> tuple[str, float]:
+    if measure not in _AXES:
+        raise InputError(f"measure: found {measure!r}, expected one of {', '.join(_AXES)}")
+    return _AXES[measure]
+
+
+def _axes(ax: Axes | None) -> Axes:
+    return pyplot.subplots(figsize=(COLUMN, _HEIGHT), layout="constrained")[1] if ax is None else ax
+
+
+def _finished(ax: Axes, **legend: Any) -> Axes:
+    ax.grid()
+    ax.set_axisbelow(True)
+    ax.legend(**legend)
+    return ax
+
+
+def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:
+    """Rows of a sweep by what else they differ in, in the order of the key."""
+    if not isinstance(batch, BatchResult):
+        raise InputError(f"batch: found {type(batch).__name__}, expected a BatchResult")
+    rows = [row for row in summary_rows(batch) if key in row]
+    if not rows:
+        raise InputError(f"batch: found a run that does not sweep {key!r}, expected one that does")
+    scenarios = {row["scenario"] for row in rows}
+    others = [other for other in ("step", "post", "repeats") if other != key]
+    lines: dict[str, list[dict[str, Any]]] = {}
+    for row in sorted(rows, key=lambda row: float(row[key])):
+        names = [row["scenario"]] if len(scenarios) > 1 else []
+        names += [_words(other, row[other]) for other in others if other in row] or [row["of"]]
+        lines.setdefault(", ".join(names), []).append(row)
+    return lines
+
+
+def _words(key: str, value: Any) -> str:
+    return {"post": f"{value} first", "step": f"step {value} m", "repeats": f"{value} repeats"}[key]
+
+
+def _column(rows: list[dict[str, Any]], measure: str, scale: float, *statistics: str) -> list[Floats]:
+    """Each of these statistics, NaN where there is none."""
+    columns = ([row.get(f"{measure}_{name}", np.nan) for row in rows] for name in statistics)
+    return [scale * np.array(column, dtype=np.float64) for column in columns]
+
+
+def _samples(
+    batch: BatchResult, measure: str, scenario: str | None, methods: Sequence[str] | None
+) -> dict[str, Floats]:
+    trials, timings = batch.trials, batch.timings
+    scenarios = list(dict.fromkeys(np.asarray(trials["scenario"]).tolist()))
+    if scenario is None and len(scenarios) > 1:
+        raise InputError(f"scenario: found none, expected one of {', '.join(scenarios)}")
+    chosen = _known("scenario", scenarios[0] if scenario is None else scenario, scenarios)
+    here = np.asarray(trials["scenario"]) == chosen
+    names = np.asarray(trials["method"])
+    all_methods = list(dict.fromkeys(names[here].tolist()))
+    if measure == "reduction":
+        numbers = 1 - np.asarray(trials["cost"]) / np.asarray(trials["raw_cost"])
+    else:
+        numbers = np.asarray((timings if measure in _TIMES else trials)[measure], dtype=np.float64)
+    solved = np.asarray(trials["status"]) == "solved"
+    scale = _AXES[measure][1]
+    wanted = all_methods if methods is None else [_known("methods", name, all_methods) for name in methods]
+    return {name: _numbers(name, scale * numbers[here & solved & (names == name)]) for name in wanted}
+
+
+def _known(place: str, name: str, names: list[str]) -> str:
+    if name not in names:
+        raise InputError(f"{place}: found {name!r}, expected one of {', '.join(names)}")
+    return name
+
+
+def _numbers(name: str, values: ArrayLike) -> Floats:
+    """Finite numbers, at least one."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{name}: found {problem}, expected numbers") from None
+    found: Floats = array[np.isfinite(array)] if array.ndim == 1 else array
+    if found.ndim != 1 or not len(found):
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (n,) with finite numbers")
+    return found

@@ -1,0 +1,198 @@
+"""A drawing in space: opaque solids, translucent faces and lines, so that what is in front covers what is behind.
+
+Axes3D sorts whole artists by their middle, which puts cables through pillars. Here the order is computed for one
+direction of view, seen from infinitely far away, and handed to Axes3D as fixed layers; so turn a picture by ``view``,
+not with the mouse.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import Any, TypeAlias
+
+import matplotlib.patheffects as effects
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.colors import to_rgb
+from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d import Axes3D, proj3d
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from .._arrays import Floats, numbers
+from ..exceptions import InputError
+from ._polyhedra import Solid, back_to_front, hidden, normal, overlap, visible
+from ._style import COLUMN, LIGHT
+
+View: TypeAlias = tuple[float, float]
+
+# Layers, from back to front: markers that solids hide, solids and faces, what shows of lines, other markers, words.
+_UNDER, _SOLIDS, _OVER, _MARKS, _WORDS = 1.0, 10.0, 1e6, 2e6, 3e6
+_LIGHT_FROM = np.array([0.35, -0.6, 0.72])
+_AMBIENT = 0.72
+_ZOOM = 0.96
+_FLAT = 0.05  # least thickness of a drawing, relative to its width
+
+
+class Stage:
+    """An Axes3D of a box of space, and what is to be painted in it."""
+
+    def __init__(self, ax: Axes3D | None, low: Floats, high: Floats, view: View, unit: str = "m") -> None:
+        """Set up the axes: equal scales, parallel projection, no panes."""
+        if ax is not None and not isinstance(ax, Axes3D):
+            raise InputError(f'ax: found {type(ax).__name__}, expected Axes3D: add_subplot(projection="3d")')
+        elevation, azimuth = numbers("view", view, 2)
+        self.ax = new_axes() if ax is None else ax
+        self.toward = _toward(elevation, azimuth)
+        self.solids: list[Solid] = []
+        self.faces: list[tuple[Floats, str, float, str]] = []
+        self.lines: list[tuple[Floats, dict[str, Any]]] = []
+        self.points: list[tuple[Floats, dict[str, Any]]] = []
+        _frame(self.ax, low, high, (elevation, azimuth), unit)
+
+    def solid(self, vertices: Floats, faces: list[list[int]], colour: str, name: str) -> None:
+        """Add a convex solid; a segment or a point is drawn as such."""
+        if faces:
+            self.solids.append(Solid(vertices, faces, colour, name))
+        elif len(vertices) > 1:
+            self.line(vertices, color=colour, linewidth=2, gid=name)
+        else:
+            self.point(vertices[0], color=colour, marker="o", markersize=4, gid=name)
+
+    def sheet(self, polygons: list[Floats], colour: str, alpha: float, name: str) -> None:
+        """Add translucent faces."""
+        self.faces += [(polygon, colour, alpha, name) for polygon in polygons]
+
+    def line(self, points: Floats, **style: Any) -> None:
+        """Add a line along points (n, 3); what solids hide of it is not seen, unless ``through`` is true."""
+        self.lines.append((np.asarray(points, dtype=np.float64), style))
+
+    def point(self, place: Floats, **style: Any) -> None:
+        """Add a marker."""
+        self.points.append((np.asarray(place, dtype=np.float64), style))
+
+    def words(self, place: Floats, text: str, offset: tuple[float, float] = (4, 4), **style: Any) -> None:
+        """Write at a place, moved on the paper by so many points."""
+        look = {"ha": "center" if not offset[0] else "left" if offset[0] > 0 else "right", "va": "center", **style}
+        label = self.ax.annotate(
+            text, self.on_paper(place), offset, textcoords="offset points", zorder=_WORDS, **{"fontsize": 7, **look}
+        )
+        label.set_path_effects([effects.withStroke(linewidth=2, foreground="white")])
+
+    def arrow(self, start: Floats, end: Floats, colour: str, name: str) -> None:
+        """Add an arrow that nothing hides."""
+        self.line(np.array([start, end]), color=colour, linewidth=1.2, gid=name, through=True)
+        head = {"arrowstyle": "-|>,head_width=0.18,head_length=0.4", "color": colour, "shrinkA": 0, "shrinkB": 0}
+        tail = self.on_paper(start + 0.9 * (end - start))
+        self.ax.annotate("", self.on_paper(end), tail, zorder=_MARKS, arrowprops=head)
+
+    def on_paper(self, place: Floats) -> tuple[float, float]:
+        """Where a place in space is in the flat coordinates of the axes; they have no annotations in space."""
+        x, y, _ = proj3d.proj_transform(*place, self.ax.get_proj())
+        return float(x), float(y)
+
+    def paint(self) -> Axes3D:
+        """Draw everything."""
+        solids = back_to_front(self.solids, self.toward)
+        for layer, solid in enumerate(solids):
+            self._paint_solid(solid, _SOLIDS + 2 * layer + 1)
+        self._paint_faces(solids)
+        for points, style in self.lines:
+            self._paint_line(solids, points, style)
+        for place, style in self.points:
+            covered = any(hidden(solid, place, place, self.toward) for solid in solids)
+            xyz = [[x] for x in place]
+            self.ax.plot(*xyz, linestyle="none", zorder=_UNDER if covered else _MARKS, **style)
+        return self.ax
+
+    def _paint_solid(self, solid: Solid, layer: float) -> None:
+        front = [k for k, n in enumerate(solid.normals) if n @ self.toward > 0]
+        shades = [_shaded(solid.colour, solid.normals[k]) for k in front]
+        faces = [solid.vertices[solid.faces[k]] for k in front]
+        edge = _shaded(solid.colour, -_LIGHT_FROM)
+        self.ax.add_collection3d(
+            Poly3DCollection(
+                faces, facecolors=shades, edgecolors=[edge], linewidths=0.5, zorder=layer, gid=solid.name
+            ),
+            autolim=False,
+        )
+
+    def _paint_faces(self, solids: list[Solid]) -> None:
+        """Each face comes above the last solid behind it, so a shadow's back is behind its obstacle, its front before.
+
+        Faces on the surface of a solid, where a shadow begins, are the solid's own.
+        """
+        layers: dict[tuple[int, str, float, str], list[Floats]] = defaultdict(list)
+        for polygon, colour, alpha, name in self.faces:
+            if any(solid.has_on_surface(polygon) for solid in solids):
+                continue
+            across = normal(polygon)
+            across = across if across @ self.toward >= 0 else -across
+            behind = [
+                k + 1
+                for k, solid in enumerate(solids)
+                if overlap(solid.vertices, polygon, self.toward)
+                and float((solid.vertices.mean(axis=0) - polygon[0]) @ across) < 0
+            ]
+            layers[max(behind, default=0), colour, alpha, name].append(polygon)
+        for (layer, colour, alpha, name), polygons in layers.items():
+            self.ax.add_collection3d(
+                Poly3DCollection(
+                    polygons,
+                    facecolors=[(*to_rgb(colour), alpha)],
+                    edgecolors=[(*to_rgb(colour), min(1.0, 3 * alpha))],
+                    linewidths=0.5,
+                    zorder=_SOLIDS + 2 * layer,
+                    gid=name,
+                ),
+                autolim=False,
+            )
+
+    def _paint_line(self, solids: list[Solid], points: Floats, style: dict[str, Any]) -> None:
+        """Paint what shows of a line, as one line with gaps."""
+        blocking = [] if style.pop("through", False) else solids
+        pieces: list[Floats] = []
+        for start, end in zip(points[:-1], points[1:], strict=True):
+            for part in visible(blocking, start, end, self.toward):
+                joined = bool(pieces) and np.array_equal(pieces[-1][-1], part[0])
+                pieces += [part[1:]] if joined else [np.full((1, 3), np.nan), part]
+        shown = np.vstack(pieces)[1:] if pieces else np.empty((0, 3))
+        self.ax.plot(*shown.T, zorder=_OVER, solid_capstyle="round", **style)
+
+
+def new_axes(width: float = COLUMN, height: float = COLUMN) -> Axes3D:
+    """Axes3D on a figure of its own."""
+    figure = pyplot.figure(figsize=(width, height))
+    return figure.add_subplot(projection="3d")
+
+
+def _toward(elevation: float, azimuth: float) -> Floats:
+    """Direction from the scene to the eye."""
+    up, around = np.radians([elevation, azimuth])
+    return np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])
+
+
+def _frame(ax: Axes3D, low: Floats, high: Floats, view: View, unit: str) -> None:
+    """Box, scales and labels; a flat box is given a thickness."""
+    least = _FLAT * float(np.max(high - low)) or 1.0
+    pad = np.maximum(0.0, least - (high - low)) / 2
+    low, high = low - pad, high + pad
+    ax.computed_zorder = False
+    ax.set_proj_type("ortho")
+    ax.view_init(*view)
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set_box_aspect(high - low, zoom=_ZOOM)
+    for name, axis in (("x", ax.xaxis), ("y", ax.yaxis), ("z", ax.zaxis)):
+        axis.set_pane_color((1, 1, 1, 0))
+        axis.line.set_color(LIGHT)
+        axis.pane.set_edgecolor(LIGHT)
+        axis.set_major_locator(MaxNLocator(3, steps=[1, 2, 5, 10], prune="lower" if name == "y" else None))
+        axis.set_tick_params(pad=-1 if name == "z" else -3)
+        getattr(ax, f"set_{name}label")(f"{name} ({unit})", labelpad=-7)
+    ax.grid(False)
+
+
+def _shaded(colour: str, towards: Floats) -> tuple[float, float, float]:
+    light = float(np.clip(towards @ _LIGHT_FROM, -1, 1))
+    share = _AMBIENT + (1 - _AMBIENT) * light
+    red, green, blue = (share * part for part in to_rgb(colour))
+    return red, green, blue
