@@ -14,7 +14,7 @@ fn modified_rrt(c: &mut Criterion) {
             group.throughput(Throughput::Elements(seeds));
             group.bench_function(format!("{}, {}", scene.name(), engine.name()), |b| {
                 b.iter(|| {
-                    let options = |seed| PlanOptions { engine, seed, ..PlanOptions::default() };
+                    let options = |seed| PlanOptions { engine, seed, ..PlanOptions::paper() };
                     (0..seeds).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").cost).sum::<f64>()
                 });
             });

@@ -133,7 +133,7 @@ fn planning(c: &mut Criterion) {
     group.throughput(Throughput::Elements(50));
     group.bench_function("cogiro, 50 seeds", |b| {
         b.iter(|| {
-            let options = |seed| PlanOptions { seed, ..PlanOptions::default() };
+            let options = |seed| PlanOptions { seed, ..PlanOptions::paper() };
             (0..50).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").cost).sum::<f64>()
         });
     });

@@ -21,7 +21,7 @@ from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
-from ._planning import Path, Report, Result, SearchTree, check, load_path, plan, rewind, schema
+from ._planning import Milestone, Path, Report, Result, SearchTree, check, load_path, plan, refine, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
 from ._wrench import (
@@ -48,6 +48,7 @@ __all__ = [
     "FileError",
     "InputError",
     "Mesh",
+    "Milestone",
     "Path",
     "Report",
     "Result",
@@ -68,6 +69,7 @@ __all__ = [
     "moment_margin",
     "moment_set",
     "plan",
+    "refine",
     "rewind",
     "run_batch",
     "save_shadows",

@@ -42,13 +42,14 @@ class Scene:
         start: _Point | None,
         goal: _Point | None,
         step: float,
-        post: str,
+        post: str | None,
         repeats: int,
         budget: float | None,
         settings: str,
+        on_improvement: Callable[[float, float, _Floats], object] | None,
     ) -> tuple[str, tuple[_Floats, _Ints]]: ...
-    def rewind(
-        self, waypoints: _Floats, step: float, order: str, repeats: int, engine: str, interference: str
+    def shorten(
+        self, waypoints: _Floats, post: str, step: float, repeats: int, engine: str, interference: str
     ) -> str: ...
     def regions(
         self, space: str | None, all: bool, cables: list[str], obstacles: list[str]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -17,9 +17,9 @@ from ._arrays import Floats, Ints, point, rows
 from ._model import Engine, Interference, Scene, Violation, violation_from
 from .exceptions import InputError
 
-Planner: TypeAlias = Literal["modified-rrt", "rrt", "rrt-star"]
+Planner: TypeAlias = Literal["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
-Post: TypeAlias = Literal["both", "backward", "forward", "none"]
+Post: TypeAlias = Literal["both", "backward", "forward", "taut", "none"]
 
 
 def _array(waypoints: list[list[float]]) -> Floats:
@@ -49,6 +49,24 @@ class Path:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a path file: .json, or .csv for the waypoints alone."""
         _core.save_path(os.fspath(path), self._json)
+
+
+class Milestone(NamedTuple):
+    """A path that was better than those before.
+
+    Attributes
+    ----------
+    seconds : float
+        Time since the search began, s.
+    samples : int
+        Samples drawn by then.
+    cost : float
+        Length of the path, m.
+    """
+
+    seconds: float
+    samples: int
+    cost: float
 
 
 class SearchTree(NamedTuple):
@@ -92,6 +110,8 @@ class Result(Path):
         Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
+    history : tuple of Milestone
+        When the planner's path got better, first to last.
     tree : SearchTree
         The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if start
         or goal is invalid; path files do not hold it.
@@ -103,6 +123,7 @@ class Result(Path):
     reason: Violation | None = None
     min_clearance: Mapping[str, Any] | None = None
     stats: Mapping[str, float] = field(default_factory=dict)
+    history: tuple[Milestone, ...] = ()
     tree: SearchTree = field(repr=False, default_factory=_no_tree)
 
     @property
@@ -142,42 +163,47 @@ class Report:
 
 def plan(
     scene: Scene,
-    planner: Planner = "modified-rrt",
+    planner: Planner = "anytime",
     *,
     seed: int = 0,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
     step: float = 0.1,
-    post: Post = "both",
+    post: Post | None = None,
     budget: float | None = None,
     repeats: int = 1,
     max_samples: int | None = None,
     max_nodes: int | None = None,
     keep_going: bool = False,
     target_cost: float | None = None,
+    gap: float | None = None,
     extend_step: float | None = None,
     goal_bias: float | None = None,
     near_radius: float | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
+    on_improvement: Callable[[float, float, Floats], object] | None = None,
 ) -> Result:
     """Plan a path from start to goal.
 
     Parameters
     ----------
     scene : Scene
-    planner : {"modified-rrt", "rrt", "rrt-star"}
-        The paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
+    planner : {"anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
+        The anytime planner (a first path at once, then shorter ones), RRT-Connect, the paper's Algorithm 3, plain RRT, or
+        the paper's Algorithm 1.
     seed : int
         Everything random flows from it: the same seed gives the same path.
     start, goal : array_like (3,), optional
         Instead of the scene's, m.
     step : float
         Distance of the points that rewinding tries, m; also the step of "rrt" and "rrt-star".
-    post : {"both", "backward", "forward", "none"}
-        Rewinding (Algorithms 4 and 5), by which direction comes first; "both" keeps the shorter of the two orders.
+    post : {"both", "backward", "forward", "taut", "none"}, optional
+        What is done to the planner's path: rewinding (Algorithms 4 and 5), by which direction comes first, "both" keeps
+        the shorter of the two orders; or pulling it taut as :func:`refine` does. Default "none" for "anytime", whose
+        paths are taut, "taut" for "rrt-connect", and "both" for the planners of the paper.
     budget : float, optional
-        Time after which the search gives up, s.
+        Time after which the search ends, s; "anytime" uses all of it, and without it stops by itself.
     repeats : int
         How often rewinding runs.
     max_samples : int, optional
@@ -188,6 +214,8 @@ def plan(
         Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
     target_cost : float, optional
         Go on after the first path until it is at most this long, m.
+    gap : float, optional
+        With "anytime": go on until the path is at most this share longer than a lower bound of all paths.
     extend_step : float, optional
         Longest edge by which "rrt" and "rrt-star" grow, m; default ``step``, as in the paper.
     goal_bias : float, optional
@@ -197,6 +225,8 @@ def plan(
         min(γ (ln n / n)^(1/3), step) for n nodes.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
+    on_improvement : callable, optional
+        Called with (seconds, cost, waypoints) for every better path that "anytime" finds.
 
     Returns
     -------
@@ -208,12 +238,14 @@ def plan(
     InputError
         A scene without start or goal where none is given, bad options, options that the planner does not have.
     KeyboardInterrupt
-        On Ctrl-C, at once.
+        On Ctrl-C, at once; but "anytime" then returns its best path, if it has one.
 
     Examples
     --------
     >>> scene = Scene.load("testdata/scenes/hard1.toml")
-    >>> result = plan(scene, seed=3)
+    >>> print(f"{plan(scene).cost:.6f}")
+    2.435167
+    >>> result = plan(scene, "modified-rrt", seed=3)
     >>> result.solved, result.cost <= result.raw_cost
     (True, True)
     """
@@ -222,6 +254,7 @@ def plan(
         "max_nodes": None if max_nodes is None else _whole("max_nodes", max_nodes),
         "keep_going": bool(keep_going),
         "target_cost": _finite("target_cost", target_cost),
+        "gap": _finite("gap", gap),
         "extend_step": _finite("extend_step", extend_step),
         "goal_bias": _finite("goal_bias", goal_bias),
         "near_radius": _finite("near_radius", near_radius),
@@ -238,6 +271,7 @@ def plan(
         _whole("repeats", repeats),
         None if budget is None else float(budget),
         json.dumps(settings),
+        on_improvement,
     )
     found = json.loads(text)
     return Result(
@@ -249,6 +283,7 @@ def plan(
         reason=None if found["reason"] is None else violation_from(found["reason"]),
         min_clearance=found["min_clearance"],
         stats=found["stats"],
+        history=tuple(Milestone(**entry) for entry in found["history"]),
         tree=SearchTree(*tree),
         _json=text,
     )
@@ -318,9 +353,46 @@ def rewind(
     (2, 3)
     """
     array = path_rows("waypoints", waypoints)
-    text = scene._core.rewind(array, float(step), order, _whole("repeats", repeats), engine, interference)
+    text = scene._core.shorten(array, order, float(step), _whole("repeats", repeats), engine, interference)
     found = json.loads(text)
     return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
+
+
+def refine(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    *,
+    engine: Engine = "cspace",
+    interference: Interference = "exact",
+) -> Path:
+    """Pull anyone's path taut: a shortest path of its kind, valid and never longer.
+
+    Parameters
+    ----------
+    scene : Scene
+    waypoints : array_like (k, 3), k >= 2
+        Positions of the platform's origin, world, m; every segment must be valid.
+
+    Returns
+    -------
+    Path
+        First and last waypoint as given. It bends only at edges of what is forbidden in the space of positions.
+
+    Raises
+    ------
+    InputError
+        Wrong shape, or a segment that is not valid, named with the reason.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> raw = plan(scene, "modified-rrt", post="none")
+    >>> print(f"{refine(scene, raw).cost:.6f}")
+    2.435167
+    """
+    array = path_rows("waypoints", waypoints)
+    found = json.loads(scene._core.shorten(array, "taut", 1.0, 1, engine, interference))
+    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=json.dumps(found))
 
 
 def check(

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
-use cdpr_core::plan::{NO_POST, PlanOptions, post_named};
+use cdpr_core::plan::{PlanOptions, Post, Processing};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
-use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::regions::{RegionOptions, Space};
 use cdpr_core::{Choice, Error};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -172,8 +171,8 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub rewinding: RewindArgs,
     /// Rewinding of the found path, by which of its two directions comes first.
-    #[arg(long, value_parser = order_or_none(), default_value = Order::default().name())]
-    pub post: String,
+    #[arg(long, value_parser = choice::<Post>())]
+    pub post: Option<Post>,
     /// Start instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub start: Option<Vec<f64>>,
@@ -191,7 +190,7 @@ pub struct PlanArgs {
 /// Options of the planner; those that it does not have are refused.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PlannerArgs {
-    /// Stop after this many random samples [default: 20000; rrt-star: 500000].
+    /// Stop after this many random samples [default: 20000; rrt-star: 500000; anytime: no limit].
     #[arg(long, value_name = "N")]
     pub max_samples: Option<usize>,
     /// Stop after this many nodes.
@@ -203,6 +202,9 @@ pub struct PlannerArgs {
     /// Go on after the first path until it is at most this long, m.
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub target_cost: Option<f64>,
+    /// With anytime, go on until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
+    pub gap: Option<f64>,
     /// Longest edge by which rrt and rrt-star grow, m [default: --step, as in the paper].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub extend_step: Option<f64>,
@@ -216,8 +218,16 @@ pub struct PlannerArgs {
 
 impl PlannerArgs {
     fn settings(self) -> PlannerSettings {
-        let PlannerArgs { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius } = self;
-        PlannerSettings { max_samples, max_nodes, keep_going, target_cost, extend_step, goal_bias, near_radius }
+        PlannerSettings {
+            max_samples: self.max_samples,
+            max_nodes: self.max_nodes,
+            keep_going: self.keep_going,
+            target_cost: self.target_cost,
+            gap: self.gap,
+            extend_step: self.extend_step,
+            goal_bias: self.goal_bias,
+            near_radius: self.near_radius,
+        }
     }
 }
 
@@ -239,8 +249,8 @@ pub struct PostArgs {
     #[command(flatten)]
     pub rewinding: RewindArgs,
     /// Which of the two directions comes first.
-    #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
-    pub post: Order,
+    #[arg(long, value_parser = something(), default_value = Post::Both.name())]
+    pub post: Post,
     /// Write the path here (.json or .csv).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
@@ -418,7 +428,7 @@ impl PlanArgs {
             start: self.start.as_deref().map(Point::from_slice),
             goal: self.goal.as_deref().map(Point::from_slice),
             step: self.rewinding.step,
-            post: post_named(&self.post)?,
+            post: self.post,
             repeats: self.rewinding.repeats,
             budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
         })
@@ -433,8 +443,8 @@ impl ShadowsArgs {
 }
 
 impl PostArgs {
-    pub fn options(&self) -> RewindOptions {
-        RewindOptions { step: self.rewinding.step, order: self.post, repeats: self.rewinding.repeats }
+    pub fn options(&self) -> Result<Processing, Error> {
+        self.post.processing(self.rewinding.step, self.rewinding.repeats)
     }
 }
 
@@ -447,9 +457,11 @@ fn possible<T: Choice>() -> Vec<PossibleValue> {
     T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help)).collect()
 }
 
-fn order_or_none() -> PossibleValuesParser {
-    let none = PossibleValue::new(NO_POST).help("The planner's path as it is");
-    PossibleValuesParser::new(possible::<Order>().into_iter().chain([none]).collect::<Vec<_>>())
+/// The names of [`Post`] but for that of doing nothing.
+fn something() -> impl TypedValueParser<Value = Post> {
+    let names = possible::<Post>().into_iter().filter(|name| !name.matches(Post::None.name(), false));
+    PossibleValuesParser::new(names.collect::<Vec<_>>())
+        .map(|name| Post::named(&name).expect("one of the possible names"))
 }
 
 /// A positive number; a step or a time.

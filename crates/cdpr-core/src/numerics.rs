@@ -136,6 +136,13 @@ pub const BISECTION_STEPS: usize = 45;
 /// Least gain, m, for which rewinding replaces part of a path; "strictly shorter" above rounding, so that it ends.
 pub const SHORTER: f64 = 1e-9;
 
+/// How far taut paths keep from the forbidden polyhedra, m: what lies along a face is then free beyond rounding, for
+/// every engine. A path is longer by about this much at every bend.
+pub const STANDOFF: f64 = 1e-8;
+
+/// Gain below which a path counts as taut, m.
+pub const TAUT: f64 = 1e-10;
+
 /// Error of `W t = w` that counts as none, as a share of the larger of |w| and the greatest tension: a wrench exactly
 /// on the boundary of what the cables can balance stays inside whatever rounding (about 1e-15) does.
 pub const BALANCE_RELATIVE: f64 = 1e-9;

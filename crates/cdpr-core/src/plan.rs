@@ -7,25 +7,77 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use crate::choice::Choice;
+use crate::choice::choices;
 use crate::collision::path_check::{PathReport, first_invalid_segment, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
-use crate::planning::{Outcome, PlannerOptions, Problem, SearchTree, Status, TranslationSpace, Watch};
-use crate::postprocess::{Direction, Order, RewindOptions, Trace, rewind, rewind_traced};
+use crate::planning::{
+    Aids, Guide, Listener, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
+    Watch,
+};
+use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
-/// The name for "leave the planner's path as it is" where an order of rewinding is chosen.
-pub const NO_POST: &str = "none";
+/// What is done to a planner's path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Post {
+    /// Rewinding in both orders; the shorter result is kept.
+    Both,
+    /// Backward rewinding, then forward.
+    Backward,
+    /// Forward rewinding, then backward.
+    Forward,
+    /// Pulled taut: a shortest path of its kind.
+    Taut,
+    /// Nothing.
+    None,
+}
 
-/// The order of rewinding of a name, none for [`NO_POST`].
-///
-/// # Errors
-/// An unknown name.
-pub fn post_named(name: &str) -> Result<Option<Order>, Error> {
-    if name == NO_POST { Ok(None) } else { Order::named(name).map(Some) }
+choices!(Post, "post", [
+    Both = "both": "Rewinding in both orders; the shorter result is kept (the paper)",
+    Backward = "backward": "Backward rewinding, then forward",
+    Forward = "forward": "Forward rewinding, then backward",
+    Taut = "taut": "Pulled taut around the exact obstacles: a shortest path of its kind",
+    None = "none": "The planner's path as it is",
+]);
+
+impl Post {
+    /// What is done to the paths of a planner unless told otherwise: the paper's are rewound, as in the paper.
+    pub fn of(planner: Planner) -> Self {
+        match planner {
+            Planner::Anytime => Post::None,
+            Planner::RrtConnect => Post::Taut,
+            Planner::ModifiedRrt | Planner::Rrt | Planner::RrtStar => Post::Both,
+        }
+    }
+
+    /// With the numbers that rewinding needs.
+    ///
+    /// # Errors
+    /// As [`RewindOptions::checked`].
+    pub fn processing(self, step: f64, repeats: usize) -> Result<Processing, Error> {
+        let rewind = |order| RewindOptions { step, order, repeats }.checked().map(Processing::Rewind);
+        match self {
+            Post::Both => rewind(Order::Both),
+            Post::Backward => rewind(Order::Backward),
+            Post::Forward => rewind(Order::Forward),
+            Post::Taut => Ok(Processing::Taut),
+            Post::None => Ok(Processing::None),
+        }
+    }
+}
+
+/// A [`Post`] with its options.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Processing {
+    /// The path stays as it is.
+    None,
+    /// Algorithms 4 and 5 of the paper.
+    Rewind(RewindOptions),
+    /// [`crate::postprocess::taut`].
+    Taut,
 }
 
 /// How to plan; the question itself stands in the scene.
@@ -45,8 +97,8 @@ pub struct PlanOptions {
     pub goal: Option<Point>,
     /// Step of rewinding, m.
     pub step: f64,
-    /// Order of rewinding; none leaves the raw path.
-    pub post: Option<Order>,
+    /// What is done to the planner's path; none is [`Post::of`] the planner.
+    pub post: Option<Post>,
     /// Repeats of rewinding.
     pub repeats: usize,
     /// Time after which the search gives up.
@@ -55,7 +107,7 @@ pub struct PlanOptions {
 
 impl Default for PlanOptions {
     fn default() -> Self {
-        let RewindOptions { step, order, repeats } = RewindOptions::default();
+        let RewindOptions { step, repeats, .. } = RewindOptions::default();
         PlanOptions {
             planner: PlannerOptions::default(),
             engine: Engine::default(),
@@ -64,10 +116,22 @@ impl Default for PlanOptions {
             start: None,
             goal: None,
             step,
-            post: Some(order),
+            post: None,
             repeats,
             budget: None,
         }
+    }
+}
+
+impl PlanOptions {
+    /// The paper's method: Modified RRT and rewinding in both orders.
+    pub fn paper() -> Self {
+        PlanOptions { planner: PlannerOptions::of(Planner::ModifiedRrt), ..PlanOptions::default() }
+    }
+
+    /// What is done to the planner's path.
+    pub fn post(&self) -> Post {
+        self.post.unwrap_or_else(|| Post::of(self.planner.planner()))
     }
 }
 
@@ -103,6 +167,8 @@ pub struct PlanResult {
     pub raw_cost: f64,
     /// The planner's tree, shared by all rewindings of its path; empty if start or goal is invalid.
     pub tree: Arc<SearchTree<Point>>,
+    /// When the planner's path got better, first to last.
+    pub history: Vec<Milestone>,
     /// Counts and times.
     pub stats: Stats,
 }
@@ -169,11 +235,24 @@ pub fn plan_with(
     options: &PlanOptions,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<PlanResult, Error> {
-    let PlanOptions { step, repeats, .. } = *options;
-    let rewinding = options.post.map(|order| RewindOptions { step, order, repeats });
-    RewindOptions { step, ..RewindOptions::default() }.checked()?;
-    let raw = search(engine, scene, options, interrupted)?;
-    post_process(engine, &raw, rewinding.as_ref(), interrupted)
+    plan_heard(engine, scene, options, interrupted, &|_, _, _| {})
+}
+
+/// As [`plan_with`], telling somebody of every better path that the anytime planner finds.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_heard(
+    engine: &dyn Checker,
+    scene: &Scene,
+    options: &PlanOptions,
+    interrupted: &dyn Fn() -> bool,
+    listener: &Listener<Point>,
+) -> Result<PlanResult, Error> {
+    RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
+    let processing = options.post().processing(options.step, options.repeats)?;
+    let raw = search(engine, scene, options, interrupted, listener)?;
+    post_process(engine, &raw, &processing, interrupted)
 }
 
 /// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
@@ -182,6 +261,7 @@ fn search(
     scene: &Scene,
     options: &PlanOptions,
     interrupted: &dyn Fn() -> bool,
+    listener: &Listener<Point>,
 ) -> Result<PlanResult, Error> {
     let start = end("start", options.start, scene.start())?;
     let goal = end("goal", options.goal, scene.goal())?;
@@ -194,25 +274,26 @@ fn search(
     let clock = Instant::now();
     let watch = Watch { deadline: options.budget.map(|budget| clock + budget), interrupted };
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = options.planner.search(&problem, engine, &mut rng, &watch)?;
+    let aids = Aids { guide: &Taut::new(engine), listener };
+    let outcome = options.planner.search(&problem, engine, &aids, &mut rng, &watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
-    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples } = outcome;
+    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    let unsolved = PlanResult { tree: tree.into(), ..PlanResult::unsolved(status, None, stats) };
+    let unsolved = PlanResult { tree: tree.into(), history, ..PlanResult::unsolved(status, None, stats) };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
         _ => unsolved,
     })
 }
 
-/// A result with its raw path rewound anew, and every segment checked once more; none leaves the raw path as it is.
+/// A result with its raw path processed anew, and every segment checked once more.
 ///
 /// # Errors
 /// Bad options, [`Error::interrupted`].
 pub fn post_process(
     engine: &dyn Checker,
     raw: &PlanResult,
-    rewinding: Option<&RewindOptions>,
+    processing: &Processing,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<PlanResult, Error> {
     if raw.status != Status::Solved {
@@ -221,10 +302,12 @@ pub fn post_process(
     let clock = Instant::now();
     let watch = Watch { deadline: None, interrupted };
     let space = TranslationSpace::of(engine.constraints());
-    let (waypoints, post_seconds) = match rewinding {
-        Some(options) => (rewind(&space, engine, &raw.raw_waypoints, options, &watch)?, clock.elapsed().as_secs_f64()),
-        None => (raw.raw_waypoints.clone(), 0.0),
+    let waypoints = match processing {
+        Processing::None => raw.raw_waypoints.clone(),
+        Processing::Rewind(options) => rewind(&space, engine, &raw.raw_waypoints, options, &watch)?,
+        Processing::Taut => Taut::new(engine).shortened(&raw.raw_waypoints, &watch)?,
     };
+    let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };
     Ok(PlanResult { cost: path_length(&waypoints), waypoints, stats, ..raw.clone() })
@@ -234,7 +317,17 @@ impl PlanResult {
     fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
         let (cost, raw_cost) = (f64::NAN, f64::NAN);
         let tree = Arc::default();
-        PlanResult { status, reason, waypoints: Vec::new(), cost, raw_waypoints: Vec::new(), raw_cost, tree, stats }
+        PlanResult {
+            status,
+            reason,
+            waypoints: Vec::new(),
+            cost,
+            raw_waypoints: Vec::new(),
+            raw_cost,
+            tree,
+            history: Vec::new(),
+            stats,
+        }
     }
 }
 
@@ -262,19 +355,25 @@ fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
     }
 }
 
-/// Rewinds a path of a scene, given by the user.
+/// Shortens a path of a scene, given by the user.
 ///
 /// # Errors
 /// A path whose segment collides (named with the reason), bad options, [`Error::interrupted`].
-pub fn rewind_path(
+pub fn shorten_path(
     engine: &dyn Checker,
     waypoints: &[Point],
-    options: &RewindOptions,
+    processing: &Processing,
     interrupted: &dyn Fn() -> bool,
 ) -> Result<Vec<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
-    let space = TranslationSpace::of(engine.constraints());
-    let shorter = rewind(&space, engine, waypoints, options, &Watch { deadline: None, interrupted })?;
+    let watch = Watch { deadline: None, interrupted };
+    let shorter = match processing {
+        Processing::None => waypoints.to_vec(),
+        Processing::Rewind(options) => {
+            rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, &watch)?
+        }
+        Processing::Taut => Taut::new(engine).shortened(waypoints, &watch)?,
+    };
     verified(engine, &shorter)?;
     Ok(shorter)
 }

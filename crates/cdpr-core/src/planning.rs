@@ -2,21 +2,26 @@
 //!
 //! They know the trait [`crate::collision::Validity`], not the engine behind it, and a [`StateSpace`], not its geometry.
 
+pub mod anytime;
+mod bidirectional;
 pub mod modified_rrt;
 pub mod neighbours;
 pub mod outcome;
 pub mod planner;
 pub mod rrt;
+pub mod rrt_connect;
 pub mod rrt_star;
 pub mod search;
 pub mod space;
 pub mod tree;
 
+pub use anytime::{AnytimeOptions, Guide, Listener, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
-pub use outcome::{Outcome, Status, Watch};
-pub use planner::{Planner, PlannerOptions, PlannerSettings};
+pub use outcome::{Milestone, Outcome, Status, Watch};
+pub use planner::{Aids, Planner, PlannerOptions, PlannerSettings};
 pub use rrt::{RrtOptions, rrt};
+pub use rrt_connect::{RrtConnectOptions, rrt_connect};
 pub use rrt_star::{RrtStarOptions, rrt_star};
 pub use search::{Limits, Until};
 pub use space::{Problem, StateSpace, TranslationSpace};

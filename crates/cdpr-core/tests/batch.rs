@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 use cdpr_core::batch::{Experiment, Row, RunOptions};
 use cdpr_core::io::text::Notation;
 use cdpr_core::io::{BatchFolder, BatchRows, experiment_from_text, load_experiment, merge};
-use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::plan::{PlanOptions, Post, plan};
 use cdpr_core::planning::{PlannerOptions, RrtOptions};
-use cdpr_core::postprocess::Order;
 use cdpr_core::testing::hard1;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -137,7 +136,7 @@ fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
     let row = rows.iter().find(|r| (r.scenario.as_str(), r.method.as_str(), r.trial) == ("hard1", "rrt", 7)).unwrap();
     let rrt = RrtOptions { goal_bias: 0.05, limits: cdpr_core::planning::Limits::samples(3000), ..Default::default() };
     let planner = PlannerOptions::Rrt(rrt);
-    let options = PlanOptions { planner, seed: row.seed, post: Some(Order::Forward), ..Default::default() };
+    let options = PlanOptions { planner, seed: row.seed, post: Some(Post::Forward), ..PlanOptions::paper() };
     let again = plan(&hard1(), &options, &|| false).unwrap();
     assert_eq!(
         (row.raw_cost, row.cost),
@@ -249,7 +248,7 @@ fn bad_experiments_name_key_finding_and_expectation() {
         ("trials = 12", "trails = 12", "did you mean `trials`?"),
         ("version = 1", "version = 2", "version: found 2, expected 1"),
         ("planner = \"rrt\"", "planner = \"rtt\"", "methods[1].planner: found \"rtt\""),
-        ("post = \"forward\"", "post = \"sideways\"", "methods[1].post.order: found \"sideways\""),
+        ("post = \"forward\"", "post = \"sideways\"", "methods[1].post: found \"sideways\""),
         ("goal_bias = 0.05", "goal_bias = 5.0", "methods[1].options.goal_bias: found 5"),
         ("goal_bias = 0.05", "gaol_bias = 0.05", "did you mean `goal_bias`?"),
         ("step = [0.1, 0.02]", "step = [0.1, 0.1]", "methods: found the name \"sweep, step 0.1, repeats 01\" twice"),

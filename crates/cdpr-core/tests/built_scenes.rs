@@ -18,7 +18,7 @@ fn load(name: &str) -> Scene {
 }
 
 fn planned(scene: &Scene, seed: u64) -> PlanResult {
-    plan(scene, &PlanOptions { seed, ..PlanOptions::default() }, &|| false).expect("a well-posed question")
+    plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false).expect("a well-posed question")
 }
 
 /// The least slack at 1001 places of each segment.

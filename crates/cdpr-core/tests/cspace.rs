@@ -364,7 +364,7 @@ fn both_engines_plan_the_same_path() {
     for scene in [hard1(), hard3()] {
         for seed in 0..10 {
             let of = |engine| {
-                let options = PlanOptions { engine, seed, ..PlanOptions::default() };
+                let options = PlanOptions { engine, seed, ..PlanOptions::paper() };
                 let found = plan(&scene, &options, &|| false).unwrap();
                 (found.waypoints, found.raw_waypoints, found.stats.motion_checks)
             };

@@ -8,8 +8,8 @@ use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{QuerySpec, Scene};
-use cdpr_core::plan::{PlanOptions, PlanResult, plan, rewind_path, trace_rewinding};
-use cdpr_core::planning::{PlannerOptions, Status};
+use cdpr_core::plan::{PlanOptions, PlanResult, Processing, plan, shorten_path, trace_rewinding};
+use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::postprocess::{Direction, Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use rand::RngExt;
@@ -23,7 +23,7 @@ fn planned(scene: &Scene, options: PlanOptions) -> PlanResult {
 
 /// The default planner with so many samples.
 fn samples(max_samples: usize) -> PlannerOptions {
-    let mut planner = PlannerOptions::default();
+    let mut planner = PlannerOptions::of(Planner::ModifiedRrt);
     planner.limits_mut().max_samples = max_samples;
     planner
 }
@@ -45,7 +45,7 @@ fn mean_costs_are_near(scene: &Scene, raw: f64, rewound: f64) {
     let engine = GjkEngine::new(scene, Interference::Exact).unwrap();
     let results: Vec<PlanResult> = (0..SEEDS)
         .into_par_iter()
-        .map(|seed| planned(scene, PlanOptions { seed, step: STEP, ..PlanOptions::default() }))
+        .map(|seed| planned(scene, PlanOptions { seed, step: STEP, ..PlanOptions::paper() }))
         .collect();
     for result in &results {
         assert_eq!(result.status, Status::Solved);
@@ -71,7 +71,7 @@ fn hard3_costs_what_the_study_says() {
 
 #[test]
 fn the_same_seed_gives_the_same_path_and_another_seed_another() {
-    let path = |seed| planned(&hard1(), PlanOptions { seed, ..PlanOptions::default() }).waypoints;
+    let path = |seed| planned(&hard1(), PlanOptions { seed, ..PlanOptions::paper() }).waypoints;
     assert_eq!(path(5), path(5));
     assert_ne!(path(5), path(6));
 }
@@ -85,7 +85,7 @@ fn without_obstacles_the_path_is_the_straight_line() {
 #[test]
 fn start_equal_to_goal_costs_nothing() {
     let at = Some(Point::new(0.3, 1.0, 0.3));
-    let found = planned(&hard1(), PlanOptions { start: at, goal: at, ..PlanOptions::default() });
+    let found = planned(&hard1(), PlanOptions { start: at, goal: at, ..PlanOptions::paper() });
     assert_eq!((found.status, found.cost, found.waypoints.len()), (Status::Solved, 0.0, 2));
 }
 
@@ -94,9 +94,9 @@ fn invalid_ends_are_answers_with_reasons() {
     let inside = Some(Point::new(1.0, 1.0, 0.5));
     let outside = Some(Point::new(-5.0, 1.0, 0.5));
     for (options, status) in [
-        (PlanOptions { start: inside, ..PlanOptions::default() }, Status::StartInvalid),
-        (PlanOptions { goal: inside, ..PlanOptions::default() }, Status::GoalInvalid),
-        (PlanOptions { goal: outside, ..PlanOptions::default() }, Status::GoalInvalid),
+        (PlanOptions { start: inside, ..PlanOptions::paper() }, Status::StartInvalid),
+        (PlanOptions { goal: inside, ..PlanOptions::paper() }, Status::GoalInvalid),
+        (PlanOptions { goal: outside, ..PlanOptions::paper() }, Status::GoalInvalid),
     ] {
         let found = planned(&hard1(), options);
         assert_eq!((found.status, found.reason.is_some(), found.waypoints.len()), (status, true, 0));
@@ -118,14 +118,14 @@ fn walled_platform() -> Scene {
 
 #[test]
 fn a_spent_budget_is_told() {
-    let found = planned(&walled_platform(), PlanOptions { planner: samples(300), ..PlanOptions::default() });
+    let found = planned(&walled_platform(), PlanOptions { planner: samples(300), ..PlanOptions::paper() });
     assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 300));
     assert!(found.raw_cost.is_nan());
 }
 
 #[test]
 fn a_time_budget_and_an_interruption_end_the_search() {
-    let endless = PlanOptions { planner: samples(usize::MAX), ..PlanOptions::default() };
+    let endless = PlanOptions { planner: samples(usize::MAX), ..PlanOptions::paper() };
     let clock = Instant::now();
     let budget = Some(Duration::from_millis(50));
     let found = planned(&walled_platform(), PlanOptions { budget, ..endless.clone() });
@@ -139,10 +139,10 @@ fn a_time_budget_and_an_interruption_end_the_search() {
 fn bad_questions_are_errors() {
     let ask = |scene: &Scene, options: PlanOptions| plan(scene, &options, &|| false).unwrap_err().to_string();
     for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
-        assert!(ask(&hard1(), PlanOptions { step, ..PlanOptions::default() }).contains("step"));
+        assert!(ask(&hard1(), PlanOptions { step, ..PlanOptions::paper() }).contains("step"));
     }
     let nowhere = Some(Point::new(f64::NAN, 0.0, 0.0));
-    assert!(ask(&hard1(), PlanOptions { start: nowhere, ..PlanOptions::default() }).contains("start"));
+    assert!(ask(&hard1(), PlanOptions { start: nowhere, ..PlanOptions::paper() }).contains("start"));
     let mut spec = paper_scene("no query", Vec::new());
     spec.query = None;
     assert!(ask(&scene(spec), PlanOptions::default()).contains("query.start"));
@@ -180,7 +180,7 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
     for seed in 0..60 {
         let path = wandering_path(&engine, seed);
         let cost = |options: &RewindOptions| {
-            let rewound = rewind_path(&engine, &path, options, &|| false).unwrap();
+            let rewound = shorten_path(&engine, &path, &Processing::Rewind(options.clone()), &|| false).unwrap();
             assert_eq!((rewound[0], rewound[rewound.len() - 1]), (path[0], path[path.len() - 1]));
             assert_valid(&engine, &rewound);
             path_length(&rewound)
@@ -197,10 +197,10 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
 fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
     let scene = hard1();
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::default() }).raw_waypoints;
+    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints;
     let pair = |order| {
         let options = RewindOptions { step: STEP, order, repeats: 1 };
-        rewind_path(&engine, &raw, &options, &|| false).unwrap()
+        shorten_path(&engine, &raw, &Processing::Rewind(options.clone()), &|| false).unwrap()
     };
     let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &|| false).unwrap();
     for (order, first, second) in [
@@ -222,7 +222,7 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
     let engine = GjkEngine::new(&empty(), Interference::Exact).unwrap();
     let (a, b, c) = (Point::new(0.3, 1.0, 0.3), Point::new(1.0, 1.6, 1.0), Point::new(1.7, 1.0, 1.7));
     for path in [vec![a, a, b, b, c, c], vec![a, c, a, c], vec![a, a], vec![a, c]] {
-        let rewound = rewind_path(&engine, &path, &RewindOptions::default(), &|| false).unwrap();
+        let rewound = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &|| false).unwrap();
         let straight = (path[path.len() - 1] - path[0]).norm();
         assert!((path_length(&rewound) - straight).abs() < 1e-9, "{path:?} gave {rewound:?}");
     }
@@ -232,7 +232,8 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
 fn rewinding_refuses_a_path_in_collision_by_name() {
     let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
     let path = [Point::new(0.3, 1.0, 0.3), Point::new(1.7, 1.0, 1.7)];
-    let error = rewind_path(&engine, &path, &RewindOptions::default(), &|| false).unwrap_err().to_string();
+    let error =
+        shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &|| false).unwrap_err().to_string();
     assert!(error.contains("waypoints[0]") && error.contains("pillar"), "{error}");
 }
 
@@ -261,7 +262,7 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
         spec.clearance = Some([0.0, 0.01][seed as usize % 2]);
         let scene = scene(spec);
         let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-        let found = planned(&scene, PlanOptions { seed, planner: samples(500), ..PlanOptions::default() });
+        let found = planned(&scene, PlanOptions { seed, planner: samples(500), ..PlanOptions::paper() });
         // As in the paper, only scenes count whose start and goal are free.
         asked += usize::from(matches!(found.status, Status::Solved | Status::BudgetSpent));
         if found.status == Status::Solved {

@@ -42,7 +42,7 @@ fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
     for rule in [RuleSpec::Certified, RuleSpec::Grid] {
         let scene = cogiro(WrenchSpec { rule: Some(rule), grid: Some(0.25), ..balls(40.0, 10.0) });
         for (engine, seed) in [(Engine::Cspace, 0), (Engine::Cspace, 1), (Engine::Gjk, 0)] {
-            let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::default() }, &|| false).unwrap();
+            let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::paper() }, &|| false).unwrap();
             assert_eq!(result.status, Status::Solved);
             let slack = slack_along(&measures(&scene).unwrap(), &result.waypoints);
             assert!(slack >= 0.0 || rule == RuleSpec::Grid && slack > -20.0, "{slack}");

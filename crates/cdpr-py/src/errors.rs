@@ -34,7 +34,18 @@ pub fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Fn() -> bool) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    let (run, signal) = py.detach(|| {
+    match interruptible_with_rest(py, work) {
+        (_, Some(signal)) => Err(signal),
+        (run, None) => run.map_err(raised),
+    }
+}
+
+/// As [`interruptible`], for work that has an answer even if it is stopped: the answer beside the signal.
+pub fn interruptible_with_rest<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Fn() -> bool) -> Result<T, Error> + Send,
+) -> (Result<T, Error>, Option<PyErr>) {
+    py.detach(|| {
         let asked_at = Cell::new(Instant::now());
         let signal = RefCell::new(None);
         let interrupted = || {
@@ -46,9 +57,5 @@ pub fn interruptible<T: Send>(
         };
         let run = work(&interrupted);
         (run, signal.into_inner())
-    });
-    match signal {
-        Some(signal) => Err(signal),
-        None => run.map_err(raised),
-    }
+    })
 }

@@ -13,19 +13,19 @@ use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, Polytope, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
-use cdpr_core::plan::{PlanOptions, check, engine_for, plan, post_named, rewind_path, trace_rewinding};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, check, engine_for, plan_heard, shorten_path, trace_rewinding};
 use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
-use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, Robot};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use convert::{point, points, row, triples};
-use errors::{interruptible, raised};
+use errors::{interruptible, interruptible_with_rest, raised};
 
 /// A checked scene, with the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -192,10 +192,11 @@ impl Scene {
         start: Option<[f64; 3]>,
         goal: Option<[f64; 3]>,
         step: f64,
-        post: &str,
+        post: Option<&str>,
         repeats: usize,
         budget: Option<f64>,
         settings: &str,
+        on_improvement: Option<Py<PyAny>>,
     ) -> PyResult<Planned<'py>> {
         let settings: PlannerSettings = io::text::parse(settings, Notation::Json).map_err(raised)?;
         let options = PlanOptions {
@@ -206,12 +207,12 @@ impl Scene {
             start: start.map(point),
             goal: goal.map(point),
             step,
-            post: post_named(post).map_err(raised)?,
+            post: post.map(named).transpose()?,
             repeats,
             budget: budget.map(seconds).transpose()?,
         };
         let checker = engine_of(self, engine, interference)?;
-        let found = interruptible(py, |interrupted| plan(&self.0, &options, interrupted))?;
+        let found = planned(py, &*checker, &self.0, &options, on_improvement.as_ref())?;
         let nearest = min_clearance(&*checker, &found.waypoints);
         let measures = core_wrench::measures(&self.0).map_err(raised)?;
         let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
@@ -219,22 +220,22 @@ impl Scene {
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
-    /// The rewound path as JSON.
+    /// The path made shorter, as JSON.
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.rewind
-    fn rewind(
+    fn shorten(
         &self,
         py: Python<'_>,
         waypoints: PyReadonlyArray2<'_, f64>,
+        post: &str,
         step: f64,
-        order: &str,
         repeats: usize,
         engine: &str,
         interference: &str,
     ) -> PyResult<String> {
         let engine = engine_of(self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        let options = RewindOptions { step, order: named(order)?, repeats };
-        let shorter = interruptible(py, |interrupted| rewind_path(&*engine, &waypoints, &options, interrupted))?;
+        let processing = named::<Post>(post)?.processing(step, repeats).map_err(raised)?;
+        let shorter = interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, interrupted))?;
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
 
@@ -361,6 +362,35 @@ fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
         raised(Error::invalid("tree.parents", "found others, expected for each state the index of its parent"))
     })?;
     Ok(SearchTree { states, parents })
+}
+
+/// Plans; a Ctrl-C that comes when there is a path ends the search with it.
+fn planned(
+    py: Python<'_>,
+    checker: &dyn Checker,
+    scene: &cdpr_core::Scene,
+    options: &PlanOptions,
+    on_improvement: Option<&Py<PyAny>>,
+) -> PyResult<PlanResult> {
+    let failure: Mutex<Option<PyErr>> = Mutex::default();
+    let failed = || failure.lock().unwrap_or_else(PoisonError::into_inner);
+    let tell = |seconds: f64, cost: f64, path: &[Point]| {
+        let Some(callback) = on_improvement else { return };
+        let told = Python::attach(|py| {
+            let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
+            callback.call1(py, (seconds, cost, waypoints)).map(drop)
+        });
+        *failed() = told.err();
+    };
+    let (found, signal) = interruptible_with_rest(py, |interrupted| {
+        plan_heard(checker, scene, options, &|| interrupted() || failed().is_some(), &tell)
+    });
+    let stopped = |error: &PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
+    match (failed().take(), signal) {
+        (Some(error), _) => Err(error),
+        (None, Some(signal)) if !(stopped(&signal) && found.is_ok()) => Err(signal),
+        _ => found.map_err(raised),
+    }
 }
 
 type Tries<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Vec<bool>);

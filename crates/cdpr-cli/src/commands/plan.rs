@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{PlanOptions, PlanResult, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench::{measures, path_wrench};
@@ -95,11 +95,16 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
 fn solved(options: &PlanOptions, found: &PlanResult) -> String {
     let PlanResult { waypoints, stats, .. } = found;
     let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
-    let before =
-        if options.post.is_some() { format!("{} m before rewinding, ", short(found.raw_cost)) } else { String::new() };
+    let (before, done) = match options.post() {
+        Post::None => ("", ""),
+        Post::Taut => ("before it was pulled taut, ", "pulled taut"),
+        _ => ("before rewinding, ", "rewound"),
+    };
+    let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
+    let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
     format!(
         "solved: {} m with {} ({before}{} m as the crow flies)\n\
-         searched {:.2} ms ({}, {}, seed {}), rewound {:.2} ms; every segment checked once more",
+         searched {:.2} ms ({}, {}, seed {}); {done}every segment checked once more",
         short(found.cost),
         count(waypoints.len(), "waypoint"),
         short(straight),
@@ -107,7 +112,6 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
         count(stats.nodes, "node"),
         count(stats.motion_checks, "motion check"),
         options.seed,
-        stats.post_seconds * 1e3,
     )
 }
 

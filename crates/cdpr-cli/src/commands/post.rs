@@ -1,7 +1,7 @@
 //! `cdpr post`
 
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::plan::{engine_for, rewind_path};
+use cdpr_core::plan::{engine_for, shorten_path};
 use cdpr_core::{Error, io};
 
 use crate::Answer;
@@ -17,8 +17,9 @@ pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
     say_notes(engine.constraints());
-    let rewind = |stop: &dyn Fn() -> bool| rewind_path(&*engine, &path.waypoints, &args.options(), stop);
-    let shorter = with_sign_of_life("rewinding", rewind).map_err(|e| e.in_file(&given.path))?;
+    let processing = args.options()?;
+    let shorten = |stop: &dyn Fn() -> bool| shorten_path(&*engine, &path.waypoints, &processing, stop);
+    let shorter = with_sign_of_life("shortening", shorten).map_err(|e| e.in_file(&given.path))?;
     let json = io::path_json(&scene, &shorter);
     match given.scene.format {
         Format::Json => result(&format!("{json:#}")),

@@ -12,7 +12,7 @@ use crate::choice::Choice;
 use crate::error::{Error, nearest_name};
 use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
-use crate::plan::{PlanOptions, post_named};
+use crate::plan::{PlanOptions, Post, Processing};
 use crate::planning::{Planner, PlannerOptions};
 use crate::postprocess::RewindOptions;
 
@@ -51,15 +51,15 @@ pub struct Scenario {
     pub random: Option<RandomScenes>,
 }
 
-/// A planner, and one or more ways of rewinding its raw path.
+/// A planner, and one or more things done to its raw path.
 #[derive(Debug, Clone)]
 pub struct Method {
     /// Name; its random numbers derive from it.
     pub name: String,
     /// The planner, without rewinding.
     pub options: PlanOptions,
-    /// Names in tables, and how the raw path is rewound.
-    pub variants: Vec<(String, Option<RewindOptions>)>,
+    /// Names in tables, and what is done to the raw path.
+    pub variants: Vec<(String, Processing)>,
     /// What the variants of a sweep differ in; empty without a sweep.
     pub sweep: Vec<Swept>,
 }
@@ -161,28 +161,29 @@ impl Method {
         named(&spec.name)?;
         let defaults = PlanOptions::default();
         let step = spec.step.unwrap_or(defaults.step);
-        let planner = chosen(spec.planner.as_deref(), Planner::default())?;
+        // Experiments repeat the paper unless told otherwise.
+        let planner = chosen(spec.planner.as_deref(), Planner::ModifiedRrt)?;
         let options = PlanOptions {
             planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
             engine: chosen(spec.engine.as_deref(), defaults.engine)?,
             interference: chosen(spec.interference.as_deref(), defaults.interference)?,
             budget: spec.budget_ms.map(budget).transpose()?,
             step,
-            post: None,
+            post: Some(Post::None),
             ..defaults
         };
-        let (variants, sweep) = variants(spec, step)?.into_iter().unzip();
+        let (variants, sweep) = variants(spec, planner, step)?.into_iter().unzip();
         let sweep = if spec.sweep.is_some() { sweep } else { Vec::new() };
         Ok(Method { name: spec.name.clone(), options, variants, sweep })
     }
 }
 
 /// A way of rewinding by its name in tables, and where it stands in the sweep.
-type Variant = ((String, Option<RewindOptions>), Swept);
+type Variant = ((String, Processing), Swept);
 
 /// All combinations of a sweep, or the one way of rewinding of a method without.
-fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<Variant>, Error> {
-    let post = spec.post.clone().unwrap_or_else(|| RewindOptions::default().order.name().to_string());
+fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
+    let post = spec.post.clone().unwrap_or_else(|| Post::of(planner).name().to_string());
     let repeats = spec.repeats.unwrap_or(RewindOptions::default().repeats);
     let sweep = spec.sweep.clone().unwrap_or_default();
     if spec.sweep.is_some() && sweep.step.is_empty() && sweep.post.is_empty() && sweep.repeats.is_empty() {
@@ -195,10 +196,7 @@ fn variants(spec: &MethodSpec, step: f64) -> Result<Vec<Variant>, Error> {
     let digits = counts.iter().max().map_or(1, |most| most.to_string().len());
     let mut variants = Vec::new();
     for (step, post, repeats) in combinations(&steps, &posts, &counts) {
-        let options = match post_named(&post).map_err(|e| e.under("post"))? {
-            Some(order) => Some(RewindOptions { step, order, repeats }.checked()?),
-            None => None,
-        };
+        let options = Post::named(&post)?.processing(step, repeats)?;
         let mut name = spec.name.clone();
         name += &if sweep.step.is_empty() { String::new() } else { format!(", step {step}") };
         name += &if sweep.post.is_empty() { String::new() } else { format!(", {post}") };

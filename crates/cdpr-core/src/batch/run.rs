@@ -313,7 +313,7 @@ fn trial(
     let planned = || {
         let raw = plan_with(engine, scene, &options, interrupted)?;
         let variants = method.variants.iter();
-        variants.map(|(_, how)| post_process(engine, &raw, how.as_ref(), interrupted)).collect::<Result<Vec<_>, _>>()
+        variants.map(|(_, how)| post_process(engine, &raw, how, interrupted)).collect::<Result<Vec<_>, _>>()
     };
     match planned() {
         Ok(results) => {
@@ -356,6 +356,7 @@ fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
     let (_, scenario, method) = parts(experiment, unit.group);
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     let nothing = PlanResult {
+        history: Vec::new(),
         status: Status::BudgetSpent,
         reason: None,
         waypoints: Vec::new(),

@@ -100,7 +100,7 @@ pub struct MethodSpec {
     /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
-    /// Rewinding: both (default), backward, forward or none.
+    /// both, backward, forward, taut or none; the default depends on the planner, and is both for those of the paper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub post: Option<String>,
     /// How often rewinding runs; default 1.

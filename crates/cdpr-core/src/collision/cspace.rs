@@ -22,7 +22,7 @@ use super::explain;
 use super::gjk_engine::GjkEngine;
 use super::validity::{Checker, Clearance, Interference, Validity, Violation};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{HalfSpace, Point, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
 use crate::numerics::simd::{ALL_LANES, Kernel, Lanes, Task};
@@ -312,6 +312,11 @@ impl Checker for CspaceEngine {
         self.reference.interference()
     }
 
+    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+        let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter()).filter(|piece| !piece.reached.is_empty());
+        pieces.filter_map(|piece| piece.region.outer.clone()).collect()
+    }
+
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         match &self.constraints().list[index] {
             _ if !(self.inside(from) && self.inside(to)) => self.reference_refuses(index, from, to),
@@ -343,6 +348,13 @@ impl Validity for CspaceEngine {
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
         explain::clearance(self.constraints(), from, to)
     }
+}
+
+/// As [`Checker::polyhedra`].
+pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
+    let scale = Scale::of(constraints);
+    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer);
+    (0..constraints.list.len()).flat_map(of).collect()
 }
 
 /// Constraints from which on all cores compile.

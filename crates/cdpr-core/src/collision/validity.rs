@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::constraint::{Constraint, Constraints};
 use super::explain;
 use crate::choice::choices;
-use crate::geometry::Point;
+use crate::geometry::{HalfSpace, Point};
 
 /// An engine that answers the constraints of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
@@ -17,6 +17,12 @@ pub trait Checker: Validity + Send {
 
     /// Whether a motion breaks the constraint at this index of the list.
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
+
+    /// Convex polyhedra of positions, open and as lists of half-spaces, whose union holds everything that geometry
+    /// forbids inside the workspace, but for cables that are too long; with a clearance they hold more.
+    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+        super::cspace::outer_polyhedra(self.constraints())
+    }
 
     /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.
     fn gap(&self, from: &Point, to: &Point) -> Option<f64> {

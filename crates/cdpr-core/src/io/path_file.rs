@@ -7,13 +7,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::text::{self, shown};
-use crate::choice::Choice;
 use crate::collision::path_check::PathClearance;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
-use crate::plan::{NO_POST, PlanOptions, PlanResult};
+use crate::plan::{PlanOptions, PlanResult};
 use crate::wrench::PathWrench;
 
 /// What a path file must hold; more keys may stand beside these, and planning writes more.
@@ -78,6 +77,7 @@ pub fn plan_json(
         "seed": options.seed,
         "options": options_json(options),
         "stats": result.stats,
+        "history": result.history,
         "scene": scene_id(scene),
     });
     if let (Value::Object(all), Some(Value::Object(more))) = (&mut value, wrench.map(|wrench| json!(wrench))) {
@@ -90,7 +90,7 @@ pub fn plan_json(
 fn options_json(options: &PlanOptions) -> Value {
     let mut all = json!({
         "step": options.step,
-        "post": options.post.map_or(NO_POST, Choice::name),
+        "post": options.post(),
         "repeats": options.repeats,
         "budget_ms": options.budget.map(|b| b.as_secs_f64() * 1e3),
     });

@@ -130,6 +130,24 @@ impl Neighbours {
         self.nearest(&space.place(state), |node| space.distance(tree.state(node), state))
     }
 
+    /// The few nodes of a tree that are nearest to a state, the nearest first.
+    pub(super) fn nearest_few<S: StateSpace>(
+        &mut self,
+        space: &S,
+        tree: &Tree<S>,
+        state: &S::State,
+        count: usize,
+    ) -> impl Iterator<Item = usize> + use<S> {
+        let mut few: Vec<(f64, usize)> = Vec::with_capacity(count + 1);
+        self.visit(&space.place(state), f64::INFINITY, |node| {
+            let found = (space.distance(tree.state(node), state), node);
+            few.insert(few.partition_point(|other| *other < found), found);
+            few.truncate(count);
+            if few.len() < count { f64::INFINITY } else { few[count - 1].0 }
+        });
+        few.into_iter().map(|(_, node)| node)
+    }
+
     /// The nodes of a tree near a state, with their distances.
     pub(super) fn near<S: StateSpace>(
         &mut self,

@@ -28,12 +28,26 @@ pub struct Outcome<State> {
     pub status: Status,
     /// The path from start to goal; empty unless solved.
     pub waypoints: Vec<State>,
-    /// The tree as it was at the end; if solved, the goal is its last node.
+    /// The tree as it was at the end; if solved, the goal is its last node. Of planners with two trees, that of the start
+    /// and then that of the goal.
     pub tree: SearchTree<State>,
     /// Motions that were checked.
     pub motion_checks: usize,
     /// Random samples that were drawn.
     pub samples: usize,
+    /// When the path got better, first to last; one entry where the first path ends the search.
+    pub history: Vec<Milestone>,
+}
+
+/// A path that was better than those before.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Milestone {
+    /// Time since the search began, s.
+    pub seconds: f64,
+    /// Samples drawn by then.
+    pub samples: usize,
+    /// Length of the path, m.
+    pub cost: f64,
 }
 
 /// What may end a long run early: a deadline, or a caller who wants to stop.

@@ -4,9 +4,11 @@ use rand::Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::anytime::{AnytimeOptions, Guide, Listener, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
 use super::outcome::{Outcome, Watch};
 use super::rrt::{RrtOptions, rrt};
+use super::rrt_connect::{RrtConnectOptions, rrt_connect};
 use super::rrt_star::{RrtStarOptions, rrt_star};
 use super::search::{Limits, Until};
 use super::space::{Problem, StateSpace};
@@ -17,8 +19,12 @@ use crate::error::Error;
 /// The planners there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planner {
-    /// Algorithm 3 of the paper.
+    /// A first path at once, then shorter ones.
     #[default]
+    Anytime,
+    /// Two trees that grow towards each other.
+    RrtConnect,
+    /// Algorithm 3 of the paper.
     ModifiedRrt,
     /// Plain RRT.
     Rrt,
@@ -27,6 +33,8 @@ pub enum Planner {
 }
 
 choices!(Planner, "planner", [
+    Anytime = "anytime": "A first path at once, then shorter ones, pulled taut around the exact obstacles in the space of positions",
+    RrtConnect = "rrt-connect": "Two trees that grow towards each other: the fastest first path",
     ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
     Rrt = "rrt": "Steps towards random samples",
     RrtStar = "rrt-star": "RRT that rewires to cheaper parents (the paper, Algorithm 1)",
@@ -35,6 +43,10 @@ choices!(Planner, "planner", [
 /// A planner with its options.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlannerOptions {
+    /// The anytime planner.
+    Anytime(AnytimeOptions),
+    /// RRT-Connect.
+    RrtConnect(RrtConnectOptions),
     /// Modified RRT.
     ModifiedRrt(ModifiedRrtOptions),
     /// Plain RRT.
@@ -47,7 +59,7 @@ pub enum PlannerOptions {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlannerSettings {
-    /// Random samples after which the search ends; default 20 000, with rrt-star 500 000.
+    /// Random samples after which the search ends; default 20 000, with rrt-star 500 000, with anytime no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_samples: Option<usize>,
     /// Nodes after which the search ends; default no limit.
@@ -59,6 +71,9 @@ pub struct PlannerSettings {
     /// Go on after the first path until it is at most this long, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_cost: Option<f64>,
+    /// Go on, with anytime, until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
     /// Longest edge by which rrt and rrt-star grow, m; default the step of rewinding, as in the paper.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extend_step: Option<f64>,
@@ -80,6 +95,8 @@ impl PlannerOptions {
     /// A planner with its defaults.
     pub fn of(planner: Planner) -> Self {
         match planner {
+            Planner::Anytime => PlannerOptions::Anytime(AnytimeOptions::default()),
+            Planner::RrtConnect => PlannerOptions::RrtConnect(RrtConnectOptions::default()),
             Planner::ModifiedRrt => PlannerOptions::ModifiedRrt(ModifiedRrtOptions::default()),
             Planner::Rrt => PlannerOptions::Rrt(RrtOptions::default()),
             Planner::RrtStar => PlannerOptions::RrtStar(RrtStarOptions::default()),
@@ -106,7 +123,8 @@ impl PlannerOptions {
         let extend_step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
         let goal_bias = probability("goal_bias", settings.goal_bias)?.unwrap_or(0.0);
         match &mut options {
-            PlannerOptions::ModifiedRrt(_) => {}
+            PlannerOptions::Anytime(anytime) => anytime.gap = positive("gap", settings.gap, "of the cost")?,
+            PlannerOptions::RrtConnect(_) | PlannerOptions::ModifiedRrt(_) => {}
             PlannerOptions::Rrt(rrt) => (rrt.step, rrt.goal_bias) = (extend_step, goal_bias),
             PlannerOptions::RrtStar(star) => {
                 (star.step, star.goal_bias) = (extend_step, goal_bias);
@@ -119,6 +137,8 @@ impl PlannerOptions {
     /// Which planner it is.
     pub fn planner(&self) -> Planner {
         match self {
+            PlannerOptions::Anytime(_) => Planner::Anytime,
+            PlannerOptions::RrtConnect(_) => Planner::RrtConnect,
             PlannerOptions::ModifiedRrt(_) => Planner::ModifiedRrt,
             PlannerOptions::Rrt(_) => Planner::Rrt,
             PlannerOptions::RrtStar(_) => Planner::RrtStar,
@@ -128,6 +148,8 @@ impl PlannerOptions {
     /// What ends the search.
     pub fn limits(&self) -> &Limits {
         match self {
+            PlannerOptions::Anytime(options) => &options.limits,
+            PlannerOptions::RrtConnect(options) => &options.limits,
             PlannerOptions::ModifiedRrt(options) => &options.limits,
             PlannerOptions::Rrt(options) => &options.limits,
             PlannerOptions::RrtStar(options) => &options.limits,
@@ -137,6 +159,8 @@ impl PlannerOptions {
     /// What ends the search, to be changed.
     pub fn limits_mut(&mut self) -> &mut Limits {
         match self {
+            PlannerOptions::Anytime(options) => &mut options.limits,
+            PlannerOptions::RrtConnect(options) => &mut options.limits,
             PlannerOptions::ModifiedRrt(options) => &mut options.limits,
             PlannerOptions::Rrt(options) => &mut options.limits,
             PlannerOptions::RrtStar(options) => &mut options.limits,
@@ -147,18 +171,19 @@ impl PlannerOptions {
     pub fn settings(&self) -> PlannerSettings {
         let limits = self.limits();
         let (step, bias, near_radius) = match self {
-            PlannerOptions::ModifiedRrt(_) => (None, None, None),
             PlannerOptions::Rrt(rrt) => (Some(rrt.step), Some(rrt.goal_bias), None),
             PlannerOptions::RrtStar(star) => (Some(star.step), Some(star.goal_bias), star.near_radius),
+            _ => (None, None, None),
         };
         PlannerSettings {
-            max_samples: Some(limits.max_samples),
+            max_samples: Some(limits.max_samples).filter(|n| *n < usize::MAX),
             max_nodes: Some(limits.max_nodes).filter(|n| *n < usize::MAX),
             keep_going: limits.until == Until::Cost(0.0),
             target_cost: match limits.until {
                 Until::Cost(target) if target > 0.0 => Some(target),
                 _ => None,
             },
+            gap: if let PlannerOptions::Anytime(anytime) = self { anytime.gap } else { None },
             extend_step: step,
             goal_bias: bias,
             near_radius,
@@ -173,15 +198,29 @@ impl PlannerOptions {
         &self,
         problem: &Problem<S>,
         validity: &dyn Validity<S::State>,
+        aids: &Aids<S::State>,
         rng: &mut impl Rng,
         watch: &Watch,
     ) -> Result<Outcome<S::State>, Error> {
         match self {
+            PlannerOptions::Anytime(options) => {
+                anytime(problem, validity, aids.guide, options, aids.listener, rng, watch)
+            }
+            PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
             PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
             PlannerOptions::Rrt(options) => rrt(problem, validity, options, rng, watch),
             PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, rng, watch),
         }
     }
+}
+
+/// Who helps a search, and who wants to hear of it; only the anytime planner knows them.
+#[derive(Clone, Copy)]
+pub struct Aids<'a, State> {
+    /// Knows the geometry.
+    pub guide: &'a dyn Guide<State>,
+    /// Is told of every better path.
+    pub listener: &'a Listener<'a, State>,
 }
 
 impl PlannerSettings {
@@ -200,6 +239,7 @@ impl PlannerSettings {
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
         let steps: &[Planner] = &[Planner::Rrt, Planner::RrtStar];
         for (key, found, owners) in [
+            ("gap", self.gap, &[Planner::Anytime][..]),
             ("extend_step", self.extend_step, steps),
             ("goal_bias", self.goal_bias, steps),
             ("near_radius", self.near_radius, &steps[1..]),
@@ -245,6 +285,7 @@ mod tests {
             max_nodes: Some(9),
             keep_going: false,
             target_cost: Some(2.5),
+            gap: None,
             extend_step: Some(0.2),
             goal_bias: Some(0.05),
             near_radius: Some(0.3),

@@ -1,10 +1,12 @@
 //! What all planners share: the two questions they ask, counted, and what ends a search.
 
+use std::time::Instant;
+
 use rand::{Rng, RngExt};
 
-use super::outcome::{Outcome, Status, Watch};
+use super::outcome::{Milestone, Outcome, Status, Watch};
 use super::space::{Problem, StateSpace};
-use super::tree::Tree;
+use super::tree::{SearchTree, Tree};
 use crate::collision::Validity;
 use crate::error::Error;
 
@@ -48,6 +50,8 @@ pub(super) struct Search<'a, S: StateSpace> {
     motion_checks: usize,
     samples: usize,
     out_of_time: bool,
+    started: Instant,
+    history: Vec<Milestone>,
 }
 
 impl<'a, S: StateSpace> Search<'a, S> {
@@ -57,7 +61,8 @@ impl<'a, S: StateSpace> Search<'a, S> {
         limits: &'a Limits,
         watch: &'a Watch<'a>,
     ) -> Self {
-        Search { problem, validity, limits, watch, motion_checks: 0, samples: 0, out_of_time: false }
+        let (started, history) = (Instant::now(), Vec::new());
+        Search { problem, validity, limits, watch, motion_checks: 0, samples: 0, out_of_time: false, started, history }
     }
 
     /// `CollisionFree` of the paper; nothing is any more once the time is over.
@@ -71,6 +76,29 @@ impl<'a, S: StateSpace> Search<'a, S> {
     pub fn random_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
         self.samples += 1;
         self.problem.space.sample(rng)
+    }
+
+    /// A sample that somebody else drew, or a random one.
+    pub fn drawn(&mut self, sample: Option<S::State>, rng: &mut impl Rng) -> Option<S::State> {
+        match sample {
+            Some(sample) => {
+                self.samples += 1;
+                Some(sample)
+            }
+            None => self.random_sample(rng),
+        }
+    }
+
+    /// Samples drawn so far.
+    pub fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// Notes that there is a path of this length, shorter than those before; returns the time since the start, s.
+    pub fn improved(&mut self, cost: f64) -> f64 {
+        let seconds = self.started.elapsed().as_secs_f64();
+        self.history.push(Milestone { seconds, samples: self.samples, cost });
+        seconds
     }
 
     /// The goal with this probability, otherwise a random sample: the conventional goal bias.
@@ -89,6 +117,9 @@ impl<'a, S: StateSpace> Search<'a, S> {
 
     /// Whether the search is over: content with the best path so far (infinite: none), or nothing left to spend.
     pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
+        if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {
+            self.improved(best);
+        }
         let content = match self.limits.until {
             Until::FirstPath => best.is_finite(),
             Until::Cost(target) => best <= target,
@@ -102,7 +133,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
     }
 
     /// The outcome, with the goal appended to its parent, if there is one.
-    pub fn outcome(&self, mut tree: Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
+    pub fn outcome(self, mut tree: Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
         let Problem { space, goal, .. } = self.problem;
         let (status, waypoints) = match goal_parent {
             Some(parent) => {
@@ -111,7 +142,18 @@ impl<'a, S: StateSpace> Search<'a, S> {
             }
             None => (Status::BudgetSpent, Vec::new()),
         };
-        let (motion_checks, samples) = (self.motion_checks, self.samples);
-        Outcome { status, waypoints, tree: tree.into(), motion_checks, samples }
+        self.ended(status, waypoints, tree.into())
     }
+
+    /// The outcome with a path that is there already.
+    pub fn ended(self, status: Status, waypoints: Vec<S::State>, tree: SearchTree<S::State>) -> Outcome<S::State> {
+        let Search { motion_checks, samples, history, .. } = self;
+        Outcome { status, waypoints, tree, motion_checks, samples, history }
+    }
+}
+
+/// Length of a path of straight lines; infinite where there is none.
+pub(super) fn path_length<S: StateSpace>(space: &S, path: &[S::State]) -> f64 {
+    let length = path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum();
+    if path.is_empty() { f64::INFINITY } else { length }
 }

@@ -25,8 +25,8 @@ use crate::collision::{Checker, Validity};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
-use crate::planning::Watch;
-use hull::{FreeEdge, Hull, in_box};
+use crate::planning::{Guide, Watch};
+use hull::{Edge, Hull, in_box};
 use pull::Pull;
 
 /// A waypoint; where it bends around a polyhedron, the direction of the edge on which it can slide.
@@ -44,18 +44,13 @@ pub struct Taut<'a> {
     hulls: Vec<Hull>,
     low: Point,
     high: Point,
-    edges: OnceLock<Edges>,
-}
-
-/// The free parts of all edges.
-struct Edges {
-    edges: Vec<FreeEdge>,
-    /// Length of all edges up to each, m.
-    sums: Vec<f64>,
+    edges: OnceLock<Vec<Edge>>,
 }
 
 /// Rounds of pulling and sliding; five to ten are usual.
 const ROUNDS: usize = 50;
+/// Edges drawn until one of them has a free piece.
+const DRAWS: usize = 32;
 /// Halvings of a slide that cannot be made in full.
 const HALVINGS: usize = 12;
 
@@ -67,36 +62,26 @@ impl<'a> Taut<'a> {
         let hulls = engine.polyhedra().into_iter().map(Hull::around).filter(|hull| !hull.apart(&corners)).collect();
         Taut { validity: engine, hulls, low, high, edges: OnceLock::new() }
     }
+}
 
-    /// The path pulled taut: valid if it was, never longer, with the same ends.
-    ///
-    /// # Errors
-    /// [`Error::interrupted`]. A deadline ends it with what is reached by then.
-    pub fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
+impl Guide<Point> for Taut<'_> {
+    fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
         let mut string = String::new(self, path);
         string.tighten(watch)?;
         Ok(string.path.into_iter().map(|bend| bend.place).collect())
     }
 
-    /// A point on an edge of a polyhedron, outside of all others, uniformly: shortest paths bend there and nowhere else. None if
-    /// there are no such points.
-    pub fn sample_edge(&self, rng: &mut dyn Rng) -> Option<Point> {
-        let Edges { edges, sums } = self.edges.get_or_init(|| self.free_edges());
-        let at = rng.random::<f64>() * sums.last()?;
-        let edge = sums.partition_point(|sum| *sum <= at).min(edges.len() - 1);
-        Some(edges[edge].sample(rng))
+    /// A point on an edge of a polyhedron outside of all others, no edge rarer for being short: shortest paths bend there and nowhere else.
+    fn sample(&self, rng: &mut dyn Rng) -> Option<Point> {
+        let of = |hull: &Hull| hull.edges(&self.low, &self.high);
+        let edges = self.edges.get_or_init(|| self.hulls.iter().flat_map(of).collect());
+        let mut drawn = || edges.get(rng.random_range(0..edges.len().max(1))).map_or(&[][..], |e| e.free(&self.hulls));
+        let pieces = (0..DRAWS).map(|_| drawn()).find(|pieces| !pieces.is_empty())?;
+        Some(pieces[rng.random_range(0..pieces.len())].sample(rng))
     }
+}
 
-    fn free_edges(&self) -> Edges {
-        let of = |(own, hull): (usize, &Hull)| hull.free_edges(own, &self.hulls, &self.low, &self.high);
-        let edges: Vec<FreeEdge> = self.hulls.iter().enumerate().flat_map(of).collect();
-        let sums = edges.iter().scan(0.0, |sum, edge| {
-            *sum += edge.length();
-            Some(*sum)
-        });
-        Edges { sums: sums.collect(), edges }
-    }
-
+impl Taut<'_> {
     /// How far a bend can slide along its edge both ways before it meets another polyhedron or leaves the box.
     fn range(&self, bend: &Bend) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
@@ -140,10 +125,9 @@ impl<'a> String<'a> {
         let mut length = length(&self.path);
         for _ in 0..ROUNDS {
             self.shortcut();
-            self.pull();
-            self.slide();
+            let ended = self.pull(watch)? || self.slide(watch)?;
             let now = self::length(&self.path);
-            if watch.expired()? || !(now < length - TAUT) {
+            if ended || !(now < length - TAUT) {
                 break;
             }
             length = now;
@@ -171,12 +155,15 @@ impl<'a> String<'a> {
         }
     }
 
-    /// Pulls the string over every bend until nothing gets shorter.
-    fn pull(&mut self) {
+    /// Pulls the string over every bend until nothing gets shorter; whether the time is over.
+    fn pull(&mut self, watch: &Watch) -> Result<bool, Error> {
         for _ in 0..ROUNDS {
             let mut pulled = false;
             let mut at = 1;
             while at + 1 < self.path.len() {
+                if watch.expired()? {
+                    return Ok(true);
+                }
                 if self.pull_over(at) {
                     pulled = true; // and look at the first of the new bends
                 } else {
@@ -184,9 +171,10 @@ impl<'a> String<'a> {
                 }
             }
             if !pulled {
-                return;
+                break;
             }
         }
+        Ok(false)
     }
 
     fn pull_over(&mut self, at: usize) -> bool {
@@ -208,28 +196,36 @@ impl<'a> String<'a> {
         shorter
     }
 
-    /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one.
-    fn slide(&mut self) {
-        if let Some(slid) = self.slid(&self.path) {
+    /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
+    /// whether the time is over.
+    fn slide(&mut self, watch: &Watch) -> Result<bool, Error> {
+        if let Some(slid) = self.slid(&self.path, watch)? {
             self.path = slid;
-            return;
+            return Ok(false);
         }
         let mut at = 1;
         while at + 1 < self.path.len() {
             let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
             let held = |bend: Bend| Bend { edge: None, ..bend };
-            let along = |edge: Vector| self.slid(&[held(u), Bend { edge: Some(edge), ..v }, held(w)]);
-            if let Some(slid) = self.taut.edges_at(&v.place).into_iter().find_map(along) {
-                self.path.splice(at..=at, slid[1..slid.len() - 1].iter().copied());
+            for edge in self.taut.edges_at(&v.place) {
+                if watch.expired()? {
+                    return Ok(true);
+                }
+                let alone = [held(u), Bend { edge: Some(edge), ..v }, held(w)];
+                if let Some(slid) = self.slid(&alone, watch)? {
+                    self.path.splice(at..=at, slid[1..slid.len() - 1].iter().copied());
+                    break;
+                }
             }
             at += 1;
         }
+        Ok(false)
     }
 
     /// The path with its bends slid to the best places on their edges, or as far on the way there as makes it shorter.
-    fn slid(&self, path: &[Bend]) -> Option<Vec<Bend>> {
+    fn slid(&self, path: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         if path.iter().all(|bend| bend.edge.is_none()) {
-            return None;
+            return Ok(None);
         }
         let ranges: Vec<[f64; 2]> = path.iter().map(|bend| self.taut.range(bend)).collect();
         let slides = slide::best_slides(path, &ranges);
@@ -237,18 +233,18 @@ impl<'a> String<'a> {
         for halving in 0..HALVINGS {
             let moved = slide::slid(path, &slides, 0.5f64.powi(halving as i32));
             if !(length(&moved) < most) {
-                return None;
+                break;
             }
-            let led = self.led_around(path, &moved).filter(|led| length(led) < most);
+            let led = self.led_around(path, &moved, watch)?.filter(|led| length(led) < most);
             if led.is_some() {
-                return led;
+                return Ok(led);
             }
         }
-        None
+        Ok(None)
     }
 
     /// The slid path, with the segments that are not free led over the old ones and pulled taut.
-    fn led_around(&self, path: &[Bend], moved: &[Bend]) -> Option<Vec<Bend>> {
+    fn led_around(&self, path: &[Bend], moved: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         let mut led = vec![moved[0]];
         for (old, new) in path.windows(2).zip(moved.windows(2)) {
             if !self.free(&new[0], &new[1]) {
@@ -257,14 +253,14 @@ impl<'a> String<'a> {
                 let mut piece = String { path: way.collect(), pull: Pull::default(), chain: Vec::new(), ..*self };
                 piece.path.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
                 if !piece.all_free(&piece.path) {
-                    return None;
+                    return Ok(None);
                 }
-                piece.pull();
+                piece.pull(watch)?;
                 led.extend_from_slice(&piece.path[1..piece.path.len() - 1]);
             }
             led.push(new[1]);
         }
-        Some(led)
+        Ok(Some(led))
     }
 }
 

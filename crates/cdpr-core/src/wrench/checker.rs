@@ -2,7 +2,7 @@
 
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Constraints, Interference, Validity, Violation};
-use crate::geometry::Point;
+use crate::geometry::{HalfSpace, Point};
 
 /// An engine of geometry with the constraint on wrenches behind it.
 pub struct WrenchChecker {
@@ -28,6 +28,10 @@ impl Checker for WrenchChecker {
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         self.geometry.breaks(index, from, to)
+    }
+
+    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+        self.geometry.polyhedra()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The forbidden polyhedra as taut paths meet them: a little wider than they are, so that a path along them is free.
 
+use std::sync::OnceLock;
+
 use rand::{Rng, RngExt};
 
 use crate::geometry::{HalfSpace, Point, Vector};
@@ -11,9 +13,16 @@ pub struct Hull {
     planes: Vec<HalfSpace>,
 }
 
-/// A piece of an edge of a hull that lies outside of all others.
+/// An edge of a hull.
+#[derive(Debug)]
+pub struct Edge {
+    whole: Piece,
+    free: OnceLock<Vec<Piece>>,
+}
+
+/// A piece of an edge: where it begins, and the way to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FreeEdge {
+pub struct Piece {
     from: Point,
     along: Vector,
 }
@@ -49,44 +58,49 @@ impl Hull {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// The parts of its edges that lie in a box and outside of the other hulls.
-    pub fn free_edges(&self, own: usize, hulls: &[Hull], low: &Point, high: &Point) -> Vec<FreeEdge> {
-        let mut free = Vec::new();
+    /// Its edges, as far as they lie in a box.
+    pub fn edges(&self, low: &Point, high: &Point) -> Vec<Edge> {
+        let mut edges = Vec::new();
         for (i, first) in self.planes.iter().enumerate() {
             for (j, second) in self.planes.iter().enumerate().skip(i + 1) {
                 let Some((point, along)) = meeting_line(first, second) else { continue };
                 let others = self.planes.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, h)| h);
                 let Some(edge) = inside(others, &point, &along) else { continue };
                 let Some([from, to]) = common(edge, in_box(low, high, &point, &along)) else { continue };
-                let covers = |(k, hull): (usize, &Hull)| if k == own { None } else { hull.inside(&point, &along) };
-                let mut covered: Vec<[f64; 2]> = hulls.iter().enumerate().filter_map(covers).collect();
-                covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
-                let piece = |a: f64, b: f64| FreeEdge { from: point + along * a, along: along * (b - a) };
-                let mut at = from;
-                for [a, b] in covered {
-                    if a.min(to) - at > STANDOFF {
-                        free.push(piece(at, a.min(to)));
-                    }
-                    at = at.max(b);
-                }
-                if to - at > STANDOFF {
-                    free.push(piece(at, to));
-                }
+                let piece = Piece { from: point + along * from, along: along * (to - from) };
+                edges.push(Edge { whole: piece, free: OnceLock::new() });
             }
         }
-        free
+        edges
     }
 }
 
-impl FreeEdge {
-    /// Its length, m.
-    pub fn length(&self) -> f64 {
-        self.along.norm()
+impl Edge {
+    /// The pieces of the edge outside of all hulls; found at the first time.
+    pub fn free(&self, hulls: &[Hull]) -> &[Piece] {
+        self.free.get_or_init(|| self.whole.outside(hulls))
     }
+}
 
+impl Piece {
     /// A point of it, uniformly.
     pub fn sample(&self, rng: &mut dyn Rng) -> Point {
         self.from + self.along * rng.random::<f64>()
+    }
+
+    fn outside(&self, hulls: &[Hull]) -> Vec<Piece> {
+        let mut covered: Vec<[f64; 2]> = hulls.iter().filter_map(|hull| hull.inside(&self.from, &self.along)).collect();
+        covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut free = Vec::new();
+        let mut at = 0.0;
+        for [start, end] in covered.into_iter().chain([[1.0, 1.0]]) {
+            let piece = Piece { from: self.from + self.along * at, along: self.along * (start.min(1.0) - at) };
+            if start > at && piece.along.norm() > STANDOFF {
+                free.push(piece);
+            }
+            at = at.max(end);
+        }
+        free
     }
 }
 

@@ -117,9 +117,10 @@ mod tests {
     #[test]
     fn a_bend_goes_where_the_unfolded_path_is_straight() {
         // Ends 1 m and 3 m off a vertical edge, 4 m apart in height: unfolded, a line of slope 1 that meets it at 1.
-        let path = [bend([1.0, 0.0, 0.0], None), bend([0.0, 0.0, 3.5], Some([0.0, 0.0, 1.0])), bend([0.0, 3.0, 4.0], None)];
+        let path =
+            [bend([1.0, 0.0, 0.0], None), bend([0.0, 0.0, 3.5], Some([0.0, 0.0, 1.0])), bend([0.0, 3.0, 4.0], None)];
         let slides = best_slides(&path, &[FREE; 3]);
-        assert!((slides[1] + 2.5).abs() < 1e-9, "{slides:?}");
+        assert!((slides[1] + 2.5).abs() < 1e-7, "{slides:?}"); // lengths are equal to rounding from there on
         let held = best_slides(&path, &[FREE, [-1.0, 1.0], FREE]);
         assert_eq!(held[1], -1.0);
     }

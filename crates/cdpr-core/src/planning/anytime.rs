@@ -1,0 +1,190 @@
+//! The anytime planner: a first path at once, then shorter ones for as long as it may.
+//!
+//! Two trees grow as in RRT-Connect. Every way on which they meet is handed to a [`Guide`], which knows the geometry and
+//! makes a locally shortest path of it; of these the shortest is kept. Half of the samples come from the guide too, from where
+//! shortest paths can bend: in narrow passages that is what is left to draw from. Samples through which no shorter path
+//! can lead are not looked at (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*", IROS 2014).
+
+use rand::Rng;
+
+use super::bidirectional::Halves;
+use super::outcome::{Outcome, Status, Watch};
+use super::search::{Limits, Search, Until, path_length};
+use super::space::{Problem, StateSpace};
+use super::tree::SearchTree;
+use crate::collision::Validity;
+use crate::error::{Error, ErrorClass};
+
+/// What a planner can be told by somebody who knows the geometry of the space.
+pub trait Guide<State>: Sync {
+    /// A path no longer than a valid one, with the same ends, and valid.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the watch says so; a deadline ends it early.
+    fn shortened(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error>;
+
+    /// A state where shortest paths may bend; none if nothing is known of such places.
+    fn sample(&self, rng: &mut dyn Rng) -> Option<State>;
+}
+
+/// Somebody who wants to know of every better path: seconds since the start, its length in m, the path.
+pub type Listener<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
+
+/// Options of [`anytime`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct AnytimeOptions {
+    /// What ends the search. Content with the first path it goes on until nothing has improved for a while.
+    pub limits: Limits,
+    /// Share of the best length that a lower bound of all paths may be short of it, for the search to end: 0.01 for "at
+    /// most 1 % too long".
+    pub gap: Option<f64>,
+}
+
+impl Default for AnytimeOptions {
+    fn default() -> Self {
+        AnytimeOptions { limits: Limits::samples(usize::MAX), gap: None }
+    }
+}
+
+/// Without other limits: samples without any path after which it gives up.
+const HOPELESS: usize = 100_000;
+/// Without other limits: ways made taut since the last better one after which it is content.
+const CONTENT: usize = 20;
+/// Without other limits: samples since the last better way after which it is content.
+const QUIET: usize = 2_000;
+/// Ways longer than the best path by more than this factor are not made taut.
+const DETOUR: f64 = 1.4;
+/// Nodes after which the trees begin anew; the best path stays.
+const MOST_NODES: usize = 20_000;
+
+/// Searches ever shorter paths; see the module. On interruption the best path so far is the answer, if there is one.
+///
+/// It ends, besides by the limits, when the path is as short as the straight line. With a deadline, or asked for a cost or a
+/// gap, it goes on until then; otherwise until it has tried long enough without finding anything better.
+///
+/// # Errors
+/// [`Error::interrupted`] if the watch says so before there is a path.
+pub fn anytime<S: StateSpace>(
+    problem: &Problem<S>,
+    validity: &dyn Validity<S::State>,
+    guide: &dyn Guide<S::State>,
+    options: &AnytimeOptions,
+    listener: &Listener<S::State>,
+    rng: &mut impl Rng,
+    watch: &Watch,
+) -> Result<Outcome<S::State>, Error> {
+    let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath || options.gap.is_some();
+    let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
+    let mut run = Run {
+        guide,
+        watch,
+        listener,
+        search: Search::new(problem, validity, &limits, watch),
+        halves: Halves::new(problem),
+        past: 0,
+        best: Vec::new(),
+        cost: f64::INFINITY,
+        enough: match options.limits.until {
+            Until::Cost(cost) => cost,
+            Until::FirstPath => 0.0,
+        }
+        .max(problem.space.distance(&problem.start, &problem.goal) * (1.0 + options.gap.unwrap_or(0.0))),
+        patience: (!lasting).then_some(Patience { samples: HOPELESS, pulls: CONTENT }),
+    };
+    match run.improve(rng) {
+        Err(stopped) if stopped.class() == ErrorClass::Interrupted && !run.best.is_empty() => {}
+        ended => ended?,
+    }
+    let status = if run.best.is_empty() { Status::BudgetSpent } else { Status::Solved };
+    let tree: SearchTree<S::State> = run.halves.into_search_tree();
+    Ok(run.search.ended(status, run.best, tree))
+}
+
+/// What is left to try without success.
+struct Patience {
+    samples: usize,
+    pulls: usize,
+}
+
+struct Run<'r, S: StateSpace> {
+    guide: &'r dyn Guide<S::State>,
+    watch: &'r Watch<'r>,
+    listener: &'r Listener<'r, S::State>,
+    search: Search<'r, S>,
+    halves: Halves<'r, S>,
+    /// Nodes of trees that were given up.
+    past: usize,
+    best: Vec<S::State>,
+    cost: f64,
+    /// A path of this length is short enough, m.
+    enough: f64,
+    patience: Option<Patience>,
+}
+
+impl<S: StateSpace> Run<'_, S> {
+    fn improve(&mut self, rng: &mut impl Rng) -> Result<(), Error> {
+        let Problem { start, goal, .. } = self.search.problem;
+        if self.search.collision_free(start, goal)? {
+            self.take(vec![*start, *goal]);
+        }
+        while self.cost > self.enough && !self.patience_lost() && !self.search.over(self.nodes(), self.cost)? {
+            let Some(sample) = self.promising_sample(rng) else { continue };
+            if let Some(way) = self.halves.meet(&mut self.search, &sample)? {
+                self.consider(way)?;
+            }
+            if self.halves.len() > MOST_NODES {
+                self.past += self.halves.len();
+                self.halves = Halves::new(self.search.problem);
+            }
+        }
+        Ok(())
+    }
+
+    fn nodes(&self) -> usize {
+        self.past + self.halves.len()
+    }
+
+    fn patience_lost(&mut self) -> bool {
+        self.patience.as_mut().is_some_and(|left| {
+            left.samples = left.samples.saturating_sub(1);
+            left.samples == 0 || left.pulls == 0
+        })
+    }
+
+    /// A valid state through which a shorter path might lead.
+    fn promising_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
+        let Problem { space, start, goal } = self.search.problem;
+        let guided = if self.search.samples().is_multiple_of(2) { self.guide.sample(rng) } else { None };
+        let sample = self.search.drawn(guided, rng)?;
+        let shortest = space.distance(start, &sample) + space.distance(&sample, goal);
+        (shortest < self.cost && self.search.valid(&sample)).then_some(sample)
+    }
+
+    fn consider(&mut self, way: Vec<S::State>) -> Result<(), Error> {
+        if path_length(&self.search.problem.space, &way) > DETOUR * self.cost {
+            return Ok(());
+        }
+        if let Some(left) = &mut self.patience {
+            left.pulls -= 1;
+        }
+        if self.best.is_empty() {
+            self.take(way.clone()); // an answer in case that time ends here
+        }
+        let taut = self.guide.shortened(&way, self.watch)?;
+        self.take(taut);
+        Ok(())
+    }
+
+    /// Keeps a path if it is the shortest so far.
+    fn take(&mut self, path: Vec<S::State>) {
+        let cost = path_length(&self.search.problem.space, &path);
+        if cost < self.cost {
+            (self.best, self.cost) = (path, cost);
+            if let Some(left) = &mut self.patience {
+                *left = Patience { samples: QUIET, pulls: CONTENT };
+            }
+            let seconds = self.search.improved(cost);
+            (self.listener)(seconds, cost, &self.best);
+        }
+    }
+}

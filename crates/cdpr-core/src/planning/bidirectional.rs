@@ -1,0 +1,71 @@
+//! Two trees, one from the start and one from the goal, that meet in samples.
+
+use super::neighbours::Neighbours;
+use super::search::Search;
+use super::space::{Problem, StateSpace};
+use super::tree::{SearchTree, Tree};
+use crate::error::Error;
+
+/// Nodes of each tree that a sample is tried from, the nearest first. With one, a sample behind a corner of its nearest node is
+/// lost; with all, a sample that nothing sees costs as many motion checks as there are nodes.
+const NEAREST: usize = 10;
+
+/// The two trees.
+pub(super) struct Halves<'p, S: StateSpace> {
+    space: &'p S,
+    halves: [Half<S>; 2],
+}
+
+struct Half<S: StateSpace> {
+    tree: Tree<S>,
+    neighbours: Neighbours,
+}
+
+impl<'p, S: StateSpace> Halves<'p, S> {
+    pub fn new(problem: &'p Problem<S>) -> Self {
+        let Problem { space, start, goal } = problem;
+        let rooted = |root: &S::State| {
+            let mut neighbours = Neighbours::default();
+            neighbours.push(space.place(root));
+            Half { tree: Tree::rooted_at(*root), neighbours }
+        };
+        Halves { space, halves: [rooted(start), rooted(goal)] }
+    }
+
+    /// Nodes of both trees.
+    pub fn len(&self) -> usize {
+        self.halves.iter().map(|half| half.tree.len()).sum()
+    }
+
+    /// Connects a state to both trees, straight; where both can be, the path through it.
+    pub fn meet(&mut self, search: &mut Search<S>, state: &S::State) -> Result<Option<Vec<S::State>>, Error> {
+        let [from_start, from_goal] = &mut self.halves;
+        let nodes = [from_start.append(self.space, search, state)?, from_goal.append(self.space, search, state)?];
+        let [Some(first), Some(second)] = nodes else { return Ok(None) };
+        let mut path = from_start.tree.path_to(first);
+        path.extend(from_goal.tree.path_to(second).into_iter().rev().skip(1));
+        Ok(Some(path))
+    }
+
+    /// Both trees, that of the start first.
+    pub fn into_search_tree(self) -> SearchTree<S::State> {
+        let [mut all, second] = self.halves.map(|half| SearchTree::from(half.tree));
+        let count = all.states.len();
+        all.states.extend(second.states);
+        all.parents.extend(second.parents.into_iter().map(|parent| parent + count));
+        all
+    }
+}
+
+impl<S: StateSpace> Half<S> {
+    /// Appends a state to the nearest node from which it can be reached; the new node.
+    fn append(&mut self, space: &S, search: &mut Search<S>, state: &S::State) -> Result<Option<usize>, Error> {
+        for node in self.neighbours.nearest_few(space, &self.tree, state, NEAREST) {
+            if search.collision_free(self.tree.state(node), state)? {
+                self.neighbours.push(space.place(state));
+                return Ok(Some(self.tree.append(space, node, *state)));
+            }
+        }
+        Ok(None)
+    }
+}

@@ -1,0 +1,71 @@
+//! RRT-Connect with the direct connections of the paper's Modified RRT: two trees grow towards each other (J. J. Kuffner
+//! and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning", ICRA 2000).
+
+use rand::Rng;
+
+use super::bidirectional::Halves;
+use super::outcome::{Outcome, Status, Watch};
+use super::search::{Limits, Search, path_length};
+use super::space::{Problem, StateSpace};
+use crate::collision::Validity;
+use crate::error::Error;
+
+/// Options of [`rrt_connect`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct RrtConnectOptions {
+    /// What ends the search: the first path, or 20 000 samples.
+    pub limits: Limits,
+}
+
+impl Default for RrtConnectOptions {
+    fn default() -> Self {
+        RrtConnectOptions { limits: Limits::samples(20_000) }
+    }
+}
+
+/// Searches a path by RRT-Connect; stops at the first path, or goes on as the limits say and keeps the shortest.
+///
+/// There is no step: since engines answer for a motion of any length at once, a valid sample is connected straight to
+/// either tree, to the nearest of its nodes that sees it. A sample that both trees reach joins them.
+///
+/// # Errors
+/// [`Error::interrupted`] if the watch says so.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
+/// use cdpr_core::planning::{Problem, RrtConnectOptions, Status, TranslationSpace, Watch, rrt_connect};
+/// use rand::SeedableRng;
+/// let scene = cdpr_core::testing::hard1();
+/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+/// let space = TranslationSpace::of(engine.constraints());
+/// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
+/// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
+/// let outcome = rrt_connect(&problem, &engine, &RrtConnectOptions::default(), &mut rng, &Watch::NONE)?;
+/// assert_eq!(outcome.status, Status::Solved);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn rrt_connect<S: StateSpace>(
+    problem: &Problem<S>,
+    validity: &dyn Validity<S::State>,
+    options: &RrtConnectOptions,
+    rng: &mut impl Rng,
+    watch: &Watch,
+) -> Result<Outcome<S::State>, Error> {
+    let Problem { space, start, goal } = problem;
+    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut halves = Halves::new(problem);
+    let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
+    let mut best = path_length(space, &path);
+    while !search.over(halves.len(), best)? {
+        let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
+        if let Some(found) = halves.meet(&mut search, &sample)? {
+            let length = path_length(space, &found);
+            if length < best {
+                (path, best) = (found, length);
+            }
+        }
+    }
+    let status = if path.is_empty() { Status::BudgetSpent } else { Status::Solved };
+    Ok(search.ended(status, path, halves.into_search_tree()))
+}
