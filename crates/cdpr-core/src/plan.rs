@@ -305,7 +305,7 @@ pub fn post_process(
     let waypoints = match processing {
         Processing::None => raw.raw_waypoints.clone(),
         Processing::Rewind(options) => rewind(&space, engine, &raw.raw_waypoints, options, &watch)?,
-        Processing::Taut => Taut::new(engine).shortened(&raw.raw_waypoints, &watch)?,
+        Processing::Taut => Taut::new(engine).polished(&raw.raw_waypoints, &watch)?,
     };
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
@@ -372,7 +372,7 @@ pub fn shorten_path(
         Processing::Rewind(options) => {
             rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, &watch)?
         }
-        Processing::Taut => Taut::new(engine).shortened(waypoints, &watch)?,
+        Processing::Taut => Taut::new(engine).polished(waypoints, &watch)?,
     };
     verified(engine, &shorter)?;
     Ok(shorter)

@@ -145,6 +145,18 @@ pub struct Constraints {
     pub notes: Vec<String>,
 }
 
+impl Constraint {
+    /// Whether it asks for a distance from a body, not only for not entering it.
+    pub fn demands_distance(&self) -> bool {
+        match self {
+            Constraint::PlatformObstacle { gap, .. } => *gap > 0.0,
+            Constraint::CableObstacle { demand: Demand::Apart { gap }, .. }
+            | Constraint::CablePlatform { demand: Demand::Apart { gap }, .. } => *gap > 0.0,
+            _ => false,
+        }
+    }
+}
+
 impl Constraints {
     /// The constraints of a scene at its orientation.
     ///

@@ -19,6 +19,7 @@ use rayon::prelude::*;
 
 use super::constraint::{Constraint, Constraints};
 use super::explain;
+use super::forbidden::rounded;
 use super::gjk_engine::GjkEngine;
 use super::validity::{Checker, Clearance, Interference, Validity, Violation};
 use crate::error::Error;
@@ -313,6 +314,9 @@ impl Checker for CspaceEngine {
     }
 
     fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+        if self.constraints().list.iter().any(Constraint::demands_distance) {
+            return outer_polyhedra(self.constraints());
+        }
         let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter()).filter(|piece| !piece.reached.is_empty());
         pieces.filter_map(|piece| piece.region.outer.clone()).collect()
     }
@@ -353,7 +357,10 @@ impl Validity for CspaceEngine {
 /// As [`Checker::polyhedra`].
 pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
     let scale = Scale::of(constraints);
-    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer);
+    let of = |index: usize| match rounded(constraints, &constraints.list[index]) {
+        Some(planes) => vec![planes],
+        None => regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer).collect(),
+    };
     (0..constraints.list.len()).flat_map(of).collect()
 }
 

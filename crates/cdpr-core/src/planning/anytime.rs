@@ -23,6 +23,19 @@ pub trait Guide<State>: Sync {
     /// [`Error::interrupted`] if the watch says so; a deadline ends it early.
     fn shortened(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error>;
 
+    /// The same with more effort, for paths that are worth it.
+    ///
+    /// # Errors
+    /// As [`Guide::shortened`].
+    fn polished(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error> {
+        self.shortened(path, watch)
+    }
+
+    /// Whether it met limits that it does not know, which makes its work long.
+    fn hindered(&self) -> bool {
+        false
+    }
+
     /// A state where shortest paths may bend; none if nothing is known of such places.
     fn sample(&self, rng: &mut dyn Rng) -> Option<State>;
 }
@@ -49,11 +62,15 @@ impl Default for AnytimeOptions {
 /// Without other limits: samples without any path after which it gives up.
 const HOPELESS: usize = 100_000;
 /// Without other limits: ways made taut since the last better one after which it is content.
-const CONTENT: usize = 20;
+const CONTENT: usize = 40;
+/// A way counts for so many where the guide is hindered.
+const HINDERED: usize = 8;
 /// Without other limits: samples since the last better way after which it is content.
 const QUIET: usize = 2_000;
 /// Ways longer than the best path by more than this factor are not made taut.
 const DETOUR: f64 = 1.4;
+/// A path is polished at once if it is better than the last polished one by this factor, otherwise in the end.
+const MUCH_BETTER: f64 = 0.98;
 /// Nodes after which the trees begin anew; the best path stays.
 const MOST_NODES: usize = 20_000;
 
@@ -84,6 +101,7 @@ pub fn anytime<S: StateSpace>(
         past: 0,
         best: Vec::new(),
         cost: f64::INFINITY,
+        polished: f64::INFINITY,
         enough: match options.limits.until {
             Until::Cost(cost) => cost,
             Until::FirstPath => 0.0,
@@ -91,7 +109,7 @@ pub fn anytime<S: StateSpace>(
         .max(problem.space.distance(&problem.start, &problem.goal) * (1.0 + options.gap.unwrap_or(0.0))),
         patience: (!lasting).then_some(Patience { samples: HOPELESS, pulls: CONTENT }),
     };
-    match run.improve(rng) {
+    match run.improve(rng).and_then(|()| run.polish()) {
         Err(stopped) if stopped.class() == ErrorClass::Interrupted && !run.best.is_empty() => {}
         ended => ended?,
     }
@@ -116,6 +134,8 @@ struct Run<'r, S: StateSpace> {
     past: usize,
     best: Vec<S::State>,
     cost: f64,
+    /// Length of the best path that was polished, m.
+    polished: f64,
     /// A path of this length is short enough, m.
     enough: f64,
     patience: Option<Patience>,
@@ -165,13 +185,23 @@ impl<S: StateSpace> Run<'_, S> {
             return Ok(());
         }
         if let Some(left) = &mut self.patience {
-            left.pulls -= 1;
+            left.pulls = left.pulls.saturating_sub(if self.guide.hindered() { HINDERED } else { 1 });
         }
         if self.best.is_empty() {
             self.take(way.clone()); // an answer in case that time ends here
         }
         let taut = self.guide.shortened(&way, self.watch)?;
         self.take(taut);
+        if self.cost < MUCH_BETTER * self.polished { self.polish() } else { Ok(()) }
+    }
+
+    /// Makes the best path as short as the guide can.
+    fn polish(&mut self) -> Result<(), Error> {
+        if self.cost < self.polished && !self.best.is_empty() {
+            let polished = self.guide.polished(&self.best, self.watch)?;
+            self.take(polished);
+            self.polished = self.cost;
+        }
         Ok(())
     }
 

@@ -18,8 +18,10 @@ pub mod pull;
 pub mod slide;
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use rand::{Rng, RngExt};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 use crate::collision::{Checker, Validity};
 use crate::error::Error;
@@ -45,12 +47,20 @@ pub struct Taut<'a> {
     low: Point,
     high: Point,
     edges: OnceLock<Vec<Edge>>,
+    /// Whether the engine ever refused what the polyhedra allow.
+    hindered: AtomicBool,
 }
 
 /// Rounds of pulling and sliding; five to ten are usual.
 const ROUNDS: usize = 50;
 /// Edges drawn until one of them has a free piece.
 const DRAWS: usize = 32;
+/// Share of a length that cutting a corner or nudging must gain to go on.
+const WORTHWHILE: f64 = 1e-3;
+/// Random moves of a bend by one size.
+const NUDGES: usize = 3;
+/// Sizes of nudges and of corners to cut off, each half the one before.
+const SIZES: usize = 6;
 /// Halvings of a slide that cannot be made in full.
 const HALVINGS: usize = 12;
 
@@ -60,14 +70,24 @@ impl<'a> Taut<'a> {
         let (low, high) = engine.constraints().position_box();
         let corners: Vec<Point> = (0..8).map(|k| corner(&low, &high, k)).collect();
         let hulls = engine.polyhedra().into_iter().map(Hull::around).filter(|hull| !hull.apart(&corners)).collect();
-        Taut { validity: engine, hulls, low, high, edges: OnceLock::new() }
+        Taut { validity: engine, hulls, low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
     }
 }
 
 impl Guide<Point> for Taut<'_> {
     fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
         let mut string = String::new(self, path);
-        string.tighten(watch)?;
+        string.pull_and_slide(watch)?;
+        Ok(string.path.into_iter().map(|bend| bend.place).collect())
+    }
+
+    fn hindered(&self) -> bool {
+        self.hindered.load(Ordering::Relaxed)
+    }
+
+    fn polished(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
+        let mut string = String::new(self, path);
+        string.polish(watch)?;
         Ok(string.path.into_iter().map(|bend| bend.place).collect())
     }
 
@@ -110,6 +130,8 @@ fn corner(low: &Point, high: &Point, index: usize) -> Point {
 struct String<'a> {
     taut: &'a Taut<'a>,
     path: Vec<Bend>,
+    /// Whether the engine refused what the polyhedra allow.
+    refused: bool,
     pull: Pull,
     chain: Vec<Bend>,
 }
@@ -118,10 +140,20 @@ impl<'a> String<'a> {
     fn new(taut: &'a Taut<'a>, path: &[Point]) -> Self {
         let mut bends: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
         bends.dedup_by(|a, b| a.place == b.place);
-        String { taut, path: bends, pull: Pull::default(), chain: Vec::new() }
+        String { taut, path: bends, refused: false, pull: Pull::default(), chain: Vec::new() }
     }
 
-    fn tighten(&mut self, watch: &Watch) -> Result<(), Error> {
+    /// Pulls and slides; where something that is no polyhedron stopped that, nudges what is left.
+    fn polish(&mut self, watch: &Watch) -> Result<(), Error> {
+        self.pull_and_slide(watch)?;
+        let mut rng = ChaCha8Rng::seed_from_u64(0); // so that a path always gives the same one
+        while self.refused && self.nudge(&mut rng, watch)? {
+            self.pull_and_slide(watch)?;
+        }
+        Ok(())
+    }
+
+    fn pull_and_slide(&mut self, watch: &Watch) -> Result<(), Error> {
         let mut length = length(&self.path);
         for _ in 0..ROUNDS {
             self.shortcut();
@@ -188,12 +220,56 @@ impl<'a> String<'a> {
         }
         chain.insert(0, u);
         chain.push(w);
-        let shorter = length(&chain) < length(&[u, v, w]) - TAUT && self.all_free(&chain);
-        if shorter {
+        let shorter = length(&chain) < length(&[u, v, w]) - TAUT;
+        let free = shorter && self.all_free(&chain);
+        if free {
             self.path.splice(at..=at, chain[1..chain.len() - 1].iter().copied());
         }
         self.chain = chain;
-        shorter
+        if shorter && !free {
+            self.refused = true;
+            self.taut.hindered.store(true, Ordering::Relaxed);
+        }
+        free || (shorter && self.cut_corner(at))
+    }
+
+    /// Where something that is no polyhedron is in the way: the largest corner, by halves, that can be cut off.
+    fn cut_corner(&mut self, at: usize) -> bool {
+        let [u, v, w] = [self.path[at - 1].place, self.path[at].place, self.path[at + 1].place];
+        let toward = |end: &Point, share: f64| Bend { place: v + (end - v) * share, edge: None };
+        let cuts = (1..=SIZES).map(|k| 0.5f64.powi(k as i32)).map(|share| [toward(&u, share), toward(&w, share)]);
+        let worth = |[a, b]: &[Bend; 2]| {
+            let gain = (a.place - v).norm() + (b.place - v).norm() - (b.place - a.place).norm();
+            gain > WORTHWHILE * ((u - v).norm() + (w - v).norm())
+        };
+        let found = cuts.take_while(worth).find(|[a, b]| self.free(a, b));
+        if let Some(cut) = found {
+            self.path.splice(at..=at, cut);
+        }
+        found.is_some()
+    }
+
+    /// Moves bends at random, by less and less, as long as the path gets shorter; whether it did.
+    fn nudge(&mut self, rng: &mut impl Rng, watch: &Watch) -> Result<bool, Error> {
+        let before = length(&self.path);
+        for halving in 1..=SIZES {
+            for at in 1..self.path.len() - 1 {
+                if watch.expired()? {
+                    return Ok(false);
+                }
+                for _ in 0..NUDGES {
+                    let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
+                    let reach =
+                        0.5f64.powi(halving as i32) * (u.place - v.place).norm().min((w.place - v.place).norm());
+                    let by = Vector::from_fn(|_, _| rng.random_range(-1.0..=1.0)) * reach;
+                    let moved = [u, Bend { place: v.place + by, edge: None }, w];
+                    if length(&moved) < length(&[u, v, w]) - TAUT && self.all_free(&moved) {
+                        self.path[at] = moved[1];
+                    }
+                }
+            }
+        }
+        Ok(length(&self.path) < (1.0 - WORTHWHILE) * before)
     }
 
     /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
