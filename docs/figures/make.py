@@ -33,6 +33,8 @@ ROOT = FOLDER.parents[1]
 BROWSERS = ("chromium", "google-chrome", "chromium-browser")
 SOFTWARE = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SHOWN_AT = 0.55  # of the path
+NEAREST_THERE = "cable 1"
+DRAG = (640, 640), (730, 660)  # of the mouse, pixels, until nothing hides the path
 METHODS = {
     "RRT*": ("rrt-star", "none"),
     "modified RRT": ("modified-rrt", "none"),
@@ -279,7 +281,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
 
 
 def page(file: Path) -> None:
-    """The page of a planned path, with the platform above the pillar, as a browser shows it."""
+    """The page of a planned path, as a browser shows it: the platform beside the pillar, whose shadow a cable avoids."""
     program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None:
         raise SystemExit("page.png: found no Chromium, expected one on the path or its name in CDPR_CHROMIUM")
@@ -289,11 +291,23 @@ def page(file: Path) -> None:
         view = Path(folder) / "view.html"
         cdpr.save_view(view, hard1, result)
         browser = playwright.chromium.launch(executable_path=program, args=SOFTWARE)
-        tab = browser.new_page(viewport={"width": 1200, "height": 760}, color_scheme="light")
+        tab = browser.new_page(viewport={"width": 1280, "height": 800}, color_scheme="light")
         tab.goto(view.as_uri())
         tab.wait_for_function("Boolean(window.cdprViewer?.ready)")
         tab.evaluate("distance => window.cdprViewer.setDistance(distance)", SHOWN_AT * result.cost)
-        tab.wait_for_timeout(500)  # ms, until the picture has been drawn
+        tab.evaluate(
+            """cable => {
+                const { regions } = cdprViewer.layers;
+                regions.visible = true;
+                for (const [name, part] of Object.entries(regions.parts)) part.visible = name === cable;
+            }""",
+            NEAREST_THERE,
+        )
+        tab.mouse.move(*DRAG[0])
+        tab.mouse.down()
+        tab.mouse.move(*DRAG[1], steps=5)
+        tab.mouse.up()
+        tab.wait_for_timeout(1000)  # ms, until the picture has been drawn
         tab.screenshot(path=file)
         browser.close()
 

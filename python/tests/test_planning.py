@@ -16,6 +16,8 @@ from conftest import ROOT, TESTDATA
 
 import cdpr
 
+AT_ONCE = 0.1  # s
+
 
 def test_a_plan_is_solved_reproducible_and_valid(hard1):
     result = cdpr.plan(hard1, "modified-rrt", seed=3)
@@ -199,33 +201,37 @@ def walled():
 
 
 def interrupted_after(seconds, call):
-    """Run a call, send Ctrl-C after a while, and return how long the answer took."""
+    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, and of processors, s."""
     sent = []
 
     def send():
-        sent.append(time.perf_counter())
+        sent.append((time.perf_counter(), time.process_time()))
         os.kill(os.getpid(), signal.SIGINT)
 
     timer = threading.Timer(seconds, send)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         call()
-    answered = time.perf_counter()
+    answered = time.perf_counter(), time.process_time()
     timer.join()
-    return answered - sent[0]
+    return answered[0] - sent[0][0], answered[1] - sent[0][1]
+
+
+def assert_ctrl_c_is_answered_at_once(call, threads):
+    """A busy machine lengthens what the clock says, so there the best of three counts; what is worked, it does not."""
+    waited, worked = zip(*(interrupted_after(0.2, call) for _ in range(3)), strict=True)
+    assert min(waited) < AT_ONCE and max(worked) < AT_ONCE * threads, (waited, worked)
 
 
 def test_ctrl_c_is_answered_at_once():
     scene = walled()
+    # Seconds of work, so that nothing ends before it is interrupted; made before the clock runs, since NumPy does
+    # not answer Ctrl-C.
     points = np.random.default_rng(0).uniform(0.1, 1.9, (3_000_000, 3))
-    many = np.vstack([points] * 4)  # not while the clock runs: NumPy does not answer Ctrl-C
-    calls = (
-        lambda: cdpr.plan(scene, max_samples=10**12),
-        lambda: scene.motions_valid(points, points[::-1].copy(), threads=1),
-        lambda: scene.states_valid(many),
-    )
-    for call in calls:
-        assert interrupted_after(0.2, call) < 1.0  # far above the tenth of a second meant: the machine may be busy
+    back = points[::-1].copy()
+    assert_ctrl_c_is_answered_at_once(lambda: cdpr.plan(scene, max_samples=10**12), threads=1)
+    assert_ctrl_c_is_answered_at_once(lambda: scene.motions_valid(points, back, engine="gjk", threads=1), threads=1)
+    assert_ctrl_c_is_answered_at_once(lambda: scene.states_valid(points, engine="gjk", threads=2), threads=2)
 
 
 def test_a_time_budget_ends_the_search():

@@ -442,25 +442,40 @@ fn every_planner_plans_and_refuses_what_it_does_not_have() {
     assert!(stderr(&refused).contains("goal_bias: found 2, expected a probability from 0 to 1"));
 }
 
+/// The exit status of a process that was killed, where there is none for it, or Windows' own.
+const KILLED: Option<i32> = if cfg!(windows) { Some(1) } else { None };
+
+/// How much a run has written so far.
+fn bytes_of_rows(run: &Path) -> u64 {
+    let rows = fs::read_dir(run.join("rows")).into_iter().flatten();
+    rows.map(|entry| entry.unwrap().metadata().unwrap().len()).sum()
+}
+
 #[test]
 fn a_batch_that_is_killed_ten_times_ends_with_the_same_bytes() {
     let folder = folder();
     let experiment = testdata("../experiments/table2.toml");
-    let arguments = ["batch", &experiment, "--trials", "40", "-o"];
+    let arguments = ["batch", &experiment, "--trials", "100", "-o"];
     let whole = cdpr_in(folder.path(), &[&arguments[..], &["whole", "--threads", "1", "--format", "json"]].concat());
     assert_eq!(status(&whole), 0, "{}", stderr(&whole));
     assert_eq!(json(&whole)["methods"].as_array().unwrap().len(), 8);
     let expected = fs::read(folder.path().join("whole/trials.csv")).unwrap();
+    let most = bytes_of_rows(&folder.path().join("whole")) / 40; // at a time, so that ten kills leave much to be done
     let mut random = 12345u64;
     for _ in 0..10 {
+        let written = bytes_of_rows(&folder.path().join("torn"));
         let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
         command.current_dir(folder.path()).args(arguments).args(["torn", "--resume", "--threads", "2"]);
         let mut child =
             command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
         random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        std::thread::sleep(std::time::Duration::from_millis(random >> 58)); // up to 63 ms
+        let wanted = written + 1 + (random >> 32) % most;
+        while bytes_of_rows(&folder.path().join("torn")) < wanted {
+            assert!(child.try_wait().unwrap().is_none(), "the run ended before it was killed");
+            std::thread::sleep(std::time::Duration::from_micros(200));
+        }
         child.kill().unwrap();
-        child.wait().unwrap();
+        assert_eq!(child.wait().unwrap().code(), KILLED, "the run ended before it was killed");
     }
     let resumed = cdpr_in(folder.path(), &[&arguments[..], &["torn", "--resume"]].concat());
     assert_eq!(status(&resumed), 0, "{}", stderr(&resumed));

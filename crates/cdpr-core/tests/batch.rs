@@ -105,6 +105,27 @@ fn threads_and_interruptions_change_no_byte() {
     assert_eq!(table(&one), table(&torn));
 }
 
+#[test]
+fn what_a_kill_leaves_before_the_run_has_begun_is_as_good_as_a_new_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = small(&folder);
+    let whole = folder.path().join("whole");
+    run(&whole, &experiment, 2, usize::MAX, false).unwrap();
+    for (name, resume) in [("plain", false), ("resumed", true)] {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.join("rows")).unwrap();
+        fs::write(path.join("rows/lock"), "").unwrap();
+        fs::write(path.join(".cdpr-AbC123"), "{\"experiment\": ").unwrap();
+        run(&path, &experiment, 2, usize::MAX, resume).unwrap();
+        assert_eq!(table(&whole), table(&path));
+        // Rows of who knows which run are not written over.
+        fs::remove_file(path.join("run.json")).unwrap();
+        let refused = run(&path, &experiment, 2, usize::MAX, resume).unwrap_err().to_string();
+        assert!(refused.contains(if resume { "found no run.json" } else { "not empty" }), "{refused}");
+        assert_eq!(table(&whole), table(&path));
+    }
+}
+
 fn rows(path: &Path) -> Vec<Row> {
     let mut rows = Vec::new();
     for group in 0..4 {

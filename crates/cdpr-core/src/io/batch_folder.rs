@@ -1,9 +1,11 @@
 //! The folder of a run: rows as they come, from which the tables are made.
 //!
 //! `rows/` holds one file for each method and scenario, to which a trial appends its lines in one write. A run that was
-//! killed leaves at most one torn trial at the end of each; resuming cuts it off. `trials.csv`, `timings.csv` and
-//! `summary.json` are written whole, when a run ends or is interrupted.
+//! killed leaves at most one torn trial at the end of each; resuming cuts it off. One that was killed before it wrote
+//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv` and `summary.json` are written
+//! whole, when a run ends or is interrupted.
 
+use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::ops::Range;
@@ -45,8 +47,7 @@ impl BatchFolder {
 
     pub(super) fn with(path: &Path, run: RunFile, resume: bool) -> Result<Self, Error> {
         fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be made: {e}")))?;
-        let used = fs::read_dir(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?.next().is_some();
-        match (used, resume) {
+        match (!as_good_as_new(path)?, resume) {
             (true, false) => {
                 return Err(Error::file(
                     path,
@@ -196,6 +197,21 @@ fn run_file(folder: &Path) -> Result<RunFile, Error> {
         return Err(Error::file(folder, format!("found no {RUN_FILE}, expected the folder of a run")));
     }
     text::parse(&text::read(&path)?, text::Notation::Json).map_err(|e| e.in_file(&path))
+}
+
+/// Whether a folder holds nothing but what a run that was killed before it began may have left: a folder of rows without
+/// rows, and unfinished files.
+fn as_good_as_new(path: &Path) -> Result<bool, Error> {
+    let rows = path.join(ROWS);
+    let left = |name: &OsStr| (name == ROWS && rows.is_dir()) || text::is_temporary(name);
+    Ok(holds_only(path, left)? && (!rows.is_dir() || holds_only(&rows, |name| name == LOCK)?))
+}
+
+fn holds_only(folder: &Path, known: impl Fn(&OsStr) -> bool) -> Result<bool, Error> {
+    let names =
+        fs::read_dir(folder).and_then(|entries| entries.map(|e| Ok(e?.file_name())).collect::<Result<Vec<_>, _>>());
+    let names = names.map_err(|e| Error::file(folder, format!("cannot be read: {e}")))?;
+    Ok(names.iter().all(|name| known(name)))
 }
 
 /// Refuses to go on with another run.

@@ -1,5 +1,6 @@
 //! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
 
+use std::ffi::OsStr;
 use std::io::Write;
 use std::path::Path;
 
@@ -7,6 +8,9 @@ use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
+
+/// What the names of temporary files begin with.
+const TEMPORARY: &str = ".cdpr-";
 
 /// The two notations of structured files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -92,7 +96,12 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
 /// A file in the same folder, to be renamed when it is complete.
 pub(super) fn temporary_beside(path: &Path) -> Result<NamedTempFile, Error> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new().prefix(".cdpr-").tempfile_in(folder).map_err(|e| unwritable(path, &e))
+    tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(folder).map_err(|e| unwritable(path, &e))
+}
+
+/// Whether a file of this name is a temporary one, left behind by a process that was killed.
+pub(super) fn is_temporary(name: &OsStr) -> bool {
+    name.as_encoded_bytes().starts_with(TEMPORARY.as_bytes())
 }
 
 /// Makes a temporary file the one of this name.
