@@ -281,7 +281,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
 
 
 def page(file: Path) -> None:
-    """The page of a planned path, as a browser shows it: the platform beside the pillar, whose shadow a cable avoids."""
+    """The page of a planned path, as a browser shows it: beside the pillar, whose shadow a cable avoids."""
     program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None:
         raise SystemExit("page.png: found no Chromium, expected one on the path or its name in CDPR_CHROMIUM")

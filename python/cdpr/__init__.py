@@ -21,7 +21,7 @@ from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._model import Robot, Scene, Violation
-from ._planning import Milestone, Path, Report, Result, SearchTree, check, load_path, plan, refine, rewind, schema
+from ._planning import Milestone, Path, Report, Result, SearchTree, check, load_path, lower_bound, plan, refine, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
 from ._wrench import (
@@ -66,6 +66,7 @@ __all__ = [
     "force_margin",
     "force_set",
     "load_path",
+    "lower_bound",
     "moment_margin",
     "moment_set",
     "plan",

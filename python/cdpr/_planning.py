@@ -395,6 +395,30 @@ def refine(
     return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=json.dumps(found))
 
 
+def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:
+    """Return a length that no valid path falls below, m: the straight line or better.
+
+    Parameters
+    ----------
+    scene : Scene
+    start, goal : array_like (3,), optional
+        Instead of the scene's, m.
+
+    Returns
+    -------
+    float
+        Infinite where it is certain that there is no path. It takes some milliseconds.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> plan(scene).cost / lower_bound(scene) < 1.1
+    True
+    """
+    ends = ((None if end is None else point(key, end)) for key, end in (("start", start), ("goal", goal)))
+    return scene._core.lower_bound(*ends)
+
+
 def check(
     scene: Scene,
     waypoints: ArrayLike | Path,

@@ -201,7 +201,7 @@ def walled():
 
 
 def interrupted_after(seconds, call):
-    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, and of processors, s."""
+    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, in work, s."""
     sent = []
 
     def send():

@@ -286,6 +286,23 @@ fn search(
     })
 }
 
+/// A length that no valid path between two positions falls below, m: the straight line or better; infinite where it is
+/// certain that there is no path. It takes some milliseconds.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::{Engine, Interference};
+/// use cdpr_core::plan::{engine_for, lower_bound};
+/// let scene = cdpr_core::testing::hard1();
+/// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;
+/// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap());
+/// assert!(bound > 2.3 && bound < 2.435167); // the straight line has 1.98 m, the best known path 2.435167 m
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point) -> f64 {
+    Taut::new(engine).lower_bound(start, goal)
+}
+
 /// A result with its raw path processed anew, and every segment checked once more.
 ///
 /// # Errors

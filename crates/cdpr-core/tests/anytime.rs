@@ -8,7 +8,9 @@ use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, Constraint, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, Processing, engine_for, plan, plan_heard, shorten_path};
+use cdpr_core::plan::{
+    PlanOptions, PlanResult, Post, Processing, engine_for, lower_bound, plan, plan_heard, shorten_path,
+};
 use cdpr_core::planning::{Limits, Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use rand::{RngExt, SeedableRng};
@@ -313,6 +315,39 @@ fn odd_questions_are_answered() {
             valid_by_both(&scene, &found.waypoints);
         }
     }
+}
+
+#[test]
+fn no_path_is_shorter_than_the_lower_bound() {
+    let mut gaps: Vec<f64> = (0..30u64)
+        .into_par_iter()
+        .filter_map(|seed| {
+            let scene = random_scenes(1 + seed as usize % 6).draw(seed).unwrap();
+            let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+            let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap());
+            assert!(bound >= (scene.goal().unwrap() - scene.start().unwrap()).norm());
+            let found = planned(&scene, &seeded(seed));
+            assert!(found.status != Status::Solved || found.cost >= bound - 1e-9, "{seed}: {} {bound}", found.cost);
+            (found.status == Status::Solved).then_some(found.cost / bound - 1.0)
+        })
+        .collect();
+    gaps.sort_by(f64::total_cmp);
+    assert!(gaps.len() > 15 && gaps[gaps.len() / 2] < 0.05, "{gaps:?}");
+}
+
+#[test]
+fn lower_bounds_worked_by_hand() {
+    let bound = |scene: &Scene| {
+        let engine = engine_for(scene, Engine::Gjk, Interference::Exact).unwrap();
+        lower_bound(&*engine, &Point::new(0.3, 1.0, 0.3), &Point::new(1.7, 1.0, 0.3))
+    };
+    // Over a wall of 1 m from side to side the origin passes at 1.025 m or higher.
+    let wall = bound(&platform_only(vec![block("wall", [0.1, 2.0, 1.0], [1.0, 1.0, 0.5])]));
+    let over = 2.0 * 0.7f64.hypot(0.725);
+    let taut = 2.0 * (0.7f64 - 0.125).hypot(0.725) + 0.25;
+    assert!(wall >= over - 1e-6 && wall <= taut, "{over} {wall} {taut}");
+    assert_eq!(bound(&platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])])), f64::INFINITY);
+    assert!((bound(&empty()) - 1.4).abs() < 1e-12);
 }
 
 #[test]

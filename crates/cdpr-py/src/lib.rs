@@ -13,7 +13,9 @@ use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, Polytope, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, check, engine_for, plan_heard, shorten_path, trace_rewinding};
+use cdpr_core::plan::{
+    PlanOptions, PlanResult, Post, check, engine_for, lower_bound, plan_heard, shorten_path, trace_rewinding,
+};
 use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
@@ -218,6 +220,17 @@ impl Scene {
         let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
         let json = io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref());
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
+    }
+
+    /// A length that no path between two positions falls below, m.
+    fn lower_bound(&self, py: Python<'_>, start: Option<[f64; 3]>, goal: Option<[f64; 3]>) -> PyResult<f64> {
+        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
+        let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
+            let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
+            given.map(point).or(own).ok_or_else(missing)
+        };
+        let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
+        Ok(py.detach(|| lower_bound(&*engine, &start, &goal)))
     }
 
     /// The path made shorter, as JSON.

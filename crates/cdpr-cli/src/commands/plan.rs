@@ -1,8 +1,9 @@
 //! `cdpr plan`
 
+use cdpr_core::collision::Checker;
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, engine_for, lower_bound, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench::{measures, path_wrench};
@@ -24,12 +25,15 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
         .map_err(|e| e.in_file(&args.scene.scene))?;
     let nearest = min_clearance(&*engine, &found.waypoints);
     let wrench = path_wrench(&measures(&scene)?, &found.waypoints)?;
-    let json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
+    let bound = bound(&*engine, &found);
+    let mut json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
+    json["lower_bound"] = bound.into();
     match args.scene.format {
         Format::Json => result(&format!("{json:#}")),
         Format::Text => {
             result(&question(&scene, &options));
             result(&answer(&scene, &options, &found));
+            bound.iter().for_each(|bound| result(&excess_line(found.cost, *bound)));
             nearest.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| result(&line));
         }
@@ -47,6 +51,18 @@ pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     }
     say_next(args, &found);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// The length that no path falls below, m, where there is a path that is longer than the straight line.
+fn bound(engine: &dyn Checker, found: &PlanResult) -> Option<f64> {
+    let (start, goal) = (found.waypoints.first()?, found.waypoints.last()?);
+    let straight = (goal - start).norm();
+    Some(if found.waypoints.len() > 2 { lower_bound(engine, start, goal) } else { straight })
+}
+
+fn excess_line(cost: f64, bound: f64) -> String {
+    let excess = if cost > bound { 100.0 * (cost / bound - 1.0) } else { 0.0 };
+    format!("no path is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
 }
 
 /// The scene with the start and goal that were really asked for.

@@ -364,6 +364,18 @@ pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> 
     (0..constraints.list.len()).flat_map(of).collect()
 }
 
+/// As [`Checker::certain_polyhedra`].
+pub(super) fn inner_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
+    let scale = Scale::of(constraints);
+    let inner = |region: Region| match region.inner {
+        Inner::Unknown => None,
+        Inner::Shrunk(by) => region.outer.map(|planes| planes.iter().map(|h| h.widened(by)).collect()),
+        Inner::Own(planes) => Some(planes),
+    };
+    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(inner);
+    (0..constraints.list.len()).flat_map(of).collect()
+}
+
 /// Constraints from which on all cores compile.
 const IN_PARALLEL: usize = 256;
 

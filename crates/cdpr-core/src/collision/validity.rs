@@ -24,6 +24,11 @@ pub trait Checker: Validity + Send {
         super::cspace::outer_polyhedra(self.constraints())
     }
 
+    /// Convex polyhedra of positions that are certainly forbidden, as lists of half-spaces.
+    fn certain_polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+        super::cspace::inner_polyhedra(self.constraints())
+    }
+
     /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.
     fn gap(&self, from: &Point, to: &Point) -> Option<f64> {
         explain::nearest(self.constraints(), from, to).map(|(gap, _)| gap)

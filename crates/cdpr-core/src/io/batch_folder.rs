@@ -2,8 +2,8 @@
 //!
 //! `rows/` holds one file for each method and scenario, to which a trial appends its lines in one write. A run that was
 //! killed leaves at most one torn trial at the end of each; resuming cuts it off. One that was killed before it wrote
-//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv` and `summary.json` are written
-//! whole, when a run ends or is interrupted.
+//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv` and `summary.json` are
+//! written whole, when a run ends or is interrupted.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -199,8 +199,8 @@ fn run_file(folder: &Path) -> Result<RunFile, Error> {
     text::parse(&text::read(&path)?, text::Notation::Json).map_err(|e| e.in_file(&path))
 }
 
-/// Whether a folder holds nothing but what a run that was killed before it began may have left: a folder of rows without
-/// rows, and unfinished files.
+/// Whether a folder holds nothing but what a run that was killed before it began may have left: a folder of rows
+/// without rows, and unfinished files.
 fn as_good_as_new(path: &Path) -> Result<bool, Error> {
     let rows = path.join(ROWS);
     let left = |name: &OsStr| (name == ROWS && rows.is_dir()) || text::is_temporary(name);

@@ -36,6 +36,9 @@ pub trait Guide<State>: Sync {
         false
     }
 
+    /// A length that no path between two states falls below, m.
+    fn lower_bound(&self, start: &State, goal: &State) -> f64;
+
     /// A state where shortest paths may bend; none if nothing is known of such places.
     fn sample(&self, rng: &mut dyn Rng) -> Option<State>;
 }
@@ -102,11 +105,7 @@ pub fn anytime<S: StateSpace>(
         best: Vec::new(),
         cost: f64::INFINITY,
         polished: f64::INFINITY,
-        enough: match options.limits.until {
-            Until::Cost(cost) => cost,
-            Until::FirstPath => 0.0,
-        }
-        .max(problem.space.distance(&problem.start, &problem.goal) * (1.0 + options.gap.unwrap_or(0.0))),
+        enough: short_enough(problem, guide, options),
         patience: (!lasting).then_some(Patience { samples: HOPELESS, pulls: CONTENT }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
@@ -116,6 +115,15 @@ pub fn anytime<S: StateSpace>(
     let status = if run.best.is_empty() { Status::BudgetSpent } else { Status::Solved };
     let tree: SearchTree<S::State> = run.halves.into_search_tree();
     Ok(run.search.ended(status, run.best, tree))
+}
+
+/// The length with which the search is content.
+fn short_enough<S: StateSpace>(problem: &Problem<S>, guide: &dyn Guide<S::State>, options: &AnytimeOptions) -> f64 {
+    let Problem { space, start, goal } = problem;
+    let straight = space.distance(start, goal);
+    let asked = if let Until::Cost(cost) = options.limits.until { cost } else { 0.0 };
+    let within = options.gap.map_or(straight, |gap| (1.0 + gap) * guide.lower_bound(start, goal).max(straight));
+    asked.max(within)
 }
 
 /// What is left to try without success.

@@ -13,6 +13,7 @@
 //! shorter; so the result is valid, never longer, and it does not matter if the polyhedra say too much (the sets fattened by a
 //! clearance) or too little (wrenches).
 
+pub mod bound;
 pub mod hull;
 pub mod pull;
 pub mod slide;
@@ -23,7 +24,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::collision::{Checker, Validity};
+use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
@@ -42,7 +43,7 @@ pub struct Bend {
 
 /// What is known of a scene for pulling paths taut in it.
 pub struct Taut<'a> {
-    validity: &'a dyn Validity,
+    engine: &'a dyn Checker,
     hulls: Vec<Hull>,
     low: Point,
     high: Point,
@@ -68,9 +69,9 @@ impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.constraints().position_box();
-        let corners: Vec<Point> = (0..8).map(|k| corner(&low, &high, k)).collect();
+        let corners = corners(&low, &high);
         let hulls = engine.polyhedra().into_iter().map(Hull::around).filter(|hull| !hull.apart(&corners)).collect();
-        Taut { validity: engine, hulls, low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
+        Taut { engine, hulls, low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
     }
 }
 
@@ -79,6 +80,12 @@ impl Guide<Point> for Taut<'_> {
         let mut string = String::new(self, path);
         string.pull_and_slide(watch)?;
         Ok(string.path.into_iter().map(|bend| bend.place).collect())
+    }
+
+    fn lower_bound(&self, start: &Point, goal: &Point) -> f64 {
+        let hulls: Vec<Hull> = self.engine.certain_polyhedra().into_iter().map(Hull::exact).collect();
+        let hulls: Vec<Hull> = hulls.into_iter().filter(|hull| !hull.apart(&corners(&self.low, &self.high))).collect();
+        bound::lower_bound(&hulls, &self.low, &self.high, start, goal)
     }
 
     fn hindered(&self) -> bool {
@@ -122,8 +129,9 @@ impl Taut<'_> {
     }
 }
 
-fn corner(low: &Point, high: &Point, index: usize) -> Point {
-    Point::from(Vector::from_fn(|axis, _| if index >> axis & 1 == 1 { high[axis] } else { low[axis] }))
+fn corners(low: &Point, high: &Point) -> [Point; 8] {
+    let side = |k: usize, axis: usize| if k >> axis & 1 == 1 { high[axis] } else { low[axis] };
+    std::array::from_fn(|k| Point::new(side(k, 0), side(k, 1), side(k, 2)))
 }
 
 /// A path on its way to being taut.
@@ -168,7 +176,7 @@ impl<'a> String<'a> {
     }
 
     fn free(&self, from: &Bend, to: &Bend) -> bool {
-        self.taut.validity.motion_valid(&from.place, &to.place)
+        self.taut.engine.motion_valid(&from.place, &to.place)
     }
 
     fn all_free(&self, path: &[Bend]) -> bool {

@@ -43,6 +43,16 @@ impl Hull {
         self.planes.iter().any(|plane| points.iter().all(|p| plane.height(p) >= -GRAZING))
     }
 
+    /// The polyhedron as it is.
+    pub fn exact(half_spaces: Vec<HalfSpace>) -> Self {
+        Hull { planes: half_spaces }
+    }
+
+    /// As [`Hull::inside`], one plane left out.
+    pub fn inside_but(&self, plane: &HalfSpace, from: &Point, along: &Vector) -> Option<[f64; 2]> {
+        inside(self.planes.iter().filter(|other| *other != plane), from, along)
+    }
+
     /// The interval of t for which `from + t along` is inside; none if it never is.
     pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
         inside(self.planes.iter(), from, along)
@@ -138,7 +148,7 @@ fn common(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// The line in which two planes meet: a point and a unit vector.
-fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
+pub fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
     let along = edge_direction(a, b)?;
     let system = nalgebra::Matrix3::from_rows(&[a.normal.transpose(), b.normal.transpose(), along.transpose()]);
     let point = system.lu().solve(&Vector::new(a.offset, b.offset, 0.0))?;
