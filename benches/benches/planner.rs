@@ -1,8 +1,11 @@
-//! Time of Modified RRT with rewinding on the paper's kind of scenes, over many seeds, by either engine.
+//! Times of planners on the paper's kind of scenes, over many seeds: Modified RRT with rewinding by either engine, first
+//! answers, the anytime planner until it is content, pulling taut, the lower bound.
 
 use cdpr_core::Choice;
-use cdpr_core::collision::Engine;
-use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::model::Scene;
+use cdpr_core::plan::{PlanOptions, Post, Processing, engine_for, lower_bound, plan, plan_with, shorten_path};
+use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::testing;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -23,5 +26,68 @@ fn modified_rrt(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, modified_rrt);
+const SEEDS: u64 = 100;
+
+fn compiled(scene: &Scene) -> Box<dyn Checker> {
+    engine_for(scene, Engine::Cspace, Interference::Exact).expect("sound")
+}
+
+/// One call each of many seeds, by an engine that is there already.
+fn planners(c: &mut Criterion) {
+    let mut group = c.benchmark_group("one planner, engine compiled, no rewinding");
+    group.sample_size(10).throughput(Throughput::Elements(SEEDS));
+    for scene in [testing::hard1(), testing::hard3()] {
+        let engine = compiled(&scene);
+        for planner in [Planner::RrtConnect, Planner::ModifiedRrt, Planner::Anytime] {
+            let planner = PlannerOptions::of(planner);
+            group.bench_function(format!("{}, {}", scene.name(), planner.planner().name()), |b| {
+                b.iter(|| {
+                    let ask = |seed| {
+                        let post = Some(Post::None);
+                        let options = PlanOptions { planner: planner.clone(), seed, post, ..PlanOptions::default() };
+                        plan_with(&*engine, &scene, &options, &|| false).expect("sound").cost
+                    };
+                    (0..SEEDS).map(ask).sum::<f64>()
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+/// The paper's rewound paths, pulled taut.
+fn refine(c: &mut Criterion) {
+    let mut group = c.benchmark_group("refine the paper's result, engine compiled");
+    group.sample_size(10).throughput(Throughput::Elements(SEEDS));
+    for scene in [testing::hard1(), testing::hard3()] {
+        let engine = compiled(&scene);
+        let paper = |seed| {
+            plan_with(&*engine, &scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false)
+                .expect("sound")
+                .waypoints
+        };
+        let paths: Vec<_> = (0..SEEDS).map(paper).collect();
+        group.bench_function(scene.name(), |b| {
+            b.iter(|| {
+                let taut =
+                    |path: &Vec<_>| shorten_path(&*engine, path, &Processing::Taut, &|| false).expect("valid").len();
+                paths.iter().map(taut).sum::<usize>()
+            });
+        });
+    }
+    group.finish();
+}
+
+fn bounds(c: &mut Criterion) {
+    let mut group = c.benchmark_group("lower bound");
+    group.sample_size(10);
+    for scene in [testing::hard1(), testing::hard3()] {
+        let engine = compiled(&scene);
+        let (start, goal) = (scene.start().expect("given"), scene.goal().expect("given"));
+        group.bench_function(scene.name(), |b| b.iter(|| lower_bound(&*engine, &start, &goal)));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, modified_rrt, planners, refine, bounds);
 criterion_main!(benches);

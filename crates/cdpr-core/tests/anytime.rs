@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
 use cdpr_core::collision::forbidden::{forbidden, rounded};
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Checker, Constraint, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{

@@ -50,7 +50,7 @@ fn beyond(plane: &HalfSpace, hulls: &[Hull], low: &Point, high: &Point, start: &
     let (below, above) = (plane.height(start), plane.height(goal));
     let straight = start + (goal - start) * (below / (below - above));
     let hidden = |hull: &Hull| hull.planes().iter().all(|h| h.height(&straight) < 0.0);
-    if !(below < 0.0 && above > 0.0) || !hulls.iter().any(hidden) {
+    if !(below < 0.0 && above > 0.0 && hulls.iter().any(hidden)) {
         return None;
     }
     let mut shortest = f64::INFINITY;
