@@ -10,6 +10,10 @@ use crate::error::Error;
 /// lost; with all, a sample that nothing sees costs as many motion checks as there are nodes.
 const NEAREST: usize = 10;
 
+/// A tree that is larger than the other by this factor grows only together with it: where the other is stuck, it is there
+/// that something must be found.
+const LOPSIDED: usize = 1;
+
 /// The two trees.
 pub(super) struct Halves<'p, S: StateSpace> {
     space: &'p S,
@@ -39,8 +43,14 @@ impl<'p, S: StateSpace> Halves<'p, S> {
 
     /// Connects a state to both trees, straight; where both can be, the path through it.
     pub fn meet(&mut self, search: &mut Search<S>, state: &S::State) -> Result<Option<Vec<S::State>>, Error> {
-        let [from_start, from_goal] = &mut self.halves;
-        let nodes = [from_start.append(self.space, search, state)?, from_goal.append(self.space, search, state)?];
+        let smaller = usize::from(self.halves[1].tree.len() < self.halves[0].tree.len());
+        let larger = 1 - smaller;
+        let mut nodes = [None; 2];
+        nodes[smaller] = self.halves[smaller].append(self.space, search, state)?;
+        if nodes[smaller].is_some() || self.halves[larger].tree.len() < LOPSIDED * self.halves[smaller].tree.len() {
+            nodes[larger] = self.halves[larger].append(self.space, search, state)?;
+        }
+        let [from_start, from_goal] = &self.halves;
         let [Some(first), Some(second)] = nodes else { return Ok(None) };
         let mut path = from_start.tree.path_to(first);
         path.extend(from_goal.tree.path_to(second).into_iter().rev().skip(1));
@@ -60,7 +70,7 @@ impl<'p, S: StateSpace> Halves<'p, S> {
 impl<S: StateSpace> Half<S> {
     /// Appends a state to the nearest node from which it can be reached; the new node.
     fn append(&mut self, space: &S, search: &mut Search<S>, state: &S::State) -> Result<Option<usize>, Error> {
-        for node in self.neighbours.nearest_few(space, &self.tree, state, NEAREST) {
+        for &node in self.neighbours.nearest_few::<NEAREST>(&space.place(state)).nodes() {
             if search.collision_free(self.tree.state(node), state)? {
                 self.neighbours.push(space.place(state));
                 return Ok(Some(self.tree.append(space, node, *state)));

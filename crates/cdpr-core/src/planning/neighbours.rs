@@ -33,8 +33,49 @@ const LEAF: usize = 16;
 #[derive(Debug, Clone, Default)]
 pub struct Neighbours {
     count: usize,
+    places: Vec<Point>,
     cells: Vec<Cell>,
     stack: Vec<(f64, usize)>,
+}
+
+/// Places up to which looking at all of them in turn is faster than the tree.
+const IN_LINE: usize = 512;
+
+/// Up to `COUNT` nodes by squared distance, m².
+#[derive(Debug, Clone)]
+pub struct Few<const COUNT: usize> {
+    nodes: [usize; COUNT],
+    squares: [f64; COUNT],
+    count: usize,
+}
+
+impl<const COUNT: usize> Few<COUNT> {
+    fn new() -> Self {
+        Few { nodes: [0; COUNT], squares: [f64::INFINITY; COUNT], count: 0 }
+    }
+
+    #[inline]
+    fn see(&mut self, node: usize, square: f64) {
+        if square < self.squares[COUNT - 1] {
+            let mut at = COUNT - 1;
+            while at > 0 && self.squares[at - 1] > square {
+                (self.squares[at], self.nodes[at]) = (self.squares[at - 1], self.nodes[at - 1]);
+                at -= 1;
+            }
+            (self.squares[at], self.nodes[at]) = (square, node);
+            self.count = (self.count + 1).min(COUNT);
+        }
+    }
+
+    /// Distance within which others would be among the few, m.
+    fn reach(&self) -> f64 {
+        self.squares[COUNT - 1].sqrt()
+    }
+
+    /// The nodes, the nearest first.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes[..self.count]
+    }
 }
 
 /// A box of places: divided in two, or a leaf.
@@ -59,8 +100,18 @@ enum Content {
 impl Neighbours {
     /// Adds the place of the next node.
     pub fn push(&mut self, place: Point) {
-        let (node, place) = (self.count, place.into());
-        self.count += 1;
+        self.places.push(place);
+    }
+
+    /// Takes places that came since the last question into the tree.
+    fn catch_up(&mut self) {
+        for node in self.count..self.places.len() {
+            self.insert(node, self.places[node].into());
+        }
+        self.count = self.places.len();
+    }
+
+    fn insert(&mut self, node: usize, place: [f64; 3]) {
         if node == 0 {
             self.cells.push(Cell::leaf(vec![(place, node)]));
             return;
@@ -101,6 +152,7 @@ impl Neighbours {
 
     /// `Nearest` of the paper; none if there are no nodes.
     pub fn nearest(&mut self, target: &Point, distance: impl Fn(usize) -> f64) -> Option<usize> {
+        self.catch_up();
         let mut best = (f64::INFINITY, usize::MAX);
         self.visit(target, f64::INFINITY, |node| {
             let found = (distance(node), node);
@@ -114,6 +166,7 @@ impl Neighbours {
 
     /// `Near` of the paper: distance and number of all nodes within a radius, in no particular order.
     pub fn within(&mut self, target: &Point, radius: f64, distance: impl Fn(usize) -> f64) -> Vec<(f64, usize)> {
+        self.catch_up();
         let mut found = Vec::new();
         self.visit(target, radius, |node| {
             let far = distance(node);
@@ -130,22 +183,21 @@ impl Neighbours {
         self.nearest(&space.place(state), |node| space.distance(tree.state(node), state))
     }
 
-    /// The few nodes of a tree that are nearest to a state, the nearest first.
-    pub(super) fn nearest_few<S: StateSpace>(
-        &mut self,
-        space: &S,
-        tree: &Tree<S>,
-        state: &S::State,
-        count: usize,
-    ) -> impl Iterator<Item = usize> + use<S> {
-        let mut few: Vec<(f64, usize)> = Vec::with_capacity(count + 1);
-        self.visit(&space.place(state), f64::INFINITY, |node| {
-            let found = (space.distance(tree.state(node), state), node);
-            few.insert(few.partition_point(|other| *other < found), found);
-            few.truncate(count);
-            if few.len() < count { f64::INFINITY } else { few[count - 1].0 }
+    /// The few nodes whose places are nearest, the nearest first; fewer where there are not so many.
+    pub fn nearest_few<const COUNT: usize>(&mut self, target: &Point) -> Few<COUNT> {
+        let mut few = Few::new();
+        if self.places.len() < IN_LINE {
+            self.places.iter().enumerate().for_each(|(node, place)| few.see(node, (place - target).norm_squared()));
+            return few;
+        }
+        self.catch_up();
+        let places = std::mem::take(&mut self.places);
+        self.visit(target, f64::INFINITY, |node| {
+            few.see(node, (places[node] - target).norm_squared());
+            few.reach()
         });
-        few.into_iter().map(|(_, node)| node)
+        self.places = places;
+        few
     }
 
     /// The nodes of a tree near a state, with their distances.

@@ -44,7 +44,7 @@ pub struct Bend {
 /// What is known of a scene for pulling paths taut in it.
 pub struct Taut<'a> {
     engine: &'a dyn Checker,
-    hulls: Vec<Hull>,
+    hulls: OnceLock<Vec<Hull>>,
     low: Point,
     high: Point,
     edges: OnceLock<Vec<Edge>>,
@@ -69,9 +69,7 @@ impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.constraints().position_box();
-        let corners = corners(&low, &high);
-        let hulls = engine.polyhedra().into_iter().map(Hull::around).filter(|hull| !hull.apart(&corners)).collect();
-        Taut { engine, hulls, low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
+        Taut { engine, hulls: OnceLock::new(), low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
     }
 }
 
@@ -83,8 +81,7 @@ impl Guide<Point> for Taut<'_> {
     }
 
     fn lower_bound(&self, start: &Point, goal: &Point) -> f64 {
-        let hulls: Vec<Hull> = self.engine.certain_polyhedra().into_iter().map(Hull::exact).collect();
-        let hulls: Vec<Hull> = hulls.into_iter().filter(|hull| !hull.apart(&corners(&self.low, &self.high))).collect();
+        let hulls = self.in_box(self.engine.certain_polyhedra().into_iter().map(Hull::exact));
         bound::lower_bound(&hulls, &self.low, &self.high, start, goal)
     }
 
@@ -101,19 +98,29 @@ impl Guide<Point> for Taut<'_> {
     /// A point on an edge of a polyhedron outside of all others, no edge rarer for being short: shortest paths bend there and nowhere else.
     fn sample(&self, rng: &mut dyn Rng) -> Option<Point> {
         let of = |hull: &Hull| hull.edges(&self.low, &self.high);
-        let edges = self.edges.get_or_init(|| self.hulls.iter().flat_map(of).collect());
-        let mut drawn = || edges.get(rng.random_range(0..edges.len().max(1))).map_or(&[][..], |e| e.free(&self.hulls));
+        let edges = self.edges.get_or_init(|| self.hulls().iter().flat_map(of).collect());
+        let mut drawn = || edges.get(rng.random_range(0..edges.len().max(1))).map_or(&[][..], |e| e.free(self.hulls()));
         let pieces = (0..DRAWS).map(|_| drawn()).find(|pieces| !pieces.is_empty())?;
         Some(pieces[rng.random_range(0..pieces.len())].sample(rng))
     }
 }
 
 impl Taut<'_> {
+    fn hulls(&self) -> &[Hull] {
+        self.hulls.get_or_init(|| self.in_box(self.engine.polyhedra().into_iter().map(Hull::around)))
+    }
+
+    /// The hulls that reach into the box of positions, as far as one plane tells.
+    fn in_box(&self, hulls: impl Iterator<Item = Hull>) -> Vec<Hull> {
+        let corners = corners(&self.low, &self.high);
+        hulls.filter(|hull| !hull.apart(&corners)).collect()
+    }
+
     /// How far a bend can slide along its edge both ways before it meets another polyhedron or leaves the box.
     fn range(&self, bend: &Bend) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
         let [mut low, mut high] = in_box(&self.low, &self.high, &bend.place, along);
-        for hull in &self.hulls {
+        for hull in self.hulls() {
             match hull.inside(&bend.place, along) {
                 Some([_, end]) if end <= SAME_POINT => low = low.max(end),
                 Some([start, _]) if start >= -SAME_POINT => high = high.min(start),
@@ -125,7 +132,7 @@ impl Taut<'_> {
 
     /// The directions of all edges through a place.
     fn edges_at(&self, place: &Point) -> Vec<Vector> {
-        self.hulls.iter().flat_map(|hull| hull.edges_at(place)).collect()
+        self.hulls().iter().flat_map(|hull| hull.edges_at(place)).collect()
     }
 }
 
@@ -220,7 +227,7 @@ impl<'a> String<'a> {
     fn pull_over(&mut self, at: usize) -> bool {
         let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
         let mut chain = std::mem::take(&mut self.chain);
-        self.pull.over(&self.taut.hulls, &u.place, &v.place, &w.place, &mut chain);
+        self.pull.over(self.taut.hulls(), &u.place, &v.place, &w.place, &mut chain);
         if let [same] = chain[..]
             && (same.place - v.place).norm() < ON_SURFACE
         {
