@@ -11,7 +11,10 @@ use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
     PlanOptions, PlanResult, Post, Processing, engine_for, lower_bound, plan, plan_heard, shorten_path,
 };
-use cdpr_core::planning::{Limits, Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::planning::{
+    AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, Watch,
+    anytime,
+};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -366,4 +369,39 @@ fn limits_and_settings_end_it() {
     let mut limited = PlannerOptions::of(Planner::Anytime);
     *limited.limits_mut() = Limits { max_nodes: 30, ..Limits::samples(1_000_000) };
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
+}
+
+/// A guide that knows nothing, and counts how often it is asked for samples.
+#[derive(Default)]
+struct Asked(std::sync::atomic::AtomicUsize);
+
+impl Guide<Point> for Asked {
+    fn shortened(&self, path: &[Point], _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
+        Ok(path.to_vec())
+    }
+
+    fn sample(&self, _: &mut dyn rand::Rng) -> Option<Point> {
+        self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        None
+    }
+}
+
+#[test]
+fn the_guide_is_not_waited_for_before_there_is_a_path() {
+    let asked = |scene: &Scene, max_samples: usize| {
+        let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
+        let space = TranslationSpace::of(engine.constraints());
+        let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
+        let options = AnytimeOptions { limits: Limits::samples(max_samples), ..AnytimeOptions::default() };
+        let (guide, mut rng) = (Asked::default(), ChaCha8Rng::seed_from_u64(3));
+        let found = anytime(&problem, &engine, &guide, &options, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
+        (guide.0.into_inner(), found.history.first().map(|first| first.samples))
+    };
+    let wall = platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])]);
+    assert_eq!(asked(&wall, 500), (0, None));
+    assert_eq!(asked(&wall, 1500), (500, None));
+    let (_, first) = asked(&hard1(), 1500);
+    let first = first.unwrap();
+    assert!(first < 500 && asked(&hard1(), first).0 == 0, "{first}");
+    assert!(asked(&hard1(), first + 100).0 >= 45);
 }

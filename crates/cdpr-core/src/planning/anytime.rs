@@ -1,9 +1,10 @@
 //! The anytime planner: a first path at once, then shorter ones for as long as it may.
 //!
 //! Two trees grow as in RRT-Connect. Every way on which they meet is handed to a [`Guide`], which knows the geometry and
-//! makes a locally shortest path of it; of these the shortest is kept. Half of the samples come from the guide too, from where
-//! shortest paths can bend: in narrow passages that is what is left to draw from. Samples through which no shorter path
-//! can lead are not looked at (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*", IROS 2014).
+//! makes a locally shortest path of it; of these the shortest is kept. Once there is a path, or none after a while, half
+//! of the samples come from the guide too, from where shortest paths can bend: in narrow passages that is what is left
+//! to draw from. Samples through which no shorter path can lead are not looked at (J. D. Gammell, S. S. Srinivasa, T. D.
+//! Barfoot, "Informed RRT*", IROS 2014).
 
 use rand::Rng;
 
@@ -70,6 +71,8 @@ const CONTENT: usize = 40;
 const HINDERED: usize = 8;
 /// Without other limits: samples since the last better way after which it is content.
 const QUIET: usize = 2_000;
+/// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
+const UNGUIDED: usize = 500;
 /// Ways longer than the best path by more than this factor are not made taut.
 const DETOUR: f64 = 1.4;
 /// A path is polished at once if it is better than the last polished one by this factor, otherwise in the end.
@@ -182,7 +185,9 @@ impl<S: StateSpace> Run<'_, S> {
     /// A valid state through which a shorter path might lead.
     fn promising_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
         let Problem { space, start, goal } = self.search.problem;
-        let guided = if self.search.samples().is_multiple_of(2) { self.guide.sample(rng) } else { None };
+        let samples = self.search.samples();
+        let guided = (self.cost.is_finite() || samples >= UNGUIDED) && samples.is_multiple_of(2);
+        let guided = if guided { self.guide.sample(rng) } else { None };
         let sample = self.search.drawn(guided, rng)?;
         let shortest = space.distance(start, &sample) + space.distance(&sample, goal);
         (shortest < self.cost && self.search.valid(&sample)).then_some(sample)
