@@ -2,7 +2,7 @@
 
     python docs/figures/make.py fig3 fig5
 
-The same files come out every time, but for what is measured in seconds (fig7, right) and what a browser draws (page).
+The same files come out every time, but for what is measured in seconds (fig7, right; planners) and what a browser draws (page).
 """
 
 import functools
@@ -133,7 +133,7 @@ def fig4() -> Figure:
 def fig5() -> Figure:
     """Rewinding, backward and then forward."""
     figure, (left, right) = spaces(1, 2, 3.6)
-    raw = cdpr.plan(scene("hard3"), seed=8, post="none").waypoints
+    raw = cdpr.plan(scene("hard3"), "modified-rrt", seed=8, post="none").waypoints
     once, *_ = scene("hard3")._core.rewind_tries(raw, 0.1, "backward")
     figures.rewinding(scene("hard3"), raw, direction="backward", ax=left)
     figures.rewinding(scene("hard3"), once, direction="forward", ax=right)
@@ -196,7 +196,7 @@ def table2() -> Figure:
 
 NODES = [4000, 8000, 16_000, 32_000, 64_000]
 SEEDS = range(10)
-BEST_KNOWN = {"hard1": 2.4352, "hard3": 2.6561}  # m
+BEST_KNOWN = {"hard1": 2.435167, "hard3": 2.656139}  # m
 
 
 def rrt_star_convergence() -> Figure:
@@ -224,6 +224,20 @@ def raw_cost(trial: tuple[str, int, int]) -> float:
     return cdpr.plan(scene(name), "rrt-star", seed=seed, **options).raw_cost
 
 
+def planners(*scenarios: str) -> Figure:
+    """Cost against time of all planners."""
+    figure, axes = pyplot.subplots(
+        *(2, len(scenarios)), figsize=(PAGE, 3.6), height_ratios=[3, 1], sharex=True, sharey="row", layout="constrained"
+    )
+    for name, ax in zip(scenarios, axes.T, strict=True):
+        figures.convergence(run("planners"), scenario=name, best=BEST_KNOWN.get(name), ax=ax)
+        ax[0].set_title(name, fontsize=8)
+    for ax in axes[:, 1:].flat:
+        ax.set_ylabel("")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=6)
+    return figure
+
+
 def wrench_study() -> Figure:
     """CoGiRo's path without and with [wrench], and the slack along both."""
     figure, axes = pyplot.subplot_mosaic(
@@ -234,7 +248,7 @@ def wrench_study() -> Figure:
     spec = demanding.to_dict()
     del spec["wrench"]
     for name, asked, colour in (("without", cdpr.Scene.from_dict(spec), VERMILION), ("with", demanding, BLUE)):
-        way = cdpr.tensions_along(demanding, cdpr.plan(asked))
+        way = cdpr.tensions_along(demanding, cdpr.plan(asked, "modified-rrt"))
         broken = np.where(way.capacity_margin < 0, 1.0, np.nan)
         for ax, x, y in (
             (top, way.positions[:, 0], way.positions[:, 1]),
@@ -276,6 +290,8 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "fig9": fig9,
     "table2": table2,
     "rrt-star-convergence": rrt_star_convergence,
+    "planners-scenes": functools.partial(planners, "hard1", "hard3", "forest"),
+    "planners-random": functools.partial(planners, "3 random prisms", "6 random prisms"),
     "wrench-study": wrench_study,
 }
 

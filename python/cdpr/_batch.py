@@ -27,7 +27,7 @@ _RANGES = 64
 _PATIENCE = 0.05
 
 _NAMES = ("scenario", "method", "status")
-_INTEGERS = {"trial": np.int64, "seed": np.uint64}
+_INTEGERS = {"trial": np.int64, "seed": np.uint64, "samples": np.int64}
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +44,10 @@ class BatchResult:
         trial's scene with its ``seed`` gives its path.
     timings : DataFrame or structured ndarray
         ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``.
+    history : DataFrame, structured ndarray or None
+        When the planners' paths got better, if the experiment says ``history: true``: ``scenario``, ``method``, ``trial``,
+        ``seconds`` since the search began, ``samples`` drawn by then, ``cost`` (m) before post-processing. Variants of a
+        sweep share one history, under the name of the method that is swept.
     summary : DataFrame or dict
         A row for each scenario and method: ``n``, ``solved``, and for each measure ``_mean``, ``_sd``, ``_median``,
         ``_q05``, ``_q25``, ``_q75``, ``_q95``, ``_min``, ``_max``, ``_low`` and ``_high`` (the confidence interval of the
@@ -58,6 +62,7 @@ class BatchResult:
     name: str
     trials: Any = field(repr=False)
     timings: Any = field(repr=False)
+    history: Any = field(repr=False)
     summary: Any = field(repr=False)
     t_tests: list[dict[str, Any]] = field(repr=False)
     trials_csv: bytes = field(repr=False)
@@ -149,12 +154,13 @@ def run_batch(
         rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if threads is None else threads)
     for failure in failures:
         warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
-    trials_csv, timings_csv, summary = checked.tables(first, end, rows)
+    trials_csv, timings_csv, history_csv, summary = checked.tables(first, end, rows)
     facts = json.loads(summary)
     return BatchResult(
         name=checked.name,
         trials=_table(trials_csv),
         timings=_table(timings_csv),
+        history=None if history_csv is None else _table(history_csv),
         summary=_summary(facts),
         t_tests=facts["t_tests"],
         trials_csv=trials_csv,
@@ -245,7 +251,7 @@ def _table(text: bytes) -> Any:
     """Return CSV as a DataFrame, or as a structured array; empty numbers are NaN."""
     lines = csv.reader(io.StringIO(text.decode()))
     header = next(lines)
-    columns = dict(zip(header, zip(*lines, strict=True), strict=True))
+    columns = dict(zip(header, list(zip(*lines, strict=True)) or [()] * len(header), strict=True))
     arrays = {name: _column(name, values) for name, values in columns.items()}
     if (pandas := _pandas()) is not None:
         return pandas.DataFrame(arrays)

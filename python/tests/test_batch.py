@@ -112,6 +112,37 @@ def test_the_same_bytes_as_from_the_shell_and_a_folder_that_goes_on(one_thread, 
     assert (tmp_path / "again/trials.csv").read_bytes() == one_thread.trials_csv
 
 
+def test_a_history_is_the_same_on_an_executor_and_in_a_folder(one_thread, tmp_path, monkeypatch):
+    assert one_thread.history is None
+    keep_going = {"name": "on", "options": {"keep_going": True, "max_samples": 3000}}
+    never = {"name": "never", "planner": "rrt", "options": {"max_samples": 1}}
+    experiment = {
+        "version": 1,
+        "trials": 5,
+        "history": True,
+        "scenarios": [{"name": "pillar", "scene": str(TESTDATA / "scenes/hard1.toml")}],
+        "methods": [keep_going, never],
+    }
+    result = cdpr.run_batch(experiment)
+    history = result.history
+    assert list(history) == ["scenario", "method", "trial", "seconds", "samples", "cost"]
+    assert history["samples"].dtype == np.int64 and (history["samples"] <= 3000).all() and len(history) > 10
+    assert set(history["method"]) == {"on"}
+    best = history.groupby("trial")["cost"].min().to_numpy()
+    assert (best == result.trials[result.trials["method"] == "on"]["raw_cost"].to_numpy()).all()
+    with ThreadPoolExecutor(2) as pool:
+        again = cdpr.run_batch(experiment, pool)
+    assert again.trials_csv == result.trials_csv
+    untimed = ["scenario", "method", "trial", "samples", "cost"]
+    assert (again.history[untimed] == history[untimed]).to_numpy().all()
+    result.save(tmp_path / "run")
+    lines = (tmp_path / "run/history.csv").read_text().splitlines()
+    assert lines[0] == ",".join(history) and len(lines) == len(history) + 1
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    nothing = cdpr.run_batch({**experiment, "methods": [never]})
+    assert len(nothing.history) == 0 and nothing.history["cost"].dtype == np.float64
+
+
 def test_a_summary_says_what_is_swept(one_thread):
     summary = cdpr.run_batch(ROOT / "experiments/fig8.toml", trials=1).summary
     assert set(summary["of"]) == {"modified RRT"} and "step" not in summary

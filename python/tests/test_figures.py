@@ -191,7 +191,7 @@ def test_faces_of_a_mesh_are_its_flat_sides(hard1):
 
 
 def test_a_path_is_drawn_with_its_raw_path_and_lengths(hard1):
-    result = cdpr.plan(hard1, seed=3)
+    result = cdpr.plan(hard1, "modified-rrt", seed=3)
     ax = figures.scene(hard1, result, robot=False, labels=True, view=(90, -90))  # from above nothing hides it
     for gid, way in (("path", result.waypoints), ("raw path", result.raw_waypoints)):
         (line,) = named(ax, gid)
@@ -203,7 +203,7 @@ def test_a_path_is_drawn_with_its_raw_path_and_lengths(hard1):
 
 
 def test_paths_are_compared_by_name_length_and_waypoints(hard1):
-    found = {"RRT*": cdpr.plan(hard1, "rrt-star", seed=1, post="none"), "rewound": cdpr.plan(hard1, seed=1)}
+    found = {"RRT*": cdpr.plan(hard1, "rrt-star", seed=1, post="none"), "rewound": cdpr.plan(hard1, "modified-rrt", seed=1)}
     ax = figures.paths(hard1, found)
     for (name, result), text in zip(found.items(), ax.get_legend().get_texts(), strict=True):
         assert text.get_text() == f"{name}: {result.cost:.2f} m, {len(result.waypoints)} waypoints"
@@ -223,7 +223,7 @@ def test_the_model_closes_its_vectors(hard1):
 
 @pytest.mark.parametrize("direction", ["backward", "forward"])
 def test_rewinding_draws_every_refusal_and_the_path_that_comes_out(hard1, direction):
-    raw = cdpr.plan(hard1, seed=1, post="none").waypoints
+    raw = cdpr.plan(hard1, "modified-rrt", seed=1, post="none").waypoints
     ax = figures.rewinding(hard1, raw, direction=direction, view=(90, -90))
     before, after = (points_of(named(ax, gid)[0]) for gid in ("before", "after"))
     assert {tuple(p) for p in before} >= {tuple(p) for p in raw}
@@ -307,6 +307,69 @@ def test_charts_are_the_same_without_pandas(repeated, monkeypatch):
     for expected, container in zip(with_pandas, figures.repeats(again).containers, strict=True):
         assert container[0].get_ydata() == pytest.approx(expected)
     assert len(figures.boxes(again, "reduction").patches) == 20
+
+
+@pytest.fixture(scope="module")
+def told():
+    """A run with a history: one method that goes on, one that is rewound, one that never finds anything."""
+    return cdpr.run_batch(
+        {
+            "version": 1,
+            "trials": 9,
+            "history": True,
+            "scenarios": [
+                {"name": "hard3", "scene": str(TESTDATA / "scenes/hard3.toml")},
+                {"name": "drawn", "scene": str(TESTDATA / "scenes/empty.toml"), "random": {"count": 3}},
+            ],
+            "methods": [
+                {"name": "on", "planner": "modified-rrt", "post": "none", "options": {"keep_going": True}},
+                {"name": "rewound", "planner": "modified-rrt"},
+                {"name": "never", "planner": "rrt", "options": {"max_samples": 2}},
+            ],
+        }
+    )
+
+
+def curves(ax):
+    return {line.get_label(): line.get_xydata() for line in ax.get_lines() if not line.get_label().startswith("_")}
+
+
+def test_convergence_draws_medians_of_all_trials_and_shares(told):
+    best = 2.656139
+    lengths, shares = map(curves, figures.convergence(told, scenario="hard3", best=best))
+    assert list(lengths) == list(shares) == ["on", "rewound", "never"]
+    of_scene = told.history[told.history.scenario == "hard3"]
+    history = of_scene[of_scene.method == "on"]
+    for at in (60, 200, 350, 499):
+        milliseconds, excess = lengths["on"][at]
+        past = history[1000 * history.seconds <= milliseconds]
+        costs = np.append(past.groupby("trial").cost.min().to_numpy(), [np.inf] * 9)[:9]
+        middle = 100 * (np.sort(costs)[4] / best - 1)
+        assert excess == pytest.approx(middle) if np.isfinite(middle) else np.isnan(excess)
+        assert shares["on"][at][1] == pytest.approx(100 * past.trial.nunique() / 9)
+    trials, timings = (table[(table.scenario == "hard3") & (table.method == "rewound")] for table in (told.trials, told.timings))
+    assert lengths["rewound"][-1][1] == pytest.approx(100 * (trials.cost.median() / best - 1))
+    ended = timings.planning_seconds + timings.post_seconds
+    assert lengths["rewound"][-1][0] == pytest.approx(1000 * ended.max())
+    assert np.isnan(lengths["never"][:, 1]).all() and (shares["never"][:, 1] == 0).all()
+
+
+def test_convergence_in_random_scenes_compares_within_each_scene(told, monkeypatch):
+    lengths, shares = map(curves, figures.convergence(told, scenario="drawn", methods=["on"]))
+    trials = told.trials[told.trials.scenario == "drawn"]
+    costs = trials.pivot(index="trial", columns="method", values="cost")
+    excess = np.sort(100 * (costs["on"] / costs.min(axis=1) - 1).fillna(np.inf))[4]
+    assert lengths["on"][-1][1] == pytest.approx(excess, abs=1e-9)
+    assert shares["on"][-1][1] == pytest.approx(100 * costs["on"].notna().mean()) and list(lengths) == ["on"]
+
+
+def test_convergence_says_what_it_needs(told, methods):
+    with pytest.raises(cdpr.InputError, match="batch: found no run with a history"):
+        figures.convergence(methods, scenario="hard1")
+    with pytest.raises(cdpr.InputError, match="scenario: found none, expected one of hard3, drawn"):
+        figures.convergence(told)
+    with pytest.raises(cdpr.InputError, match="methods: found 'off', expected one of on, rewound, never"):
+        figures.convergence(told, scenario="hard3", methods=["off"])
 
 
 def test_a_given_axes_is_drawn_into_and_the_callers_settings_stay(hard1):

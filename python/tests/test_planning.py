@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -28,9 +29,9 @@ def test_a_plan_is_solved_reproducible_and_valid(hard1):
     assert length == pytest.approx(result.cost) and result.cost <= result.raw_cost
     assert hard1.motions_valid(result.waypoints[:-1], result.waypoints[1:]).all()
     assert set(result.stats) >= {"nodes", "motion_checks", "planning_seconds", "post_seconds"}
-    assert (cdpr.plan(hard1, seed=3).waypoints == result.waypoints).all()
-    assert cdpr.plan(hard1, seed=4).cost != result.cost
-    raw = cdpr.plan(hard1, seed=3, post="none")
+    assert (cdpr.plan(hard1, "modified-rrt", seed=3).waypoints == result.waypoints).all()
+    assert cdpr.plan(hard1, "modified-rrt", seed=4).cost != result.cost
+    raw = cdpr.plan(hard1, "modified-rrt", seed=3, post="none")
     assert raw.cost == raw.raw_cost == result.raw_cost
 
 
@@ -55,9 +56,9 @@ def test_the_search_tree_is_kept(hard1):
 
 
 def test_rewinding_by_hand_is_what_the_plan_does(hard1):
-    raw = cdpr.plan(hard1, seed=8, post="none")
+    raw = cdpr.plan(hard1, "modified-rrt", seed=8, post="none")
     both = cdpr.rewind(hard1, raw, step=0.1)
-    assert (both.waypoints == cdpr.plan(hard1, seed=8).waypoints).all()
+    assert (both.waypoints == cdpr.plan(hard1, "modified-rrt", seed=8).waypoints).all()
     backward = cdpr.rewind(hard1, raw.waypoints, order="backward").cost
     forward = cdpr.rewind(hard1, raw.waypoints, order="forward").cost
     assert both.cost == min(backward, forward)
@@ -83,12 +84,15 @@ def test_invalid_ends_are_answers(hard1):
         ({"seed": -1}, "seed"),
         ({"seed": 1.5}, "seed"),
         ({"planner": "rrt", "goal_bias": 2.0}, "goal_bias: found 2, expected a probability"),
-        ({"near_radius": 0.3}, "near_radius: found 0.3, but the planner modified-rrt has no such setting"),
+        ({"near_radius": 0.3}, "near_radius: found 0.3, but the planner anytime has no such setting"),
+        ({"planner": "rrt-connect", "gap": 0.01}, "gap: found 0.01, but the planner rrt-connect has no such setting"),
+        ({"gap": -0.01}, "gap: found -0.01"),
+        ({"gap": math.nan}, "gap: found nan"),
         ({"planner": "rrt-star", "near_radius": math.nan}, "near_radius: found nan"),
         ({"planner": "rrt-star", "extend_step": -1.0}, "extend_step: found -1 m"),
         ({"max_nodes": -3}, "max_nodes: found -3"),
         ({"planner": "magic"}, "planner: found \"magic\""),
-        ({"post": "sideways"}, "order: found \"sideways\""),
+        ({"post": "sideways"}, "post: found \"sideways\""),
         ({"start": [0, 0]}, "start: found an array of shape"),
         ({"goal": [0, 0, math.inf]}, r"goal\[2\]"),
     ],
@@ -109,12 +113,12 @@ def test_the_other_planners_take_their_options(hard1, planner, options):
 
 
 def test_going_on_shortens_and_ends(hard1):
-    first = cdpr.plan(hard1, seed=2)
-    longer = cdpr.plan(hard1, seed=2, keep_going=True, max_samples=5000)
+    first = cdpr.plan(hard1, "modified-rrt", seed=2)
+    longer = cdpr.plan(hard1, "modified-rrt", seed=2, keep_going=True, max_samples=5000)
     assert longer.stats["samples"] == 5000 and longer.raw_cost < first.raw_cost
-    reached = cdpr.plan(hard1, seed=2, target_cost=first.raw_cost - 1e-3)
+    reached = cdpr.plan(hard1, "modified-rrt", seed=2, target_cost=first.raw_cost - 1e-3)
     assert reached.raw_cost <= first.raw_cost - 1e-3
-    assert cdpr.plan(hard1, seed=2, keep_going=True, max_nodes=50).stats["nodes"] in (50, 51)
+    assert cdpr.plan(hard1, "modified-rrt", seed=2, keep_going=True, max_nodes=50).stats["nodes"] in (50, 51)
 
 
 def test_a_scene_without_a_query_needs_its_ends(hard1):
@@ -200,8 +204,8 @@ def walled():
     return cdpr.Scene.from_dict(spec)
 
 
-def interrupted_after(seconds, call):
-    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, in work, s."""
+def interrupted_after(seconds, call, raises=KeyboardInterrupt):
+    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, and of processors, s."""
     sent = []
 
     def send():
@@ -210,7 +214,7 @@ def interrupted_after(seconds, call):
 
     timer = threading.Timer(seconds, send)
     timer.start()
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(raises) if raises else nullcontext():
         call()
     answered = time.perf_counter(), time.process_time()
     timer.join()
@@ -234,8 +238,100 @@ def test_ctrl_c_is_answered_at_once():
     assert_ctrl_c_is_answered_at_once(lambda: scene.states_valid(points, engine="gjk", threads=2), threads=2)
 
 
-def test_a_time_budget_ends_the_search():
-    assert cdpr.plan(walled(), max_samples=10**12, budget=0.05).status == "budget_spent"
+def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
+    found = []
+    interrupted_after(0.3, lambda: found.append(cdpr.plan(hard1, budget=20.0)), raises=None)
+    assert found[0].solved and found[0].stats["planning_seconds"] < 10
+    assert found[0].cost < 2.44 and cdpr.check(hard1, found[0]).valid
+
+
+@pytest.mark.parametrize("planner", ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
+def test_a_time_budget_ends_the_search(planner):
+    result = cdpr.plan(walled(), planner, max_samples=10**12, budget=0.05)
+    assert result.status == "budget_spent" and result.history == () and math.isnan(result.cost)
+    assert 0.05 <= result.stats["planning_seconds"] < 0.5  # the machine may be busy
+
+
+def test_the_default_planner_finds_the_best_known_paths(hard1):
+    hard3 = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    for scene, best in ((hard1, 2.435167), (hard3, 2.656139)):
+        result = cdpr.plan(scene)
+        assert result.cost == pytest.approx(best, rel=1e-3) and result.cost > best - 1e-5
+        assert cdpr.check(scene, result, engine="gjk").valid
+        assert (cdpr.plan(scene, "anytime", seed=0).waypoints == result.waypoints).all()
+        assert (result.raw_waypoints == result.waypoints).all()  # taut already: nothing is done to it
+
+
+def test_the_forest_has_a_way_that_is_not_straight():
+    forest = cdpr.Scene.load(TESTDATA / "scenes/forest.toml")
+    query = forest.to_dict()["query"]
+    assert not forest.motions_valid([query["start"]], [query["goal"]]).any()
+    for planner in ("anytime", "rrt-connect", "modified-rrt"):
+        for engine in ("cspace", "gjk"):
+            assert cdpr.check(forest, cdpr.plan(forest, planner), engine=engine).valid
+    way = cdpr.tensions_along(forest, cdpr.plan(forest, "rrt-connect"))
+    assert (way.capacity_margin > 0).all()  # a robot that can carry its platform there
+
+
+def test_anytime_uses_its_budget_and_its_targets(hard1):
+    spent = cdpr.plan(hard1, budget=0.1)
+    assert 0.1 <= spent.stats["planning_seconds"] < 1.0  # the machine may be busy
+    far = cdpr.plan(hard1, target_cost=2.6, budget=20.0)
+    assert far.cost <= 2.6 and far.stats["planning_seconds"] < 10
+    assert cdpr.plan(hard1, gap=0.5, budget=20.0).stats["planning_seconds"] < 10
+    again = [cdpr.plan(hard1, seed=5, max_samples=3000, keep_going=True) for _ in range(2)]
+    assert (again[0].waypoints == again[1].waypoints).all() and again[0].stats["samples"] == 3000
+
+
+def test_every_improvement_is_told_and_kept(hard1):
+    for seed in range(5):
+        told = []
+        result = cdpr.plan(hard1, seed=seed, on_improvement=lambda *improvement, told=told: told.append(improvement))
+        seconds, costs, paths = zip(*told, strict=True)
+        assert len(costs) >= 2 and list(costs) == sorted(set(costs), reverse=True) and list(seconds) == sorted(seconds)
+        assert costs[-1] == result.cost and (paths[-1] == result.waypoints).all()
+        for cost, path in zip(costs, paths, strict=True):
+            assert path.dtype == np.float64 and cost == pytest.approx(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+            assert cdpr.check(hard1, path).valid
+        assert [milestone.cost for milestone in result.history] == list(costs)
+        assert [milestone.seconds for milestone in result.history] == list(seconds)
+        assert result.history[-1].samples <= result.stats["samples"]
+
+
+def test_what_a_callback_raises_comes_out(hard1):
+    calls = []
+
+    def refuse(seconds, cost, waypoints):
+        calls.append(cost)
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        cdpr.plan(hard1, budget=20.0, on_improvement=refuse)
+    assert len(calls) == 1
+
+
+def test_planners_of_the_paper_keep_their_history_too(hard1):
+    for planner, options in (("modified-rrt", {}), ("rrt-star", {"near_radius": 0.3})):
+        first = cdpr.plan(hard1, planner, seed=1, post="none", **options)
+        assert [milestone.cost for milestone in first.history] == [pytest.approx(first.cost)]
+        longer = cdpr.plan(hard1, planner, seed=1, post="none", keep_going=True, max_samples=10_000, **options)
+        costs = [milestone.cost for milestone in longer.history]
+        assert len(costs) > 1 and costs == sorted(set(costs), reverse=True)
+        assert costs[-1] == pytest.approx(longer.cost, rel=1e-12)
+
+
+def test_refining_makes_a_path_taut_and_never_longer(hard1):
+    for seed in range(20):
+        for planner in ("modified-rrt", "rrt-connect"):
+            raw = cdpr.plan(hard1, planner, seed=seed, post="none")
+            taut = cdpr.refine(hard1, raw)
+            assert taut.cost <= raw.cost and cdpr.check(hard1, taut).valid
+            assert (taut.waypoints[[0, -1]] == raw.waypoints[[0, -1]]).all()
+            assert cdpr.refine(hard1, taut.waypoints).cost <= taut.cost
+            assert (cdpr.plan(hard1, planner, seed=seed, post="taut").waypoints == taut.waypoints).all()
+    assert taut.cost < cdpr.rewind(hard1, raw, step=0.1).cost - 1e-3
+    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment from here is not valid: .* pillar"):
+        cdpr.refine(hard1, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
 
 
 def test_import_needs_numpy_alone():

@@ -29,7 +29,8 @@ pub enum Command {
     #[command(after_help = "Examples:
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
-  cdpr plan hall.toml --post none -o raw.csv
+  cdpr plan hall.toml --budget-ms 100
+  cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
     /// Check a path: every violation with culprits, place and margin, and the nearest approach.
@@ -43,6 +44,7 @@ pub enum Command {
     /// Shorten anyone's path by rewinding.
     #[command(after_help = "Examples:
   cdpr post hall.toml waypoints.csv -o shorter.json
+  cdpr post hall.toml waypoints.csv --post taut -o taut.json
   cdpr post hall.toml path.json --step 0.02 --repeats 5 -o shorter.csv")]
     Post(PostArgs),
     /// Write a commented starter scene that plans.
@@ -86,8 +88,9 @@ pub enum Command {
     Wrench(WrenchArgs),
     /// Run an experiment: scenarios × methods × trials, on all cores.
     ///
-    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json. Ctrl-C leaves
-    /// complete rows behind; after it, or after any other end, --resume goes on.
+    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json, and history.csv (when
+    /// each path got better) if the experiment says `history = true`. Ctrl-C leaves complete rows behind; after it, or
+    /// after any other end, --resume goes on.
     #[command(after_help = "Examples:
   cdpr batch experiments/table2.toml -o table2
   cdpr batch experiments/table2.toml -o table2 --resume
@@ -170,7 +173,7 @@ pub struct PlanArgs {
     pub seed: u64,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// Rewinding of the found path, by which of its two directions comes first.
+    /// What is done to the found path [default: none for anytime, taut for rrt-connect, both for the others].
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
     /// Start instead of the scene's, m.
@@ -248,7 +251,7 @@ pub struct PostArgs {
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// Which of the two directions comes first.
+    /// What is done to the path.
     #[arg(long, value_parser = something(), default_value = Post::Both.name())]
     pub post: Post,
     /// Write the path here (.json or .csv).

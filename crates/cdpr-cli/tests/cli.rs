@@ -47,15 +47,12 @@ fn plan_writes_a_path_that_check_accepts_and_a_page() {
     let hard1 = testdata("scenes/hard1.toml");
     let planned = cdpr_in(folder.path(), &["plan", &hard1, "-o", "path.json", "--html", "view.html"]);
     assert_eq!(status(&planned), 0, "{}", stderr(&planned));
-    for word in ["hard1", "8 cables, 1 obstacle", "solved", "before rewinding", "nearest approach"] {
+    for word in ["hard1", "8 cables, 1 obstacle", "solved", "as the crow flies", "nearest approach"] {
         assert!(stdout(&planned).contains(word), "no \"{word}\" in {}", stdout(&planned));
     }
     assert!(stderr(&planned).contains("wrote path.json") && stderr(&planned).contains("next: cdpr check"));
     let file: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("path.json")).unwrap()).unwrap();
-    assert_eq!(
-        (&file["version"], &file["status"], &file["planner"]),
-        (&1.into(), &"solved".into(), &"modified-rrt".into())
-    );
+    assert_eq!((&file["version"], &file["status"], &file["planner"]), (&1.into(), &"solved".into(), &"anytime".into()));
     for key in
         ["cost", "waypoints", "min_clearance", "raw_cost", "raw_waypoints", "engine", "interference", "seed", "options"]
     {
@@ -78,6 +75,9 @@ fn json_results_are_the_same_for_the_same_seed() {
     let run = || {
         let mut result = json(&cdpr(&["plan", &testdata("scenes/hard3.toml"), "--seed", "4", "--format", "json"]));
         result["stats"] = Value::Null;
+        for better in result["history"].as_array_mut().unwrap() {
+            better["seconds"] = Value::Null;
+        }
         result
     };
     assert_eq!(run(), run());
@@ -426,6 +426,8 @@ fn every_planner_plans_and_refuses_what_it_does_not_have() {
         ("rrt", &["--goal-bias", "0.05"][..]),
         ("rrt-star", &["--near-radius", "0.3", "--extend-step", "0.2"]),
         ("modified-rrt", &["--keep-going", "--max-samples", "2000"]),
+        ("rrt-connect", &["--keep-going", "--max-samples", "2000"]),
+        ("anytime", &["--gap", "0.3", "--target-cost", "2.5"]),
     ] {
         let arguments = ["plan", &hard1, "--planner", planner, "--format", "json"];
         let found = cdpr(&[&arguments[..], options].concat());
@@ -437,7 +439,14 @@ fn every_planner_plans_and_refuses_what_it_does_not_have() {
     }
     let refused = cdpr(&["plan", &hard1, "--near-radius", "0.3"]);
     assert_eq!(status(&refused), 2);
-    assert!(stderr(&refused).contains("near_radius: found 0.3, but the planner modified-rrt has no such setting"));
+    assert!(stderr(&refused).contains("near_radius: found 0.3, but the planner anytime has no such setting"));
+    let refused = cdpr(&["plan", &hard1, "--planner", "modified-rrt", "--gap", "0.01"]);
+    assert_eq!(status(&refused), 2);
+    assert!(
+        stderr(&refused).contains("gap: found 0.01, but the planner modified-rrt has no such setting; anytime has"),
+        "{}",
+        stderr(&refused)
+    );
     let refused = cdpr(&["plan", &hard1, "--planner", "rrt", "--goal-bias", "2"]);
     assert!(stderr(&refused).contains("goal_bias: found 2, expected a probability from 0 to 1"));
 }
@@ -449,6 +458,31 @@ const KILLED: Option<i32> = if cfg!(windows) { Some(1) } else { None };
 fn bytes_of_rows(run: &Path) -> u64 {
     let rows = fs::read_dir(run.join("rows")).into_iter().flatten();
     rows.map(|entry| entry.unwrap().metadata().unwrap().len()).sum()
+}
+
+#[test]
+fn anytime_uses_its_budget_and_any_path_can_be_pulled_taut() {
+    let folder = folder();
+    let hard1 = testdata("scenes/hard1.toml");
+    let best = 2.435167; // m, the best known path
+    let budgeted = ["plan", &hard1, "--planner", "anytime", "--budget-ms", "60", "--format", "json"];
+    let found = json(&cdpr(&budgeted));
+    assert!(found["stats"]["planning_seconds"].as_f64().unwrap() >= 0.06);
+    assert!((found["cost"].as_f64().unwrap() - best).abs() < 1e-3 * best, "{}", found["cost"]);
+    let costs: Vec<f64> =
+        found["history"].as_array().unwrap().iter().map(|better| better["cost"].as_f64().unwrap()).collect();
+    assert!(!costs.is_empty() && costs.is_sorted_by(|a, b| a > b) && costs.last() == found["cost"].as_f64().as_ref());
+    let paper = ["plan", &hard1, "--planner", "modified-rrt", "--seed", "3"];
+    let raw = cdpr_in(folder.path(), &[&paper[..], &["--post", "none", "-o", "raw.json"]].concat());
+    assert_eq!(status(&raw), 0, "{}", stderr(&raw));
+    let at_once = json(&cdpr(&[&paper[..], &["--post", "taut", "--format", "json"]].concat()));
+    let post = ["post", &hard1, "raw.json", "--post", "taut", "-o", "taut.json", "--format", "json"];
+    let later = json(&cdpr_in(folder.path(), &post));
+    assert_eq!((&later["waypoints"], &later["cost"]), (&at_once["waypoints"], &at_once["cost"]));
+    assert!(later["cost"].as_f64().unwrap() < at_once["raw_cost"].as_f64().unwrap() - 0.1);
+    for engine in ["cspace", "gjk"] {
+        assert_eq!(status(&cdpr_in(folder.path(), &["check", &hard1, "taut.json", "--engine", engine])), 0, "{engine}");
+    }
 }
 
 #[test]

@@ -132,7 +132,13 @@ fn slowly_shortened(engine: &dyn Validity, path: &[Point], seed: u64) -> Vec<Poi
 
 #[test]
 fn refining_gains_what_a_slow_optimiser_gains() {
-    let scenes = [hard1(), hard3(), random_scenes(3).draw(2).unwrap(), with_clearance(&hard1(), 0.001)];
+    let scenes = [
+        hard1(),
+        hard3(),
+        random_scenes(3).draw(2).unwrap(),
+        with_clearance(&hard1(), 0.001),
+        with_clearance(&hard1(), 0.02),
+    ];
     scenes.par_iter().enumerate().for_each(|(number, scene)| {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
         (0..6u64).into_par_iter().for_each(|seed| {
@@ -378,6 +384,10 @@ struct Asked(std::sync::atomic::AtomicUsize);
 impl Guide<Point> for Asked {
     fn shortened(&self, path: &[Point], _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
         Ok(path.to_vec())
+    }
+
+    fn lower_bound(&self, _: &Point, _: &Point) -> f64 {
+        0.0
     }
 
     fn sample(&self, _: &mut dyn rand::Rng) -> Option<Point> {

@@ -106,6 +106,53 @@ fn threads_and_interruptions_change_no_byte() {
 }
 
 #[test]
+fn a_history_tells_when_each_path_got_better() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = SMALL.replace("max_samples = 300 }", "max_samples = 300, keep_going = true }");
+    let plain = experiment(folder.path(), &text).unwrap();
+    let told = experiment(folder.path(), &format!("history = true\n{}", text.trim_start())).unwrap();
+    let [without, with, torn, merged] = ["without", "with", "torn", "merged"].map(|name| folder.path().join(name));
+    run(&without, &plain, 2, usize::MAX, false).unwrap();
+    run(&with, &told, 2, usize::MAX, false).unwrap();
+    assert!(!without.join("history.csv").exists() && table(&with) == table(&without));
+    while run(&torn, &told, 2, 11, true).is_err() {
+        let rows = torn.join("rows/0000.csv");
+        let text = fs::read_to_string(&rows).unwrap();
+        fs::write(&rows, &text[..text.len() - 40]).unwrap();
+    }
+    let parts = [(0..5, "part0"), (5..12, "part1")].map(|(trials, name)| {
+        let options = RunOptions { threads: Some(2), interrupted: &|| false, progress: &mut |_| {} };
+        BatchFolder::open(&folder.path().join(name), &told, trials, false).unwrap().run(&told, options).unwrap();
+        folder.path().join(name)
+    });
+    merge(&parts, &merged).unwrap();
+    let mut reader = csv::Reader::from_path(with.join("history.csv")).unwrap();
+    assert_eq!(reader.headers().unwrap(), vec!["scenario", "method", "trial", "seconds", "samples", "cost"]);
+    let history: Vec<(String, String, usize, f64, usize, f64)> = reader.deserialize().map(|r| r.unwrap()).collect();
+    let mut improved = 0;
+    for pair in history.windows(2).filter(|p| (&p[0].0, &p[0].1, p[0].2) == (&p[1].0, &p[1].1, p[1].2)) {
+        assert!(pair[0].3 <= pair[1].3 && pair[0].4 <= pair[1].4 && pair[0].5 > pair[1].5, "{pair:?}");
+        improved += 1;
+    }
+    assert!(improved > 12, "{improved}");
+    let mut solved = 0;
+    for row in rows(&with).iter().filter(|row| row.raw_cost.is_some()) {
+        let name = row.method.split(',').next().unwrap(); // of variants of a sweep, that of the method
+        let mut of = history.iter().filter(|h| (&h.0 as &str, &h.1 as &str, h.2) == (&row.scenario, name, row.trial));
+        let last = of.next_back().unwrap();
+        assert!((Some(last.5), last.3 <= row.planning_seconds.unwrap()) == (row.raw_cost, true), "{row:?}");
+        solved += 1;
+    }
+    assert!(solved > 60, "{solved}");
+    for folder in [&torn, &merged] {
+        let text = fs::read_to_string(folder.join("history.csv")).unwrap();
+        assert_eq!((text.lines().count(), table(folder)), (history.len() + 1, table(&with)));
+    }
+    let other = run(&with, &plain, 1, usize::MAX, true).unwrap_err().to_string();
+    assert!(other.contains("found a run of another experiment"), "{other}");
+}
+
+#[test]
 fn what_a_kill_leaves_before_the_run_has_begun_is_as_good_as_a_new_folder() {
     let folder = tempfile::tempdir().unwrap();
     let experiment = small(&folder);
@@ -292,7 +339,9 @@ fn bad_experiments_name_key_finding_and_expectation() {
 }
 
 #[test]
-fn the_experiments_of_the_paper_load() {
+fn the_experiments_of_the_repository_load() {
+    let planners = load_experiment(&repository().join("experiments/planners.toml")).unwrap();
+    assert!(planners.layout.history);
     for (name, rows) in [("table2", 8), ("table2_ball", 4), ("fig7", 50), ("fig8", 20)] {
         let experiment = load_experiment(&repository().join(format!("experiments/{name}.toml"))).unwrap();
         let groups = &experiment.layout.groups;

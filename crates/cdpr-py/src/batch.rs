@@ -90,16 +90,16 @@ impl Experiment {
         }
     }
 
-    /// `trials.csv`, `timings.csv` and `summary.json` of rows.
+    /// `trials.csv`, `timings.csv`, `history.csv` if the experiment asks for it, and `summary.json` of rows.
     fn tables(
         &self,
         py: Python<'_>,
         first: usize,
         end: usize,
         rows: Vec<Vec<u8>>,
-    ) -> PyResult<(Vec<u8>, Vec<u8>, String)> {
+    ) -> PyResult<(Vec<u8>, Vec<u8>, Option<Vec<u8>>, String)> {
         let made = py.detach(|| BatchRows::new(&self.0, first..end, rows)?.tables()).map_err(raised)?;
-        Ok((made.trials, made.timings, made.summary.to_string()))
+        Ok((made.trials, made.timings, made.history, made.summary.to_string()))
     }
 
     /// Writes the folder of a run.

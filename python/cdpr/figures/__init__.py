@@ -11,6 +11,7 @@ except ImportError as problem:
     raise ImportError("cdpr.figures needs matplotlib: pip install 'cdpr[figures]'") from problem
 
 from ._charts import boxes, repeats, step_sweep
+from ._convergence import convergence
 from ._space import available_set, model, paths, rewinding, scene
 from ._style import BLACK, BLUE, COLUMN, CYCLE, GREEN, GREY, LIGHT, ORANGE, PAGE, PURPLE, SKY, VERMILION, style
 
@@ -29,6 +30,7 @@ __all__ = [
     "VERMILION",
     "available_set",
     "boxes",
+    "convergence",
     "model",
     "paths",
     "repeats",

@@ -227,7 +227,7 @@ def _samples(
     scenarios = list(dict.fromkeys(np.asarray(trials["scenario"]).tolist()))
     if scenario is None and len(scenarios) > 1:
         raise InputError(f"scenario: found none, expected one of {', '.join(scenarios)}")
-    chosen = _known("scenario", scenarios[0] if scenario is None else scenario, scenarios)
+    chosen = known("scenario", scenarios[0] if scenario is None else scenario, scenarios)
     here = np.asarray(trials["scenario"]) == chosen
     names = np.asarray(trials["method"])
     all_methods = list(dict.fromkeys(names[here].tolist()))
@@ -237,11 +237,11 @@ def _samples(
         numbers = np.asarray((timings if measure in _TIMES else trials)[measure], dtype=np.float64)
     solved = np.asarray(trials["status"]) == "solved"
     scale = _AXES[measure][1]
-    wanted = all_methods if methods is None else [_known("methods", name, all_methods) for name in methods]
+    wanted = all_methods if methods is None else [known("methods", name, all_methods) for name in methods]
     return {name: _numbers(name, scale * numbers[here & solved & (names == name)]) for name in wanted}
 
 
-def _known(place: str, name: str, names: list[str]) -> str:
+def known(place: str, name: str, names: list[str]) -> str:
     if name not in names:
         raise InputError(f"{place}: found {name!r}, expected one of {', '.join(names)}")
     return name

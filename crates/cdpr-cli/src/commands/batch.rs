@@ -53,7 +53,8 @@ pub fn print_summary(folder: &Path, format: Format) -> Result<(), Error> {
     for line in lines(&summary) {
         result(&line);
     }
-    say(&format!("wrote trials.csv, timings.csv and summary.json to {}", folder.display()));
+    let history = if folder.join("history.csv").is_file() { " history.csv," } else { "" };
+    say(&format!("wrote trials.csv, timings.csv,{history} summary.json to {}", folder.display()));
     Ok(())
 }
 

@@ -73,6 +73,9 @@ pub struct Layout {
     pub t_tests: Vec<TTestSpec>,
     /// Level of confidence intervals.
     pub confidence: f64,
+    /// Whether rows hold when the path got better.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub history: bool,
 }
 
 /// The methods of the table that one trial of a method in a scenario fills.
@@ -134,7 +137,7 @@ impl Experiment {
             sweep: method.sweep.clone(),
         };
         let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
-        let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence };
+        let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence, history: spec.history };
         let fingerprint = fingerprint(&spec, &scenarios);
         let name = spec.name.clone().unwrap_or_else(|| "experiment".to_string());
         let (seed, trials) = (spec.seed, spec.trials);
@@ -265,7 +268,10 @@ fn known<'a>(place: &str, what: &str, name: &str, names: impl Iterator<Item = &'
 fn fingerprint(spec: &ExperimentSpec, scenarios: &[Scenario]) -> String {
     let scenes: Vec<_> = scenarios.iter().map(|s| json!({"name": s.name, "scene": s.scene.spec()})).collect();
     let random: Vec<_> = spec.scenarios.iter().map(|s| &s.random).collect();
-    let rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
+    let mut rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
+    if spec.history {
+        rows["history"] = true.into(); // absent otherwise: what is known of older runs stays true
+    }
     let text = rows.to_string();
     Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }

@@ -18,7 +18,7 @@ use crate::collision::{Checker, Engine, Interference};
 use crate::error::{Error, ErrorClass};
 use crate::model::Scene;
 use crate::plan::{PlanOptions, PlanResult, engine_for, plan_with, post_process};
-use crate::planning::Status;
+use crate::planning::{Milestone, Status};
 
 /// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
 const AHEAD: usize = 4096;
@@ -70,6 +70,35 @@ pub struct Row {
     pub planning_seconds: Option<f64>,
     /// Time of rewinding, s.
     pub post_seconds: Option<f64>,
+    /// When the planner's path got better, if the experiment asks for it; stands with the first variant of a sweep alone.
+    #[serde(with = "milestones")]
+    pub history: Vec<Milestone>,
+}
+
+/// Milestones as one field of CSV: `seconds samples cost`, semicolons between them.
+mod milestones {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    use super::Milestone;
+
+    pub fn serialize<S: Serializer>(history: &[Milestone], serializer: S) -> Result<S::Ok, S::Error> {
+        let texts: Vec<_> = history.iter().map(|m| format!("{} {} {}", m.seconds, m.samples, m.cost)).collect();
+        serializer.serialize_str(&texts.join(";"))
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Milestone>, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let problem = |part| D::Error::custom(format!("found \"{part}\", expected seconds, samples and cost"));
+        text.split_terminator(';').map(|part| milestone(part).ok_or_else(|| problem(part))).collect()
+    }
+
+    fn milestone(text: &str) -> Option<Milestone> {
+        let mut numbers = text.split(' ');
+        let seconds = numbers.next()?.parse().ok()?;
+        let samples = numbers.next()?.parse().ok()?;
+        let cost = numbers.next()?.parse().ok()?;
+        numbers.next().is_none().then_some(Milestone { seconds, samples, cost })
+    }
 }
 
 /// How a run goes about it.
@@ -318,7 +347,10 @@ fn trial(
     match planned() {
         Ok(results) => {
             let row = |((name, _), found): (&(String, _), _)| row(&scenario.name, name, unit.trial, seed, found);
-            let rows = method.variants.iter().zip(&results).map(row).collect();
+            let mut rows: Vec<Row> = method.variants.iter().zip(&results).map(row).collect();
+            if experiment.layout.history {
+                rows[0].history = results[0].history.clone();
+            }
             Ok(Trial { group: unit.group, rows, failure: None })
         }
         Err(error) if error.class() == ErrorClass::Interrupted => Err(error),
@@ -348,6 +380,7 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
         motion_checks: solved.then_some(found.stats.motion_checks),
         planning_seconds: Some(found.stats.planning_seconds),
         post_seconds: solved.then_some(found.stats.post_seconds),
+        history: Vec::new(),
     }
 }
 

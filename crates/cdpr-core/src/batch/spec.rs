@@ -30,6 +30,9 @@ pub struct ExperimentSpec {
     pub scenarios: Vec<ScenarioSpec>,
     /// How is planned; every method draws its own random numbers.
     pub methods: Vec<MethodSpec>,
+    /// Also tells when each trial's path got better, in `history.csv`; default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub history: bool,
     /// Which groups are compared.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub t_tests: Vec<TTestSpec>,
@@ -88,7 +91,7 @@ impl<'de> Deserialize<'de> for SceneSource {
 pub struct MethodSpec {
     /// Name in tables.
     pub name: String,
-    /// modified-rrt (default), rrt or rrt-star.
+    /// modified-rrt (default), rrt, rrt-star, rrt-connect or anytime.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
     /// Options of the planner.

@@ -152,6 +152,7 @@ impl Constraint {
             Constraint::PlatformObstacle { gap, .. } => *gap > 0.0,
             Constraint::CableObstacle { demand: Demand::Apart { gap }, .. }
             | Constraint::CablePlatform { demand: Demand::Apart { gap }, .. } => *gap > 0.0,
+            Constraint::CableCable(pair) => pair.gap > 0.0,
             _ => false,
         }
     }

@@ -357,7 +357,10 @@ impl Validity for CspaceEngine {
 /// As [`Checker::polyhedra`].
 pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
     let scale = Scale::of(constraints);
+    // What is known to hold all crossings of two cables at a distance holds much else.
+    let vague = |index: usize| matches!(&constraints.list[index], Constraint::CableCable(pair) if pair.gap > 0.0);
     let of = |index: usize| match rounded(constraints, &constraints.list[index]) {
+        _ if vague(index) => Vec::new(),
         Some(planes) => vec![planes],
         None => regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer).collect(),
     };

@@ -19,7 +19,8 @@ pub trait Checker: Validity + Send {
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
 
     /// Convex polyhedra of positions, open and as lists of half-spaces, whose union holds everything that geometry
-    /// forbids inside the workspace, but for cables that are too long; with a clearance they hold more.
+    /// forbids inside the workspace, but for cables that are too long or too near each other; with a clearance they hold a
+    /// little more.
     fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
         super::cspace::outer_polyhedra(self.constraints())
     }

@@ -2,8 +2,8 @@
 //!
 //! `rows/` holds one file for each method and scenario, to which a trial appends its lines in one write. A run that was
 //! killed leaves at most one torn trial at the end of each; resuming cuts it off. One that was killed before it wrote
-//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv` and `summary.json` are
-//! written whole, when a run ends or is interrupted.
+//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv`, `history.csv` where the
+//! experiment asks for it, and `summary.json` are written whole, when a run ends or is interrupted.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -123,7 +123,7 @@ impl BatchFolder {
         self.write_tables()
     }
 
-    /// Writes `trials.csv`, `timings.csv` and `summary.json`, sorted by the names of scenario and method.
+    /// Writes `trials.csv`, `timings.csv`, `history.csv` if asked for, and `summary.json`, sorted by the names of scenario and method.
     fn write_tables(&self) -> Result<(), Error> {
         let open = |group: usize| -> Result<Box<dyn Read>, Error> {
             let path = self.path.join(ROWS).join(file_name(group));
@@ -133,11 +133,16 @@ impl BatchFolder {
                 Err(e) => Err(Error::file(&path, format!("cannot be read: {e}"))),
             }
         };
-        let [trials, timings] = ["trials.csv", "timings.csv"].map(|name| self.path.join(name));
+        let [trials, timings, history] = ["trials.csv", "timings.csv", "history.csv"].map(|name| self.path.join(name));
         let (mut trials_file, mut timings_file) = (text::temporary_beside(&trials)?, text::temporary_beside(&timings)?);
-        let summary = write_tables(&self.run, &self.path.join(ROWS), open, &mut trials_file, &mut timings_file)?;
+        let mut history_file = self.run.layout.history.then(|| text::temporary_beside(&history)).transpose()?;
+        let files = (&mut trials_file, &mut timings_file, history_file.as_mut());
+        let summary = write_tables(&self.run, &self.path.join(ROWS), open, files)?;
         text::rename_into_place(trials_file, &trials)?;
         text::rename_into_place(timings_file, &timings)?;
+        if let Some(file) = history_file {
+            text::rename_into_place(file, &history)?;
+        }
         text::write_atomically(&self.path.join("summary.json"), format!("{summary:#}\n").as_bytes())
     }
 }

@@ -74,13 +74,15 @@ pub struct BatchRows {
     groups: Vec<Vec<u8>>,
 }
 
-/// The three results of a run.
+/// The results of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tables {
     /// `trials.csv`
     pub trials: Vec<u8>,
     /// `timings.csv`
     pub timings: Vec<u8>,
+    /// `history.csv`, if the experiment asks for it.
+    pub history: Option<Vec<u8>>,
     /// `summary.json`
     pub summary: Value,
 }
@@ -126,9 +128,10 @@ impl BatchRows {
     /// Rows that are not those of the trials.
     pub fn tables(&self) -> Result<Tables, Error> {
         let (mut trials, mut timings) = (Vec::new(), Vec::new());
+        let mut history = self.run.layout.history.then(Vec::new);
         let open = |group: usize| Ok(Box::new(&*self.groups[group]) as Box<dyn Read + '_>);
-        let summary = write_tables(&self.run, Path::new("rows"), open, &mut trials, &mut timings)?;
-        Ok(Tables { trials, timings, summary })
+        let summary = write_tables(&self.run, Path::new("rows"), open, (&mut trials, &mut timings, history.as_mut()))?;
+        Ok(Tables { trials, timings, history, summary })
     }
 
     /// Writes the folder of the run, as the command line does.
@@ -148,14 +151,13 @@ pub(super) fn lines(rows: &[Row]) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|e| Error::invalid("rows", e.to_string()))
 }
 
-/// Writes the tables of trials and of timings, sorted by the names of scenario and method; the summary. `place` is
-/// where the rows are, for messages; `open` reads those of a group.
+/// Writes the tables of trials, of timings and, if asked for, of their history, sorted by the names of scenario and method;
+/// the summary. `place` is where the rows are, for messages; `open` reads those of a group.
 pub(super) fn write_tables<'a>(
     run: &RunFile,
     place: &Path,
     open: impl Fn(usize) -> Result<Box<dyn Read + 'a>, Error>,
-    trials: &mut impl Write,
-    timings: &mut impl Write,
+    (trials, timings, history): (&mut impl Write, &mut impl Write, Option<&mut impl Write>),
 ) -> Result<Value, Error> {
     let groups = run.layout.groups.iter().enumerate();
     let mut order: Vec<(&str, &str, usize, usize)> = groups
@@ -168,20 +170,26 @@ pub(super) fn write_tables<'a>(
     let mut summary = Summary::default();
     let mut trials = Table::new(trials, &TRIAL_COLUMNS)?;
     let mut timings = Table::new(timings, &TIMING_COLUMNS)?;
+    let mut history = history.map(|to| Table::new(to, &HISTORY_COLUMNS)).transpose()?;
     for (scenario, method, group, variant) in order {
         let mut rows = Vec::new();
+        let sweep = run.layout.groups[group].sweep.get(variant);
+        let planned = sweep.map_or(method, |swept| &swept.of);
         let path = place.join(format!("{group:04}.csv"));
         each_row(run, (group, variant), &path, open(group)?, |row| {
             trials.write(&trial_columns(&row))?;
             timings.write(&timing_columns(&row))?;
+            if let Some(history) = &mut history {
+                row.history.iter().try_for_each(|m| history.write(&(scenario, planned, row.trial, m)))?;
+            }
             rows.push(row);
             Ok(())
         })?;
-        let sweep = run.layout.groups[group].sweep.get(variant);
         summary.add((scenario, method), sweep, rows.into_iter(), run.layout.confidence);
     }
     trials.finish()?;
     timings.finish()?;
+    history.map_or(Ok(()), Table::finish)?;
     Ok(summary.json(&run.layout, &run.experiment, &run.fingerprint))
 }
 
@@ -224,6 +232,8 @@ pub(super) const TRIAL_COLUMNS: [&str; 11] = [
     "motion_checks",
 ];
 const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
+/// Of a method that is swept the variants share one history, under the method's own name.
+const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
 
 fn trial_columns(row: &Row) -> impl Serialize + '_ {
     let Row { scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;

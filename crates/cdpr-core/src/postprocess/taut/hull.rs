@@ -53,6 +53,11 @@ impl Hull {
         inside(self.planes.iter().filter(|other| *other != plane), from, along)
     }
 
+    /// Whether a point is inside, more than by touching.
+    pub fn holds(&self, point: &Point) -> bool {
+        self.planes.iter().all(|plane| plane.height(point) < -ON_SURFACE)
+    }
+
     /// The interval of t for which `from + t along` is inside; none if it never is.
     pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
         inside(self.planes.iter(), from, along)

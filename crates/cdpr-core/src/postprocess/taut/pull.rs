@@ -41,7 +41,9 @@ impl Pull {
         chain.clear();
         let Some((frame, top, length)) = framed(u, v, w) else { return };
         self.found.clear();
-        for hull in hulls.iter().filter(|hull| !hull.apart(&[*u, *v, *w])) {
+        // A hull that holds a valid waypoint says too much there, and nothing about the way around it.
+        let in_the_way = |hull: &&Hull| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
+        for hull in hulls.iter().filter(in_the_way) {
             self.cut(hull, &frame, [[0.0, 0.0], [length, 0.0], top]);
             self.collect(hull);
         }

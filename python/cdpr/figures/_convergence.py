@@ -1,0 +1,178 @@
+"""Cost against time: how long planners take for paths of which length."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+
+from .._arrays import Floats
+from .._batch import BatchResult, summary_rows
+from ..exceptions import InputError
+from ._charts import known
+from ._style import COLUMN, CYCLE, styled
+
+_HEIGHT = 3.6
+_INSTANTS = 500  # points of a curve
+_LEAST = 1e-6  # s; the time axis begins where the first path is found, but not earlier
+_ENDLESS = 1e6  # %
+_FINE = 0.1  # %; below this the axis of lengths is linear, so that zero is on it
+
+
+@styled
+def convergence(
+    batch: BatchResult,
+    *,
+    scenario: str | None = None,
+    methods: Sequence[str] | None = None,
+    best: float | None = None,
+    ax: Sequence[Axes] | None = None,
+) -> tuple[Axes, Axes]:
+    """Draw over time how much longer the best path so far is than the best known one, and how many trials have a path.
+
+    A line is the median over all trials, the band goes from the first to the third quartile; trials without a path yet
+    count as infinitely long, so a line begins when half of the trials have a path. It ends, with a dot, when its last
+    trial ends. A trial that is post-processed takes its last step when that is done.
+
+    Parameters
+    ----------
+    batch : BatchResult
+        Of an experiment with ``history = true``, such as experiments/planners.toml.
+    scenario : str, optional
+        Which scenario; needed where there are several.
+    methods : sequence of str, optional
+        Which methods, in this order; default all.
+    best : float, optional
+        Length of the best known path, m; default the shortest path in the run, of all methods and trials, or in random
+        scenes of all methods in the same trial.
+    ax : two Axes, optional
+        Where to draw lengths and shares; default a new figure of the width of a column.
+
+    Returns
+    -------
+    tuple of two Axes
+
+    Raises
+    ------
+    InputError
+        A run without history, unknown names, a scenario without any path.
+
+    Examples
+    --------
+    >>> import cdpr.figures
+    >>> experiment = {
+    ...     "version": 1,
+    ...     "trials": 5,
+    ...     "history": True,
+    ...     "scenarios": [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}],
+    ...     "methods": [{"name": "anytime", "planner": "anytime", "budget_ms": 5}, {"name": "modified RRT"}],
+    ... }
+    >>> lengths, shares = cdpr.figures.convergence(cdpr.run_batch(experiment), best=2.435167)
+    >>> shares.get_ylabel()
+    'solved (%)'
+    """
+    if not isinstance(batch, BatchResult) or batch.history is None:
+        raise InputError("batch: found no run with a history, expected one of an experiment with history = true")
+    runs = _courses(batch, scenario, best)
+    chosen = {name: runs[known("methods", name, list(runs))] for name in (runs if methods is None else methods)}
+    lengths, shares = _panels() if ax is None else ax
+    ends = {name: max(course.ended for course in courses) for name, courses in chosen.items()}
+    first = min((course.times[0] for courses in chosen.values() for course in courses if len(course.times)), default=0.0)
+    instants = np.geomspace(max(first, _LEAST), max(ends.values()), _INSTANTS)
+    longest = _FINE
+    for k, (name, courses) in enumerate(chosen.items()):
+        until = np.append(instants[instants < ends[name]], ends[name])
+        excess = np.array([course.excess_at(until) for course in courses])
+        low, middle, high = np.quantile(excess, (0.25, 0.5, 0.75), axis=0, method="inverted_cdf")
+        solved = 100 * np.isfinite(excess).mean(axis=0)
+        longest = float(np.max(middle[np.isfinite(middle)], initial=longest))
+        style: dict[str, Any] = {"color": CYCLE[k % len(CYCLE)], "markersize": 3}
+        band = np.isfinite(low)
+        ceiling = np.minimum(high[band], _ENDLESS)  # a band without an upper end leaves the picture
+        lengths.fill_between(1e3 * until[band], low[band], ceiling, color=style["color"], alpha=0.18, linewidth=0)
+        for axes, line in ((lengths, np.where(np.isfinite(middle), middle, np.nan)), (shares, solved)):
+            axes.plot(1e3 * until, line, label=name, linewidth=1.2, **style)
+            axes.plot(1e3 * until[-1:], line[-1:], "o", **style)
+    lengths.set_yscale("symlog", linthresh=_FINE)
+    lengths.set_ylim(-_FINE / 6, 1.5 * longest)
+    ticks = [tick for tick in (0, 0.1, 1, 10, 100, 1000) if tick < 1.5 * longest]
+    lengths.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
+    lengths.set(xscale="log", ylabel="longer than the best known (%)")
+    shares.set(xscale="log", xlabel="time (ms)", ylabel="solved (%)", ylim=(-4, 104), yticks=[0, 50, 100])
+    for axes in (lengths, shares):
+        axes.grid()
+        axes.set_axisbelow(True)
+        axes.xaxis.set_major_formatter("{x:g}")
+    if ax is None:
+        lengths.figure.legend(*lengths.get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    return lengths, shares
+
+
+class _Course(NamedTuple):
+    """A trial: when its path got better (s), how much longer than the best known it then was (%), and when it ended."""
+
+    times: Floats
+    excess: Floats
+    ended: float
+
+    def excess_at(self, instants: Floats) -> Floats:
+        """How much too long the path is by then; infinity while there is none."""
+        held: Floats = np.append(np.inf, self.excess)[np.searchsorted(self.times, instants, side="right")]
+        return held
+
+
+def _panels() -> tuple[Axes, Axes]:
+    _, (lengths, shares) = pyplot.subplots(
+        2, 1, figsize=(COLUMN, _HEIGHT), height_ratios=[3, 1], sharex=True, layout="constrained"
+    )
+    return lengths, shares
+
+
+def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> dict[str, list[_Course]]:
+    """The trials of every method in a scenario."""
+    spec = json.loads(batch._json)
+    scenarios = {entry["name"]: "random" in entry for entry in spec["scenarios"]}
+    if scenario is None and len(scenarios) > 1:
+        raise InputError(f"scenario: found none, expected one of {', '.join(scenarios)}")
+    place = known("scenario", next(iter(scenarios)) if scenario is None else scenario, list(scenarios))
+    steps = {entry["name"]: _steps(batch, place, entry["name"]) for entry in spec["methods"]}
+    shortest = np.array([[costs.min(initial=np.inf) for _, costs, _ in trials] for trials in steps.values()]).min(axis=0)
+    if not np.isfinite(shortest).any():
+        raise InputError(f"scenario: found no path in {place}, expected at least one")
+    if best is not None or not scenarios[place]:
+        shortest[:] = shortest.min() if best is None else best
+    return {
+        name: [
+            _Course(times, 100 * (costs / reference - 1), ended)
+            for (times, costs, ended), reference in zip(trials, shortest, strict=True)
+        ]
+        for name, trials in steps.items()
+    }
+
+
+def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats, Floats, float]]:
+    """When the path of each trial got better (s) and its length then (m), post-processing included; when it ended."""
+    columns = {name: np.asarray(batch.history[name]) for name in ("scenario", "method", "trial", "seconds", "cost")}
+    of_method = (columns["scenario"] == scenario) & (columns["method"] == method)
+    found = []
+    for trial, ended, cost in _ends(batch, scenario, method):
+        mine = of_method & (columns["trial"] == trial)
+        times, costs = columns["seconds"][mine], columns["cost"][mine]
+        if len(costs) and cost < costs[-1]:
+            times, costs = np.append(times, ended), np.append(costs, cost)
+        found.append((times, costs, ended))
+    return found
+
+
+def _ends(batch: BatchResult, scenario: str, method: str) -> list[tuple[int, float, float]]:
+    """Number of each trial, when it ended, s, and the length of its final path, m; of a sweep those of its first variant."""
+    trials, timings = batch.trials, batch.timings
+    variants = [row["method"] for row in summary_rows(batch) if row.get("of", row["method"]) == method]
+    mine = (np.asarray(trials["scenario"]) == scenario) & (np.asarray(trials["method"]) == variants[0])
+    seconds = np.nan_to_num([np.asarray(timings[name])[mine] for name in ("planning_seconds", "post_seconds")]).sum(axis=0)
+    numbers, costs = (np.asarray(trials[name])[mine] for name in ("trial", "cost"))
+    return [(int(trial), float(end), float(cost)) for trial, end, cost in zip(numbers, seconds, costs, strict=True)]
