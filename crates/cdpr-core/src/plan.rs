@@ -398,7 +398,7 @@ pub fn shorten_path(
 /// Rewinds a path of a scene once, in one direction, and tells every motion that was asked about.
 ///
 /// # Errors
-/// As [`rewind_path`].
+/// As [`shorten_path`].
 pub fn trace_rewinding(
     engine: &dyn Checker,
     waypoints: &[Point],

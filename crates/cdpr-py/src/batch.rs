@@ -21,6 +21,9 @@ pub struct Experiment(cdpr_core::batch::Experiment);
 /// Rows of each group, and what went wrong in trials that failed.
 type Ran = (Vec<Vec<u8>>, Vec<String>);
 
+/// trials.csv, timings.csv, history.csv where the experiment asks for it, summary.json.
+type Tables = (Vec<u8>, Vec<u8>, Option<Vec<u8>>, String);
+
 #[pymethods]
 impl Experiment {
     /// Loads an experiment file.
@@ -91,13 +94,7 @@ impl Experiment {
     }
 
     /// `trials.csv`, `timings.csv`, `history.csv` if the experiment asks for it, and `summary.json` of rows.
-    fn tables(
-        &self,
-        py: Python<'_>,
-        first: usize,
-        end: usize,
-        rows: Vec<Vec<u8>>,
-    ) -> PyResult<(Vec<u8>, Vec<u8>, Option<Vec<u8>>, String)> {
+    fn tables(&self, py: Python<'_>, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<Tables> {
         let made = py.detach(|| BatchRows::new(&self.0, first..end, rows)?.tables()).map_err(raised)?;
         Ok((made.trials, made.timings, made.history, made.summary.to_string()))
     }
