@@ -86,8 +86,8 @@ export function describeOutcome(path, length, violations) {
   if (path.waypoints.length === 0) return NO_PATH[path.status] ?? 'no path';
   const said = verdict(path.status, violations);
   const cost = formatLength(path.cost ?? length);
-  if (path.rawCost === null) return `${said}: ${cost}`;
-  return `${said}: ${cost} after rewinding, ${formatLength(path.rawCost)} raw`;
+  const raw = path.rawCost === null ? cost : formatLength(path.rawCost);
+  return raw === cost ? `${said}: ${cost}` : `${said}: ${cost}, ${raw} before it was made shorter`;
 }
 
 const SPACES = {

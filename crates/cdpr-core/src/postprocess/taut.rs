@@ -58,8 +58,9 @@ const ROUNDS: usize = 50;
 const DRAWS: usize = 32;
 /// Share of a length that cutting a corner or nudging must gain to go on.
 const WORTHWHILE: f64 = 1e-3;
-/// Random moves of a bend by one size.
-const NUDGES: usize = 3;
+/// Random moves of a bend by one size; few where limits bind that take long to check.
+const NUDGES: usize = 12;
+const FEW_NUDGES: usize = 3;
 /// Sizes of nudges and of corners to cut off, each half the one before.
 const SIZES: usize = 6;
 /// Halvings of a slide that cannot be made in full.
@@ -158,11 +159,11 @@ impl<'a> String<'a> {
         String { taut, path: bends, refused: false, pull: Pull::default(), chain: Vec::new() }
     }
 
-    /// Pulls and slides; where something that is no polyhedron stopped that, nudges what is left.
+    /// Pulls and slides, and nudges what is left: bends may hold each other, or be stopped by something that is no polyhedron.
     fn polish(&mut self, watch: &Watch) -> Result<(), Error> {
         self.pull_and_slide(watch)?;
         let mut rng = ChaCha8Rng::seed_from_u64(0); // so that a path always gives the same one
-        while self.refused && self.nudge(&mut rng, watch)? {
+        while self.nudge(&mut rng, watch)? {
             self.pull_and_slide(watch)?;
         }
         Ok(())
@@ -272,7 +273,7 @@ impl<'a> String<'a> {
                 if watch.expired()? {
                     return Ok(false);
                 }
-                for _ in 0..NUDGES {
+                for _ in 0..if self.refused { FEW_NUDGES } else { NUDGES } {
                     let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
                     let reach =
                         0.5f64.powi(halving as i32) * (u.place - v.place).norm().min((w.place - v.place).norm());
@@ -284,7 +285,8 @@ impl<'a> String<'a> {
                 }
             }
         }
-        Ok(length(&self.path) < (1.0 - WORTHWHILE) * before)
+        let worthwhile = if self.refused { WORTHWHILE } else { 0.01 * WORTHWHILE };
+        Ok(length(&self.path) < (1.0 - worthwhile) * before)
     }
 
     /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
