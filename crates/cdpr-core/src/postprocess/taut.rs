@@ -1,8 +1,8 @@
 //! Taut paths: anyone's path becomes a shortest one of its kind, exactly.
 //!
 //! At fixed orientation what is forbidden are convex polyhedra in the space of positions, and a shortest path among
-//! polyhedra is straight but for bends at their edges (J. H. Reif and J. A. Storer; M. Sharir and A. Schorr, "On shortest paths in polyhedral
-//! spaces", SIAM J. Comput. 15, 1986). So a path is tightened in two turns, until neither helps:
+//! polyhedra is straight but for bends at their edges (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces",
+//! SIAM J. Comput. 15, 1986). So a path is tightened in two turns, until neither helps:
 //!
 //! - *pull*: a bend and its neighbours span a triangle; the string over the corner is pulled taut in that plane
 //!   ([`pull`]). Its new bends lie on edges of the polyhedra.
@@ -76,7 +76,7 @@ impl<'a> Taut<'a> {
 
 impl Guide<Point> for Taut<'_> {
     fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
-        let mut string = String::new(self, path);
+        let mut string = Strand::new(self, path);
         string.pull_and_slide(watch)?;
         Ok(string.path.into_iter().map(|bend| bend.place).collect())
     }
@@ -91,12 +91,13 @@ impl Guide<Point> for Taut<'_> {
     }
 
     fn polished(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
-        let mut string = String::new(self, path);
+        let mut string = Strand::new(self, path);
         string.polish(watch)?;
         Ok(string.path.into_iter().map(|bend| bend.place).collect())
     }
 
-    /// A point on an edge of a polyhedron outside of all others, no edge rarer for being short: shortest paths bend there and nowhere else.
+    /// A point on an edge of a polyhedron outside of all others, no edge rarer for being short: shortest paths bend
+    /// there and nowhere else.
     fn sample(&self, rng: &mut dyn Rng) -> Option<Point> {
         let of = |hull: &Hull| hull.edges(&self.low, &self.high);
         let edges = self.edges.get_or_init(|| self.hulls().iter().flat_map(of).collect());
@@ -143,7 +144,7 @@ fn corners(low: &Point, high: &Point) -> [Point; 8] {
 }
 
 /// A path on its way to being taut.
-struct String<'a> {
+struct Strand<'a> {
     taut: &'a Taut<'a>,
     path: Vec<Bend>,
     /// Whether the engine refused what the polyhedra allow.
@@ -152,14 +153,16 @@ struct String<'a> {
     chain: Vec<Bend>,
 }
 
-impl<'a> String<'a> {
+impl<'a> Strand<'a> {
     fn new(taut: &'a Taut<'a>, path: &[Point]) -> Self {
         let mut bends: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
         bends.dedup_by(|a, b| a.place == b.place);
-        String { taut, path: bends, refused: false, pull: Pull::default(), chain: Vec::new() }
+        bends.extend((bends.len() == 1).then(|| bends[0])); // a path has two ends, even if it stays
+        Strand { taut, path: bends, refused: false, pull: Pull::default(), chain: Vec::new() }
     }
 
-    /// Pulls and slides, and nudges what is left: bends may hold each other, or be stopped by something that is no polyhedron.
+    /// Pulls and slides, and nudges what is left: bends may hold each other, or be stopped by something that is no
+    /// polyhedron.
     fn polish(&mut self, watch: &Watch) -> Result<(), Error> {
         self.pull_and_slide(watch)?;
         let mut rng = ChaCha8Rng::seed_from_u64(0); // so that a path always gives the same one
@@ -343,7 +346,7 @@ impl<'a> String<'a> {
             if !self.free(&new[0], &new[1]) {
                 let over = old.iter().map(|bend| Bend { place: bend.place, edge: None });
                 let way = std::iter::once(new[0]).chain(over).chain([new[1]]);
-                let mut piece = String { path: way.collect(), pull: Pull::default(), chain: Vec::new(), ..*self };
+                let mut piece = Strand { path: way.collect(), pull: Pull::default(), chain: Vec::new(), ..*self };
                 piece.path.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
                 if !piece.all_free(&piece.path) {
                     return Ok(None);
