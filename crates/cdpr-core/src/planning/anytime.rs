@@ -97,6 +97,8 @@ pub fn anytime<S: StateSpace>(
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath || options.gap.is_some();
+    // Who gives a number of samples wants them drawn as long as there is no path.
+    let hopeless = if options.limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
     let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
     let mut run = Run {
         guide,
@@ -109,7 +111,7 @@ pub fn anytime<S: StateSpace>(
         cost: f64::INFINITY,
         polished: f64::INFINITY,
         enough: short_enough(problem, guide, options),
-        patience: (!lasting).then_some(Patience { samples: HOPELESS, pulls: CONTENT }),
+        patience: (!lasting).then_some(Patience { samples: hopeless, pulls: CONTENT }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
         Err(stopped) if stopped.class() == ErrorClass::Interrupted && !run.best.is_empty() => {}
