@@ -166,7 +166,7 @@ def test_every_switch_changes_the_picture(
     layers = {"platform", "obstacles", "names of obstacles", "cables", "names of cables", "outlets and frame"}
     layers |= {"final path", "start and goal", "workspace", "nearest to each other", "swept by cables"}
     layers |= {"shadows of obstacles", "cable 0", "column" if which == "planned" else "pillar"}
-    tree = f"search tree ({planned.stats['nodes']} nodes)"
+    tree = f"search tree ({np.sum(planned.tree.parents != np.arange(len(planned.tree.parents)))} edges)"
     layers |= {"raw path", "wrench-feasible workspace", tree} if which == "planned" else {"violations"}
     assert layers <= set(names)
     before = picture(page)

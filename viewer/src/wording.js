@@ -60,8 +60,8 @@ export function describeWrench({ measure, unit }, value) {
 
 /** What is drawn of a search tree: all of it, or some of its edges. */
 export function describeTree({ count, every }) {
-  const nodes = `${(count + 1).toLocaleString('en')} nodes`;
-  return every > 1 ? `search tree (${nodes}, 1 edge in ${every})` : `search tree (${nodes})`;
+  const edges = `${count.toLocaleString('en')} edges`;
+  return every > 1 ? `search tree (${edges}, 1 in ${every} drawn)` : `search tree (${edges})`;
 }
 
 /** What the colours of the wrench-feasible workspace mean. */
