@@ -287,10 +287,11 @@ fn interrupted_it_returns_what_it_has() {
 
 #[test]
 fn odd_questions_are_answered() {
-    let at = Some(Point::new(0.3, 1.0, 0.3));
+    let here = Point::new(0.3, 1.0, 0.3);
+    let at = Some(here);
     let same = planned(&hard1(), &PlanOptions { start: at, goal: at, ..seeded(0) });
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
-    let stays = [at.unwrap(); 3];
+    let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
     assert_eq!(shorten_path(&engine, &stays, &Processing::Taut, &|| false).unwrap(), stays[..2]);
     let straight = planned(&empty(), &seeded(0));
