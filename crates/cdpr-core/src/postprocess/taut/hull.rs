@@ -48,9 +48,10 @@ impl Hull {
         Hull { planes: half_spaces }
     }
 
-    /// As [`Hull::inside`], one plane left out.
-    pub fn inside_but(&self, plane: &HalfSpace, from: &Point, along: &Vector) -> Option<[f64; 2]> {
-        inside(self.planes.iter().filter(|other| *other != plane), from, along)
+    /// The interval of t for which `from + t along`, a line in one of the planes, is on the polyhedron's surface; where
+    /// another plane says the same as that one but for rounding, both have the line.
+    pub fn side(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
+        inside(self.planes.iter(), from, along, GRAZING)
     }
 
     /// Whether a point is inside, more than by touching.
@@ -60,7 +61,7 @@ impl Hull {
 
     /// The interval of t for which `from + t along` is inside; none if it never is.
     pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
-        inside(self.planes.iter(), from, along)
+        inside(self.planes.iter(), from, along, -GRAZING)
     }
 
     /// The directions of its edges through a place.
@@ -80,7 +81,7 @@ impl Hull {
             for (j, second) in self.planes.iter().enumerate().skip(i + 1) {
                 let Some((point, along)) = meeting_line(first, second) else { continue };
                 let others = self.planes.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, h)| h);
-                let Some(edge) = inside(others, &point, &along) else { continue };
+                let Some(edge) = inside(others, &point, &along, -GRAZING) else { continue };
                 let Some([from, to]) = common(edge, in_box(low, high, &point, &along)) else { continue };
                 let piece = Piece { from: point + along * from, along: along * (to - from) };
                 edges.push(Edge { whole: piece, free: OnceLock::new() });
@@ -119,8 +120,9 @@ impl Piece {
     }
 }
 
-/// The interval of a line in an intersection of half-spaces; none if it is empty.
-fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: &Vector) -> Option<[f64; 2]> {
+/// The interval of a line in an intersection of half-spaces; none if it is empty. Of a plane along the line the line is
+/// outside where it is higher than `rim`, m.
+fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: &Vector, rim: f64) -> Option<[f64; 2]> {
     let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
     for plane in planes {
         let (height, slope) = (plane.height(from), plane.normal.dot(along));
@@ -128,8 +130,8 @@ fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: 
             high = high.min(-height / slope);
         } else if slope < -PARALLEL {
             low = low.max(-height / slope);
-        } else if height >= -GRAZING {
-            return None; // along the plane
+        } else if height >= rim {
+            return None;
         }
     }
     (low < high).then_some([low, high])
