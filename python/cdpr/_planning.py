@@ -352,10 +352,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    array = path_rows("waypoints", waypoints)
-    text = scene._core.shorten(array, order, float(step), _whole("repeats", repeats), engine, interference)
-    found = json.loads(text)
-    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
+    return _shortened(scene, waypoints, order, float(step), _whole("repeats", repeats), engine, interference)
 
 
 def refine(
@@ -390,9 +387,21 @@ def refine(
     >>> print(f"{refine(scene, raw).cost:.6f}")
     2.435167
     """
-    array = path_rows("waypoints", waypoints)
-    found = json.loads(scene._core.shorten(array, "taut", 1.0, 1, engine, interference))
-    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=json.dumps(found))
+    return _shortened(scene, waypoints, "taut", 1.0, 1, engine, interference)
+
+
+def _shortened(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    post: Post,
+    step: float,
+    repeats: int,
+    engine: Engine,
+    interference: Interference,
+) -> Path:
+    text = scene._core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
+    found = json.loads(text)
+    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
 
 
 def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:

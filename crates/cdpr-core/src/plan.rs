@@ -80,6 +80,25 @@ pub enum Processing {
     Taut,
 }
 
+impl Processing {
+    /// What it makes of a valid path.
+    fn of(
+        &self,
+        engine: &dyn Checker,
+        waypoints: &[Point],
+        interrupted: &dyn Fn() -> bool,
+    ) -> Result<Vec<Point>, Error> {
+        let watch = Watch { deadline: None, interrupted };
+        match self {
+            Processing::None => Ok(waypoints.to_vec()),
+            Processing::Rewind(options) => {
+                rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, &watch)
+            }
+            Processing::Taut => Taut::new(engine).polished(waypoints, &watch),
+        }
+    }
+}
+
 /// How to plan; the question itself stands in the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
@@ -317,13 +336,7 @@ pub fn post_process(
         return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let watch = Watch { deadline: None, interrupted };
-    let space = TranslationSpace::of(engine.constraints());
-    let waypoints = match processing {
-        Processing::None => raw.raw_waypoints.clone(),
-        Processing::Rewind(options) => rewind(&space, engine, &raw.raw_waypoints, options, &watch)?,
-        Processing::Taut => Taut::new(engine).polished(&raw.raw_waypoints, &watch)?,
-    };
+    let waypoints = processing.of(engine, &raw.raw_waypoints, interrupted)?;
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };
@@ -383,14 +396,7 @@ pub fn shorten_path(
     interrupted: &dyn Fn() -> bool,
 ) -> Result<Vec<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
-    let watch = Watch { deadline: None, interrupted };
-    let shorter = match processing {
-        Processing::None => waypoints.to_vec(),
-        Processing::Rewind(options) => {
-            rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, &watch)?
-        }
-        Processing::Taut => Taut::new(engine).polished(waypoints, &watch)?,
-    };
+    let shorter = processing.of(engine, waypoints, interrupted)?;
     verified(engine, &shorter)?;
     Ok(shorter)
 }
