@@ -188,3 +188,51 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 
 /// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
 pub const SCALE_STEPS: usize = 100;
+
+/// Largest file of another program's robot that is read, bytes; the largest known has 0.1 MB.
+pub const MOST_XML_BYTES: u64 = 1_000_000;
+
+/// Most nodes of an XML file.
+pub const MOST_XML_NODES: u32 = 100_000;
+
+/// Corners of a mesh that are nearer to each other than this share of its extent are one: formats that list triangles by
+/// coordinates round them to single precision (6e-8).
+pub const WELD_RELATIVE: f64 = 3e-7;
+
+/// By how much a surface without an inside is fattened to all sides, m: engines keep out of bodies with volume, and parts
+/// of such a surface overlap by this along their seams.
+pub const SHEET: f64 = 1e-4;
+
+/// Share of a volume or area by which two may differ and still count as equal: rounding of meshes.
+pub const EXACT_VOLUME: f64 = 1e-6;
+
+/// Least share of the surface in a cell that a plane needs to be cut along; smaller faces belong to something round.
+pub const FACE_SHARE: f64 = 0.02;
+
+/// Most corners of a convex mesh that is taken as it is; the fast engine sums them with the platform's.
+pub const MOST_CONVEX_CORNERS: usize = 512;
+
+/// Most corners of a convex part of another mesh; with more it is enclosed in some planes that touch it.
+pub const MOST_PART_CORNERS: usize = 64;
+
+/// Cosine of the angle by which normals of such planes differ at least, about 20 degrees.
+pub const SPREAD_NORMALS: f64 = 0.94;
+
+/// Most parts that one piece of a mesh is cut into.
+pub const MOST_PARTS: usize = 256;
+
+/// Steps after which a part counts as one that reaches too far: some tenths of a second.
+pub const MOST_REACH_STEPS: usize = 300_000;
+
+/// Share of the volume that a cut beside a void must leave, against one across the part, to be preferred.
+pub const MUCH_SMALLER: f64 = 0.9;
+
+/// How far the parts of a mesh may reach beyond each connected piece of it where a file does not say, as a share of the
+/// piece's largest extent.
+pub const MESH_TOLERANCE: f64 = 0.01;
+
+/// Largest mesh file that is read, bytes.
+pub const MOST_MESH_BYTES: u64 = 200_000_000;
+
+/// Most triangles of a mesh.
+pub const MOST_TRIANGLES: usize = 1_000_000;
