@@ -20,7 +20,7 @@ True
 from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
-from ._model import Robot, Scene, Violation
+from ._model import Robot, Scene, Violation, import_robot
 from ._planning import Path, Report, Result, check, load_path, plan, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
@@ -58,6 +58,7 @@ __all__ = [
     "check",
     "distance",
     "force_margin",
+    "import_robot",
     "load_path",
     "moment_margin",
     "plan",

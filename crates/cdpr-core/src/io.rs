@@ -2,7 +2,10 @@
 
 pub mod batch_folder;
 pub mod batch_tables;
+mod caspr;
 pub mod experiment_file;
+mod gazebo;
+pub mod import_file;
 mod mesh_bodies;
 pub mod mesh_file;
 pub mod mesh_reader;
@@ -12,10 +15,12 @@ pub mod scene_file;
 pub mod tension_file;
 pub mod text;
 pub mod wrench_map_file;
+mod xml;
 
 pub use batch_folder::{BatchFolder, merge};
 pub use batch_tables::{BatchRows, Tables};
 pub use experiment_file::{experiment_from_text, load_experiment};
+pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
