@@ -221,6 +221,9 @@ pub const SPREAD_NORMALS: f64 = 0.94;
 /// Most parts that one piece of a mesh is cut into.
 pub const MOST_PARTS: usize = 256;
 
+/// Most parts of all pieces of a mesh together, if there are fewer pieces.
+pub const MOST_PARTS_IN_ALL: usize = 20_000;
+
 /// Steps after which a part counts as one that reaches too far: some tenths of a second.
 pub const MOST_REACH_STEPS: usize = 300_000;
 
@@ -232,7 +235,13 @@ pub const MUCH_SMALLER: f64 = 0.9;
 pub const MESH_TOLERANCE: f64 = 0.01;
 
 /// Largest mesh file that is read, bytes.
-pub const MOST_MESH_BYTES: u64 = 200_000_000;
+pub const MOST_MESH_BYTES: u64 = 100_000_000;
 
 /// Most triangles of a mesh.
-pub const MOST_TRIANGLES: usize = 1_000_000;
+pub const MOST_TRIANGLES: usize = 500_000;
+
+/// Most words of an OBJ file for each of [`MOST_TRIANGLES`]: corners, normals, textures and faces have some 10.
+pub const WORDS_PER_TRIANGLE: usize = 16;
+
+/// Most pieces of a mesh that do not hang together: beyond it lies a mesh that is not welded.
+pub const MOST_PIECES: usize = 5_000;

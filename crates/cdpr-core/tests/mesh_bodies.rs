@@ -8,7 +8,7 @@ use cdpr_core::geometry::gjk::overlap;
 use cdpr_core::geometry::{Point, Polytope, Rotation, Swept, Triangle, TriangleMesh, Vector, convex_parts, pieces};
 use cdpr_core::io::{load_mesh, load_scene, scene_from_text, text::Notation};
 use cdpr_core::model::{BodySpec, MeshSource, MeshSpec, SceneSpec};
-use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
+use cdpr_core::numerics::{GAP_TOLERANCE, MOST_PARTS, SHEET, TOUCH_DEPTH};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::paper_scene;
@@ -217,7 +217,7 @@ fn polyhedra_with_flat_faces_are_cut_into_parts_that_fill_them_exactly() {
         for mesh in [mesh.clone(), turned(&mesh, &tilt)] {
             let (pieces, faults) = pieces(&mesh);
             assert_eq!((pieces.len(), faults.notes().len()), (1, 0), "{name}: {faults:?}");
-            let parts = convex_parts(&pieces[0], 0.01);
+            let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS);
             assert_eq!((parts.bodies.len(), parts.reach), (count, 0.0), "{name}");
         }
     }
@@ -257,7 +257,7 @@ fn parts_cover_the_mesh_and_reach_no_farther_than_told() {
         ("one triangle", TriangleMesh { triangles: vec![[0, 1, 2]], vertices: angle().vertices[..3].to_vec() }, 0.01),
     ] {
         let (pieces, _) = pieces(&mesh);
-        let parts: Vec<_> = pieces.iter().map(|piece| convex_parts(piece, tolerance)).collect();
+        let parts: Vec<_> = pieces.iter().map(|piece| convex_parts(piece, tolerance, MOST_PARTS)).collect();
         let bodies = || parts.iter().flat_map(|p| &p.bodies);
         let covered = |p: &Point| bodies().any(|body| body.depth_of(p) >= -GAP_TOLERANCE);
         for triangle in &mesh.triangles {
@@ -302,8 +302,7 @@ fn convex_meshes_are_taken_as_they_are() {
         };
         let is_wrapped = |t: &[usize; 3]| t.iter().any(|i| i % n == 0) && t.iter().any(|i| i % n == n - 1);
         let triangles = ball.triangles.iter().copied().filter(|t| area(t) > 1e-9 && !is_wrapped(t)).collect();
-        let ball = TriangleMesh { triangles, vertices: ball.vertices.clone() };
-        ball
+        TriangleMesh { triangles, vertices: ball.vertices.clone() }
     };
     for (name, mesh, corners) in [("block", block([0.0; 3], [0.3, 0.2, 0.1]), 8), ("ball", ball(9), 2 + 18 * 7)] {
         write_stl(&folder.path().join(format!("{name}.stl")), &mesh);
@@ -423,11 +422,18 @@ fn files_that_are_no_meshes_are_refused() {
         bytes[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
         bytes
     };
+    let scattered = |n: usize| {
+        let triangle = |k: usize| format!("v {k} 0 0\nv {k}.5 0 0\nv {k} 1 0\nf -3 -2 -1\n");
+        (0..n).map(triangle).collect::<String>().into_bytes()
+    };
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_string();
     let cases: Vec<(&str, Vec<u8>, &str)> = vec![
         ("a.stl", Vec::new(), "is no sound STL"),
         ("a.stl", stl[..stl.len() - 10].to_vec(), "ends after 19 of 20 triangles"),
-        ("a.stl", counting(u32::MAX), "ends after 20 of 4294967295"),
+        ("a.stl", counting(u32::MAX), "found 4294967295 triangles, expected at most 500000"),
+        ("a.stl", counting(400_000), "ends after 20 of 400000"),
+        ("a.obj", b"v 0 0 0\n".repeat(2_100_000), "found 8400000 words, expected at most 8000000"),
+        ("a.obj", scattered(5001), "found 5001 pieces that do not hang together"),
         ("a.stl", not_finite, "not finite"),
         ("a.stl", b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0".to_vec(), "is no sound STL"),
         ("a.stl", b"solid\nendsolid".to_vec(), "no triangles"),
@@ -464,6 +470,21 @@ fn files_that_are_no_meshes_are_refused() {
         let error = load(folder.path(), keys, [0.3; 3], [1.7; 3]).unwrap_err().to_string();
         assert!(error.contains(expected), "expected \"{expected}\" in: {error}");
     }
+}
+
+#[test]
+fn a_flat_sheet_of_many_triangles_is_one_thin_part() {
+    let n = 100;
+    let vertices = (0..=n).flat_map(|i| (0..=n).map(move |j| Point::new(0.01 * i as f64, 0.02 * j as f64, 1.5)));
+    let at = |i: usize, j: usize| i * (n + 1) + j;
+    let quads = (0..n * n).map(|k| (k / n, k % n));
+    let triangles = quads
+        .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]);
+    let mesh = TriangleMesh { vertices: vertices.collect(), triangles: triangles.collect() };
+    let (pieces, _) = pieces(&mesh);
+    let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS);
+    assert_eq!(parts.bodies.len(), 1);
+    assert!((parts.bodies[0].volume() / (1.0 * 2.0 * 2.0 * SHEET) - 1.0).abs() < 1e-3);
 }
 
 #[test]

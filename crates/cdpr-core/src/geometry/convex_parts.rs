@@ -13,8 +13,8 @@ use super::hull::{hull_corners, hull_volume};
 use super::surface::Piece;
 use super::{Aabb, Facet, HalfSpace, Point, Polytope, Vector, convex_mesh};
 use crate::numerics::{
-    EXACT_VOLUME, FACE_SHARE, GAP_TOLERANCE, MOST_CONVEX_CORNERS, MOST_PART_CORNERS, MOST_PARTS, MOST_REACH_STEPS,
-    MUCH_SMALLER, ON_SURFACE, PARALLEL, SHEET, SPREAD_NORMALS,
+    EXACT_VOLUME, FACE_SHARE, GAP_TOLERANCE, MOST_CONVEX_CORNERS, MOST_PART_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER,
+    ON_SURFACE, PARALLEL, SHEET, SPREAD_NORMALS,
 };
 
 /// Convex parts of a piece.
@@ -27,8 +27,8 @@ pub struct ConvexParts {
 }
 
 /// Parts of a piece that reach at most `tolerance` metres beyond it (but some [`SHEET`]), unless that takes more than
-/// [`MOST_PARTS`].
-pub fn convex_parts(piece: &Piece, tolerance: f64) -> ConvexParts {
+/// `most` parts.
+pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize) -> ConvexParts {
     if let Some(body) = convex(piece) {
         return ConvexParts { bodies: vec![body], reach: 0.0 };
     }
@@ -41,7 +41,7 @@ pub fn convex_parts(piece: &Piece, tolerance: f64) -> ConvexParts {
         let reach = match cutter.reach(&cell, &body, tolerance) {
             Reach::Within(reach) => reach,
             Reach::Beyond(void) => {
-                let room = parts.bodies.len() + open.len() + 2 <= MOST_PARTS;
+                let room = parts.bodies.len() + open.len() + 2 <= most;
                 if let Some(halves) = room.then(|| cutter.cut(&cell, &body, &void)).flatten() {
                     open.extend(halves);
                     continue;
@@ -292,7 +292,8 @@ fn clipped(corners: &[Point], heights: &[f64], sign: f64) -> Vec<Point> {
 /// Whether what a cell holds lies in a plane and covers its hull there.
 fn is_flat_and_full(cell: &Cell) -> bool {
     let points: Vec<Point> = cell.polygons.iter().flat_map(|p| p.corners.iter().copied()).collect();
-    let Some(hull) = Polytope::hull_of(&points).ok().filter(|body| body.dimension() == 2) else { return false };
+    let hull = hull_corners(&points).and_then(|(corners, _)| Polytope::hull_of(&corners).ok());
+    let Some(hull) = hull.filter(|body| body.dimension() == 2) else { return false };
     let whole = area(hull.vertices());
     let held: f64 = cell.polygons.iter().map(|p| area(&p.corners)).sum();
     (held - whole).abs() <= EXACT_VOLUME * whole

@@ -71,14 +71,18 @@ pub(super) fn segment_hull(points: &[Point], extent: &Extent) -> Hull {
 
 /// Hull of points in a plane: a polygon with two faces; none if no corner list covers them all.
 pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
-    let [u, v, _] = extent.axes;
-    let flat: Vec<[f64; 2]> =
-        points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect();
+    let flat = flattened(points, extent);
     let corners: Vec<Point> = convex_ring(&flat)?.iter().map(|&i| points[i]).collect();
     let front: Vec<usize> = (0..corners.len()).collect();
     let back: Vec<usize> = front.iter().rev().copied().collect();
     let facets = vec![Facet::through(&corners, front), Facet::through(&corners, back)];
     Some(Hull { corners, facets })
+}
+
+/// Coordinates in the plane of the first two axes.
+fn flattened(points: &[Point], extent: &Extent) -> Vec<[f64; 2]> {
+    let [u, v, _] = extent.axes;
+    points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect()
 }
 
 /// Counter-clockwise hull of points in the plane, as indices, without corners that stand out by rounding only.
@@ -166,10 +170,14 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     })
 }
 
-/// Corners of the hull of a point cloud and its triangles over them, as parry finds them: not verified. None if the points
-/// have no volume.
+/// Corners of the hull of a point cloud and its triangles over them, as parry finds them, without triangles where the points
+/// lie in a plane: not verified, but fast for many points. None if they lie on a line.
 pub(super) fn hull_corners(points: &[Point]) -> Option<(Vec<Point>, Vec<[usize; 3]>)> {
     let extent = Extent::of(points);
+    if extent.dimension == 2 {
+        let ring = monotone_chain(&flattened(points, &extent));
+        return Some((ring.into_iter().map(|i| points[i]).collect(), Vec::new()));
+    }
     let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
     let (kept, triangles) = (extent.dimension == 3).then(|| try_convex_hull(&even).ok()).flatten()?;
     let key = |v: &Glam| [v.x, v.y, v.z].map(f64::to_bits);

@@ -264,7 +264,7 @@ mod tests {
         let room = joined(&[cube(0.0, 4.0), inside_out(cube(1.0, 3.0)), cube(1.5, 2.5), cube(5.0, 6.0)]);
         let (pieces, faults) = pieces(&room);
         assert_eq!(faults, Faults::default());
-        let volumes: Vec<f64> = pieces.iter().map(|p| p.volume.unwrap()).collect();
+        let volumes: Vec<f64> = pieces.iter().map(|p| (1e9 * p.volume.unwrap()).round() * 1e-9).collect();
         assert_eq!(volumes, [56.0, 1.0, 1.0]);
         let wall = &pieces[0].distance;
         assert!((wall.at(&Point::new(2.0, 2.0, 1.2)).0 - 0.2).abs() < 1e-12);
@@ -279,7 +279,8 @@ mod tests {
             triangles: (0..mesh.triangles.len()).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
         };
         let (pieces, faults) = pieces(&soup);
-        assert_eq!((pieces.len(), pieces[0].volume, faults), (1, Some(1.0), Faults::default()));
+        assert_eq!((pieces.len(), faults), (1, Faults::default()));
+        assert!((pieces[0].volume.unwrap() - 1.0).abs() < 1e-12);
     }
 
     #[test]
@@ -290,7 +291,7 @@ mod tests {
             change(&mut mesh.triangles);
             pieces(&mesh).1
         };
-        assert_eq!(with(&|t| drop(t.pop())), Faults { open_edges: 3, sheets: 1, ..Faults::default() });
+        assert_eq!(with(&|t| t.truncate(t.len() - 1)), Faults { open_edges: 3, sheets: 1, ..Faults::default() });
         assert_eq!(with(&|t| t[0].swap(0, 1)), Faults { turned_edges: 3, sheets: 1, ..Faults::default() });
         assert_eq!(with(&|t| t.push(t[0])), Faults { doubled: 1, ..Faults::default() });
         assert_eq!(with(&|t| t.push([t[0][0], t[0][1], t[0][1]])), Faults { degenerate: 1, ..Faults::default() });

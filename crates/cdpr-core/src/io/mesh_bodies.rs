@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::geometry::{Aabb, ConvexParts, Piece, Point, TriangleMesh, convex_parts, pieces};
 use crate::model::body::{coordinates, one_shape, positive};
 use crate::model::{BodySpec, MeshSource, Unit};
-use crate::numerics::{EXACT_VOLUME, MESH_TOLERANCE, MOST_MESH_BYTES};
+use crate::numerics::{EXACT_VOLUME, MESH_TOLERANCE, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES};
 
 /// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
 /// places in messages stay right. What the user should know goes to the notes.
@@ -104,9 +104,15 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Resu
     if pieces.is_empty() {
         return Err(Error::invalid("", "found no triangle with an area, expected at least one"));
     }
+    if pieces.len() > MOST_PIECES {
+        let problem =
+            format!("found {} pieces that do not hang together, expected at most {MOST_PIECES}", pieces.len());
+        return Err(Error::invalid("", format!("{problem}; join equal corners of neighbours, or take fewer pieces")));
+    }
+    let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
     let parts: Vec<ConvexParts> = pieces
         .par_iter()
-        .map(|piece| convex_parts(piece, tolerance.unwrap_or(MESH_TOLERANCE * extent(piece))))
+        .map(|piece| convex_parts(piece, tolerance.unwrap_or(MESH_TOLERANCE * extent(piece)), most))
         .collect();
     let mut notes = faults.notes();
     notes.extend(told(&scaled, &pieces, &parts));

@@ -7,7 +7,7 @@ use super::text::{read_bytes_at_most, shown};
 use crate::error::Error;
 use crate::geometry::{Point, TriangleMesh};
 use crate::model::MeshSpec;
-use crate::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES};
+use crate::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES, WORDS_PER_TRIANGLE};
 
 /// Loads a mesh, in the unit of its file. Polygons of more than three corners become triangles.
 ///
@@ -64,10 +64,7 @@ fn checked(mesh: TriangleMesh) -> Result<TriangleMesh, Error> {
         return refuse("found no triangles, expected at least one".to_string());
     }
     if triangles.len() > MOST_TRIANGLES {
-        return refuse(format!(
-            "found {} triangles, expected at most {MOST_TRIANGLES}; thin the mesh out",
-            triangles.len()
-        ));
+        return Err(too_many(triangles.len()));
     }
     if let Some(k) = triangles.iter().position(|t| t.iter().any(|i| *i >= vertices.len())) {
         return refuse(format!(
@@ -92,12 +89,19 @@ fn checked(mesh: TriangleMesh) -> Result<TriangleMesh, Error> {
     Ok(TriangleMesh { triangles, vertices: used })
 }
 
+fn too_many(triangles: usize) -> Error {
+    Error::invalid("", format!("found {triangles} triangles, expected at most {MOST_TRIANGLES}; thin the mesh out"))
+}
+
 /// Bytes of a binary STL file before its triangles, and of each triangle.
 const STL_HEADER: usize = 84;
 const STL_TRIANGLE: usize = 50;
 
 fn stl(bytes: &[u8]) -> Result<TriangleMesh, Error> {
     let told = bytes.get(80..STL_HEADER).map(|b| u32::from_le_bytes(b.try_into().expect("four bytes")) as usize);
+    if let Some(told) = told.filter(|n| *n > MOST_TRIANGLES && !bytes.starts_with(b"solid")) {
+        return Err(too_many(told));
+    }
     let is_binary = told.is_some_and(|n| n.checked_mul(STL_TRIANGLE) == bytes.len().checked_sub(STL_HEADER));
     let mut bytes = bytes.to_vec();
     let is_text = !is_binary && bytes.starts_with(b"solid");
@@ -116,6 +120,11 @@ fn stl(bytes: &[u8]) -> Result<TriangleMesh, Error> {
 }
 
 fn obj(bytes: &[u8]) -> Result<TriangleMesh, Error> {
+    let words = bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count();
+    if words > WORDS_PER_TRIANGLE * MOST_TRIANGLES {
+        let problem = format!("found {words} words, expected at most {}", WORDS_PER_TRIANGLE * MOST_TRIANGLES);
+        return Err(Error::invalid("", format!("{problem} ({MOST_TRIANGLES} triangles); thin the mesh out")));
+    }
     let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
     let no_materials = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
     let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
