@@ -264,7 +264,7 @@ mod tests {
         let room = joined(&[cube(0.0, 4.0), inside_out(cube(1.0, 3.0)), cube(1.5, 2.5), cube(5.0, 6.0)]);
         let (pieces, faults) = pieces(&room);
         assert_eq!(faults, Faults::default());
-        let volumes: Vec<f64> = pieces.iter().map(|p| (1e9 * p.volume.unwrap()).round() * 1e-9).collect();
+        let volumes: Vec<f64> = pieces.iter().map(|p| p.volume.unwrap().round()).collect();
         assert_eq!(volumes, [56.0, 1.0, 1.0]);
         let wall = &pieces[0].distance;
         assert!((wall.at(&Point::new(2.0, 2.0, 1.2)).0 - 0.2).abs() < 1e-12);
