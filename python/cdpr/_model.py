@@ -275,8 +275,8 @@ class Scene:
     robot : Robot
     obstacles : mapping of str to array_like or mesh
         Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays. A mesh,
-        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh: convex
-        parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it.
+        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh:
+        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it.
     workspace : array_like (2, 3)
         Smallest and largest coordinates that every platform corner must stay within, m.
     start, goal : array_like (3,), optional

@@ -45,11 +45,12 @@ pub const SUPERSET: f64 = 1e-8;
 /// By how much bodies without volume are fattened to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 
-/// What rounding may add to the way from the middle of a cell, in cells, when motions are cut into pieces of a cell's size.
+/// What rounding may add to the way from the middle of a cell, in cells, when motions are cut into pieces of a cell's
+/// size.
 pub const CELL_ROUNDING: f64 = 1e-9;
 
-/// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding puts
-/// it: either reading gives the same set up to this.
+/// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding
+/// puts it: either reading gives the same set up to this.
 pub const GRAZING: f64 = 1e-10;
 
 /// How far the length of an orientation quaternion may be from 1.
@@ -76,13 +77,13 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
-/// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends on
-/// them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be; whatever
-/// its normal, the set lies below its support there, so no margin comes out too small by it.
+/// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends
+/// on them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be;
+/// whatever its normal, the set lies below its support there, so no margin comes out too small by it.
 pub const DEPENDENT: f64 = 1e-9;
 
-/// Least share of the largest diagonal entry of R that the least one may have for the kernel of four positions to be sure
-/// of it: what it computes is then right to eleven digits.
+/// Least share of the largest diagonal entry of R that the least one may have for the kernel of four positions to be
+/// sure of it: what it computes is then right to eleven digits.
 pub const KERNEL_CONDITION: f64 = 1e-5;
 
 /// Normals (in coordinates of a null space, where they are of order one) above this length are good to nine digits.
@@ -91,15 +92,15 @@ pub const KERNEL_NORMAL: f64 = 1e-6;
 /// Normals below this length are those of dependent columns: rounding of zero.
 pub const KERNEL_NO_NORMAL: f64 = 1e-13;
 
-/// Slack below this share of the longest edge of the available set (greatest tension times column) cannot be certified along
-/// a motion, and is refused: the kernel of four positions is good to some 1e-10 of it.
+/// Slack below this share of the longest edge of the available set (greatest tension times column) cannot be certified
+/// along a motion, and is refused: the kernel of four positions is good to some 1e-10 of it.
 pub const SLACK_RELATIVE: f64 = 1e-9;
 
 /// Least length of a piece that certifying a motion still divides, m: below it lies rounding of positions.
 pub const CERTIFY_PIECE: f64 = 1e-11;
 
-/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only by
-/// motions that stay close to the boundary over a long way.
+/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only
+/// by motions that stay close to the boundary over a long way.
 pub const CERTIFY_DIVISIONS: usize = 1 << 14;
 
 /// Divisions that certifying may always make, however long a margin takes.
@@ -108,8 +109,8 @@ pub const LEAST_DIVISIONS: usize = 64;
 /// Share by which a largest scale is taken back where rounding has it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;
 
-/// Largest ratio of two lengths that statics accept, characteristic length against metre: beyond it forces and moments could
-/// not be measured together in `f64`.
+/// Largest ratio of two lengths that statics accept, characteristic length against metre: beyond it forces and moments
+/// could not be measured together in `f64`.
 pub const MOST_SCALE: f64 = 1e6;
 
 /// Accuracy of the least slack of a motion, as a share of the largest tension.
@@ -195,12 +196,12 @@ pub const MOST_XML_BYTES: u64 = 1_000_000;
 /// Most nodes of an XML file.
 pub const MOST_XML_NODES: u32 = 100_000;
 
-/// Corners of a mesh that are nearer to each other than this share of its extent are one: formats that list triangles by
-/// coordinates round them to single precision (6e-8).
+/// Corners of a mesh that are nearer to each other than this share of its extent are one: formats that list triangles
+/// by coordinates round them to single precision (6e-8).
 pub const WELD_RELATIVE: f64 = 3e-7;
 
-/// By how much a surface without an inside is fattened to all sides, m: engines keep out of bodies with volume, and parts
-/// of such a surface overlap by this along their seams.
+/// By how much a surface without an inside is fattened to all sides, m: engines keep out of bodies with volume, and
+/// parts of such a surface overlap by this along their seams.
 pub const SHEET: f64 = 1e-4;
 
 /// Share of a volume or area by which two may differ and still count as equal: rounding of meshes.

@@ -524,7 +524,8 @@ fn platforms_may_be_meshes_too() {
     assert!((scene.robot().parts()[0].volume() / (0.15 * 0.15 * 0.05) - 1.0).abs() < 1e-9);
 }
 
-/// A hall of about 50 000 triangles: walls with a floor in one piece, round columns, pipes of many sides, angles, rings.
+/// A hall of about 50 000 triangles: walls with a floor in one piece, round columns, pipes of many sides, angles,
+/// rings.
 fn hall() -> TriangleMesh {
     let mut parts = vec![joined(&[
         block([-10.0, -10.0, -0.2], [10.0, 10.0, 6.0]),

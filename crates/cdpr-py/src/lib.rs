@@ -1,4 +1,5 @@
-//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around it.
+//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around
+//! it.
 
 mod batch;
 mod convert;

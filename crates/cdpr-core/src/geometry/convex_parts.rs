@@ -1,10 +1,10 @@
 //! Convex parts that together cover a surface and the body it encloses.
 //!
-//! A piece whose hull reaches too far beyond it is cut by a plane, and so are the halves. A part is the hull of what lies in
-//! one cell of the cuts: all of the surface in it, and those corners of the cell that are inside the body. Every extreme
-//! point of body and cell is one of these, so the parts cover the body whatever the cuts; they only decide how far the parts
-//! reach beyond it. Cuts go where the hull reaches farthest: along the largest face that looks there, or else square to
-//! the way to the nearest point of the body.
+//! A piece whose hull reaches too far beyond it is cut by a plane, and so are the halves. A part is the hull of what
+//! lies in one cell of the cuts: all of the surface in it, and those corners of the cell that are inside the body.
+//! Every extreme point of body and cell is one of these, so the parts cover the body whatever the cuts; they only
+//! decide how far the parts reach beyond it. Cuts go where the hull reaches farthest: along the largest face that looks
+//! there, or else square to the way to the nearest point of the body.
 
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap, VecDeque};
@@ -135,7 +135,8 @@ impl<'a> Cutter<'a> {
         (!points.is_empty()).then(|| wrapped(&points))
     }
 
-    /// How far a part reaches beyond the piece: nowhere, or proved to be within the tolerance, or a place that is farther.
+    /// How far a part reaches beyond the piece: nowhere, or proved to be within the tolerance, or a place that is
+    /// farther.
     fn reach(&self, cell: &Cell, body: &Polytope, tolerance: f64) -> Reach {
         match self.piece.volume {
             Some(_) if self.fills(cell, body) => Reach::Within(0.0),
@@ -144,8 +145,8 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// Whether a part is exactly what the body has in its cell: the surface runs nowhere through the part's inside, and the
-    /// inside belongs to the body.
+    /// Whether a part is exactly what the body has in its cell: the surface runs nowhere through the part's inside, and
+    /// the inside belongs to the body.
     fn fills(&self, cell: &Cell, body: &Polytope) -> bool {
         let on = |f: &Facet, p: &Polygon| p.corners.iter().all(|c| f.height(c).abs() <= ON_SURFACE);
         let outside = |p: &Polygon| body.facets().iter().any(|f| on(f, p));
@@ -196,9 +197,9 @@ impl<'a> Cutter<'a> {
         across // the body touches the piece
     }
 
-    /// Both halves of a cell, cut where its part reaches too far: along a large face that looks there; else square to the way
-    /// to the nearest point if that leaves much smaller parts than across the part, which keeps their number low where a
-    /// piece is bent. None if no cut leaves something on both sides.
+    /// Both halves of a cell, cut where its part reaches too far: along a large face that looks there; else square to
+    /// the way to the nearest point if that leaves much smaller parts than across the part, which keeps their number
+    /// low where a piece is bent. None if no cut leaves something on both sides.
     fn cut(&self, cell: &Cell, body: &Polytope, void: &Point) -> Option<[Cell; 2]> {
         let (distance, nearest) = self.piece.distance.at(void);
         let both = |plane: &HalfSpace| {
@@ -390,8 +391,8 @@ fn fattened(points: &[Point]) -> Polytope {
     fat.unwrap_or_else(|| bounded(points, &[], SHEET).expect("a box"))
 }
 
-/// The body between planes that touch points, moved outward by `margin`, m: the six sides of a box, and planes with these
-/// normals; where there are many, one of those that are nearly the same, the first.
+/// The body between planes that touch points, moved outward by `margin`, m: the six sides of a box, and planes with
+/// these normals; where there are many, one of those that are nearly the same, the first.
 fn bounded(points: &[Point], normals: &[Vector], margin: f64) -> Option<Polytope> {
     let axes = [Vector::x(), Vector::y(), Vector::z()];
     let mut spread: Vec<Vector> = axes.iter().flat_map(|axis| [*axis, -axis]).collect();

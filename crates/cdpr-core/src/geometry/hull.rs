@@ -170,8 +170,8 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     })
 }
 
-/// Corners of the hull of a point cloud and its triangles over them, as parry finds them, without triangles where the points
-/// lie in a plane: not verified, but fast for many points. None if they lie on a line.
+/// Corners of the hull of a point cloud and its triangles over them, as parry finds them, without triangles where the
+/// points lie in a plane: not verified, but fast for many points. None if they lie on a line.
 pub(super) fn hull_corners(points: &[Point]) -> Option<(Vec<Point>, Vec<[usize; 3]>)> {
     let extent = Extent::of(points);
     if extent.dimension == 2 {
@@ -196,7 +196,8 @@ pub(super) fn hull_volume(corners: &[Point], triangles: &[[usize; 3]]) -> f64 {
 /// A plane of a hull: its outward normal and the vertices on it.
 type Plane = (Vector, Vec<usize>);
 
-/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it holds.
+/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it
+/// holds.
 fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Plane> {
     let outward = handedness(vertices, triangles);
     let area = |t: &[usize; 3]| outward * doubled_area(vertices, t);
@@ -209,7 +210,8 @@ fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -
         let normal = area.normalize();
         let held_by = |(n, held): &Plane| n.dot(&normal) > 0.0 && own.iter().all(|i| held.contains(i));
         let height = |i: usize| (vertices[i] - vertices[own[0]]).dot(&normal);
-        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the body.
+        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the
+        // body.
         let supports = || tolerance == 0.0 || (0..vertices.len()).all(|i| height(i) <= 2.0 * tolerance);
         if !planes.iter().any(held_by) && supports() {
             let near = |i: &usize| own.contains(i) || height(*i).abs() <= tolerance;

@@ -1,5 +1,5 @@
-//! Distance from a surface of triangles, signed where the surface encloses something. parry's hierarchy of boxes finds the
-//! nearest triangle; here its vectors (glam) meet ours.
+//! Distance from a surface of triangles, signed where the surface encloses something. parry's hierarchy of boxes finds
+//! the nearest triangle; here its vectors (glam) meet ours.
 
 use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::query::PointQueryWithLocation;
@@ -14,7 +14,8 @@ pub struct SignedDistance {
 }
 
 impl SignedDistance {
-    /// Of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. None without triangles.
+    /// Of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. None without
+    /// triangles.
     pub fn new(points: &[Point], triangles: &[[usize; 3]], closed: bool) -> Option<Self> {
         let vertices = points.iter().map(|p| Glam::new(p.x, p.y, p.z)).collect();
         let indices = triangles.iter().map(|t| t.map(|i| i as u32)).collect();

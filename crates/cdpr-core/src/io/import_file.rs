@@ -38,10 +38,11 @@ pub(super) struct Source {
     pub notes: Vec<String>,
 }
 
-/// Imports a robot: CASPR (one of the two XML files of a model, or their folder), or the YAML of the Gazebo simulator cdpr.
+/// Imports a robot: CASPR (one of the two XML files of a model, or their folder), or the YAML of the Gazebo simulator
+/// cdpr.
 ///
-/// The platform frame is that of the source. Where the source says nothing of the platform's shape, it is the hull of the
-/// attachments.
+/// The platform frame is that of the source. Where the source says nothing of the platform's shape, it is the hull of
+/// the attachments.
 ///
 /// # Errors
 /// Names the file, the element with its line, what was found and what was expected.

@@ -1,5 +1,5 @@
-//! Bodies that are given as meshes, replaced by the convex parts that stand for them. What it takes time to find is kept
-//! beside the file, and found again by the contents of the file and what was asked.
+//! Bodies that are given as meshes, replaced by the convex parts that stand for them. What it takes time to find is
+//! kept beside the file, and found again by the contents of the file and what was asked.
 
 use std::path::{Path, PathBuf};
 

@@ -146,8 +146,8 @@ pub struct BodySpec {
     /// An upright prism over a convex polygon.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prism: Option<PrismSpec>,
-    /// A triangle mesh: an STL or OBJ file, relative to the file that names it, or vertices and triangles. It stands for
-    /// convex parts that cover it; one that is convex stands as it is.
+    /// A triangle mesh: an STL or OBJ file, relative to the file that names it, or vertices and triangles. It stands
+    /// for convex parts that cover it; one that is convex stands as it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<MeshSource>,
     /// Unit of the mesh's coordinates; default m.
@@ -270,8 +270,8 @@ pub struct WrenchSpec {
     /// Radius of the required moment ball, N·m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
-    /// Corners of a required polytope instead of the balls, each fx fy fz mx my mz, N and N·m, on top of the wrench that
-    /// balances the loads.
+    /// Corners of a required polytope instead of the balls, each fx fy fz mx my mz, N and N·m, on top of the wrench
+    /// that balances the loads.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertices: Option<Vec<[f64; 6]>>,
     /// A further constant load, world axes, its moment about the platform's origin.
