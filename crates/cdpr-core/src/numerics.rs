@@ -223,7 +223,7 @@ pub const SPREAD_NORMALS: f64 = 0.94;
 pub const MOST_PARTS: usize = 256;
 
 /// Most parts of all pieces of a mesh together, if there are fewer pieces.
-pub const MOST_PARTS_IN_ALL: usize = 20_000;
+pub const MOST_PARTS_IN_ALL: usize = 5_000;
 
 /// Steps after which a part counts as one that reaches too far: some tenths of a second.
 pub const MOST_REACH_STEPS: usize = 300_000;
@@ -234,6 +234,10 @@ pub const MUCH_SMALLER: f64 = 0.9;
 /// How far the parts of a mesh may reach beyond each connected piece of it where a file does not say, as a share of the
 /// piece's largest extent.
 pub const MESH_TOLERANCE: f64 = 0.01;
+
+/// The same as a share of the whole mesh's extent, where that is more: a hall of 20 m has no use for chairs to the
+/// millimetre, and would pay for it with thousands of parts.
+pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
 
 /// Largest mesh file that is read, bytes.
 pub const MOST_MESH_BYTES: u64 = 100_000_000;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::text::{Notation, shown, write_atomically};
 use super::{caspr, gazebo, mesh_bodies};
 use crate::error::Error;
+use crate::geometry::{Point, Polytope, PolytopeError};
 use crate::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
 
 /// What an import may be told.
@@ -62,6 +63,7 @@ pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Er
     if let Some((mesh, unit)) = &options.platform {
         imported.robot.platform = vec![mesh_body(mesh, *unit)?];
     }
+    hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
     imported.whole = imported.robot.clone();
     mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut imported.notes)?;
     Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
@@ -77,6 +79,20 @@ fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {
 /// The hull of the attachments.
 pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
     vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
+}
+
+/// Refuses an attachment inside the hull of the others: the platform must have another shape.
+fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
+    let [BodySpec { vertices: Some(corners), .. }] = &robot.platform[..] else { return Ok(()) };
+    let points: Vec<Point> = corners.iter().copied().map(Point::from).collect();
+    match Polytope::from_vertices(&points) {
+        Err(PolytopeError::InsideHull { index, depth }) => {
+            let found = format!("attachment {index} lies {depth:.3e} m inside the hull of the others");
+            let expected = "which can then not be the platform; give its shape as a mesh with --platform (platform=)";
+            Err(Error::invalid("platform", format!("{found}, {expected}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Checks that robots can be written under this name.

@@ -13,7 +13,9 @@ use crate::error::Error;
 use crate::geometry::{Aabb, ConvexParts, Piece, Point, TriangleMesh, convex_parts, pieces};
 use crate::model::body::{coordinates, one_shape, positive};
 use crate::model::{BodySpec, MeshSource, Unit};
-use crate::numerics::{EXACT_VOLUME, MESH_TOLERANCE, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES};
+use crate::numerics::{
+    EXACT_VOLUME, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES,
+};
 
 /// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
 /// places in messages stay right. What the user should know goes to the notes.
@@ -109,10 +111,14 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Resu
             format!("found {} pieces that do not hang together, expected at most {MOST_PIECES}", pieces.len());
         return Err(Error::invalid("", format!("{problem}; join equal corners of neighbours, or take fewer pieces")));
     }
+    let whole = largest_side(&scaled.vertices);
     let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
     let parts: Vec<ConvexParts> = pieces
         .par_iter()
-        .map(|piece| convex_parts(piece, tolerance.unwrap_or(MESH_TOLERANCE * extent(piece)), most))
+        .map(|piece| {
+            let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
+            convex_parts(piece, tolerance.unwrap_or(usual), most)
+        })
         .collect();
     let mut notes = faults.notes();
     notes.extend(told(&scaled, &pieces, &parts));
@@ -122,7 +128,11 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Resu
 
 fn extent(piece: &Piece) -> f64 {
     let corners: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
-    let aabb = Aabb::around(&corners);
+    largest_side(&corners)
+}
+
+fn largest_side(points: &[Point]) -> f64 {
+    let aabb = Aabb::around(points);
     (aabb.max - aabb.min).amax()
 }
 

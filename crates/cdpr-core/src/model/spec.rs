@@ -156,7 +156,8 @@ pub struct BodySpec {
     /// Factor of the mesh's coordinates, besides their unit; default 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scale: Option<f64>,
-    /// How far the convex parts of the mesh may reach beyond it, m; default 1 % of the extent of each connected piece.
+    /// How far the convex parts of the mesh may reach beyond it, m; default 1 % of the extent of each connected piece, and
+    /// at least 0.25 % of the whole mesh's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
     /// Added to every point after turning, m.
