@@ -228,6 +228,10 @@ pub const MOST_PARTS_IN_ALL: usize = 5_000;
 /// Steps after which a part counts as one that reaches too far: some tenths of a second.
 pub const MOST_REACH_STEPS: usize = 300_000;
 
+/// Share of the tolerance beyond which a part counts as one that reaches too far: to tell just below from just above would
+/// take most of the time.
+pub const UNDECIDED: f64 = 0.75;
+
 /// Share of the volume that a cut beside a void must leave, against one across the part, to be preferred.
 pub const MUCH_SMALLER: f64 = 0.9;
 

@@ -14,7 +14,7 @@ use super::surface::Piece;
 use super::{Aabb, Facet, HalfSpace, Point, Polytope, Vector, convex_mesh};
 use crate::numerics::{
     EXACT_VOLUME, FACE_SHARE, GAP_TOLERANCE, MOST_CONVEX_CORNERS, MOST_PART_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER,
-    ON_SURFACE, PARALLEL, SHEET, SPREAD_NORMALS,
+    ON_SURFACE, PARALLEL, SHEET, SPREAD_NORMALS, UNDECIDED,
 };
 
 /// Convex parts of a piece.
@@ -169,7 +169,7 @@ impl<'a> Cutter<'a> {
             if top.bound <= tolerance {
                 return Reach::Within(top.bound.max(0.0));
             }
-            if (reach > tolerance && (step > 100 || top.bound < 1.2 * reach)) || step > MOST_REACH_STEPS {
+            if (reach > UNDECIDED * tolerance && (step > 100 || top.bound < 1.2 * reach)) || step > MOST_REACH_STEPS {
                 return Reach::Beyond(place);
             }
             open.extend(halves(&top.corners).map(|t| self.measured(t)));
