@@ -20,7 +20,7 @@ True
 from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
-from ._model import Robot, Scene, Violation
+from ._model import Robot, Scene, Violation, import_robot
 from ._planning import Milestone, Path, Report, Result, SearchTree, check, load_path, lower_bound, plan, refine, rewind, schema
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
@@ -65,6 +65,7 @@ __all__ = [
     "distance",
     "force_margin",
     "force_set",
+    "import_robot",
     "load_path",
     "lower_bound",
     "moment_margin",

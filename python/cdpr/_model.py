@@ -7,7 +7,7 @@ import os
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,23 @@ from .exceptions import CdprWarning, InputError
 
 Engine: TypeAlias = Literal["cspace", "gjk"]
 Interference: TypeAlias = Literal["exact", "swept"]
+Unit: TypeAlias = Literal["mm", "cm", "m", "in", "ft"]
+
+
+@runtime_checkable
+class TriangleMesh(Protocol):
+    """What has ``vertices`` (n, 3) and ``faces`` (m, 3), counter-clockwise seen from outside; trimesh's meshes have."""
+
+    @property
+    def vertices(self) -> Any:
+        """Corners, m."""
+
+    @property
+    def faces(self) -> Any:
+        """Indices of the corners of each triangle, from 0."""
+
+
+Obstacle: TypeAlias = ArrayLike | TriangleMesh | Sequence[ArrayLike | TriangleMesh]
 
 
 @dataclass(frozen=True)
@@ -79,8 +96,9 @@ class Robot:
         Where the cables leave the frame, world, m.
     attachments : array_like (m, 3)
         Where they meet the platform, platform frame, m.
-    platform : sequence of array_like (k, 3)
-        Corners of each convex part, platform frame, m; a part may be flat, a segment or a point.
+    platform : sequence of array_like (k, 3) or mesh
+        Corners of each convex part, platform frame, m; a part may be flat, a segment or a point. A mesh is any object
+        with ``vertices`` and ``faces``, as those of trimesh; see `Scene`.
     tensions : array_like (2,) or (m, 2), optional
         Least and largest tension, N, for all cables or each.
     mass : float, optional
@@ -106,7 +124,7 @@ class Robot:
         self,
         outlets: ArrayLike,
         attachments: ArrayLike,
-        platform: Sequence[ArrayLike],
+        platform: Sequence[ArrayLike | TriangleMesh],
         *,
         tensions: ArrayLike | None = None,
         mass: float | None = None,
@@ -125,7 +143,7 @@ class Robot:
         if tensions is not None:
             for cable, limits in zip(cables, _limits(tensions, count), strict=True):
                 cable["tension"] = limits
-        parts = [{"vertices": rows(f"platform[{k}]", part).tolist()} for k, part in enumerate(platform)]
+        parts = [_body(f"platform[{k}]", part) for k, part in enumerate(platform)]
         spec: dict[str, Any] = {"platform": parts, "cables": cables}
         if mass is not None:
             spec["mass"] = float(mass)
@@ -183,13 +201,61 @@ class Robot:
         return f"Robot({self.name!r}, {len(self._spec['cables'])} cables)"
 
 
+def import_robot(
+    path: str | os.PathLike[str],
+    *,
+    bodies: str | os.PathLike[str] | None = None,
+    cable_set: str | None = None,
+    platform: str | os.PathLike[str] | None = None,
+    units: Unit = "m",
+) -> Robot:
+    """Import a robot of another program.
+
+    Parameters
+    ----------
+    path : path
+        CASPR: the cables file or the bodies file of a model, or their folder. Gazebo
+        (https://github.com/oKermorgant/cdpr): its YAML file.
+    bodies : path, optional
+        CASPR's bodies file, where it does not stand beside the cables file under the same name.
+    cable_set : str, optional
+        CASPR's set of cables; default the one that the file names.
+    platform : path, optional
+        Mesh of the platform in its frame (.stl or .obj); default what the source says, or the hull of the attachments.
+    units : {"mm", "cm", "m", "in", "ft"}
+        Unit of that mesh.
+
+    Returns
+    -------
+    Robot
+        A `CdprWarning` lists what was not carried over.
+
+    Raises
+    ------
+    InputError
+        The file makes no sense; the message names the element and its line.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("ignore")
+    ...     import_robot("testdata/caspr/CoGiRo")
+    Robot('CoGiRo', 8 cables)
+    """
+    files = [None if given is None else os.fspath(given) for given in (bodies, platform)]
+    text, notes = _core.import_robot(os.fspath(path), files[0], cable_set, files[1], units)
+    if notes:
+        warnings.warn("not carried over: " + "; ".join(notes), CdprWarning, stacklevel=2)
+    return Robot.from_dict(json.loads(text))
+
+
 def _checked(spec: dict[str, Any]) -> dict[str, Any]:
     try:
         text = json.dumps(spec, allow_nan=False)
     except (TypeError, ValueError) as problem:
         raise InputError(f"robot: {problem}") from None
-    _core.check_robot(text)
-    checked: dict[str, Any] = json.loads(text)
+    checked: dict[str, Any] = json.loads(_core.check_robot(text))
     return checked
 
 
@@ -207,8 +273,10 @@ class Scene:
     Parameters
     ----------
     robot : Robot
-    obstacles : mapping of str to array_like
-        Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays.
+    obstacles : mapping of str to array_like or mesh
+        Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays. A mesh,
+        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh:
+        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it.
     workspace : array_like (2, 3)
         Smallest and largest coordinates that every platform corner must stay within, m.
     start, goal : array_like (3,), optional
@@ -238,7 +306,7 @@ class Scene:
     def __init__(
         self,
         robot: Robot,
-        obstacles: Mapping[str, ArrayLike | Sequence[ArrayLike]] | None = None,
+        obstacles: Mapping[str, Obstacle] | None = None,
         *,
         workspace: ArrayLike,
         start: ArrayLike | None = None,
@@ -472,16 +540,27 @@ def _quaternion(values: ArrayLike) -> list[float]:
     return numbers
 
 
-def _parts(name: str, body: ArrayLike | Sequence[ArrayLike]) -> list[dict[str, Any]]:
-    """One table per convex part: a body is one (k, 3) array, or a sequence of them."""
+def _parts(name: str, obstacle: Obstacle) -> list[dict[str, Any]]:
+    """One table per part: an obstacle is a mesh, one (k, 3) array, or a sequence of such."""
     try:
-        single = np.asarray(body, dtype=np.float64).ndim == 2
+        single = isinstance(obstacle, TriangleMesh) or np.asarray(obstacle, dtype=np.float64).ndim == 2
     except (TypeError, ValueError):
         single = False
-    arrays = [body] if single else list(body)  # type: ignore[arg-type]
-    if not arrays:
+    bodies: list[Any] = [obstacle] if single else list(obstacle)  # type: ignore[arg-type]
+    if not bodies:
         raise InputError(f"obstacles[{name!r}]: found no parts, expected at least one array of shape (k, 3)")
-    return [
-        {"name": name, "vertices": rows(f"obstacles[{name!r}][{k}]", part).tolist()}  # type: ignore[arg-type]
-        for k, part in enumerate(arrays)
-    ]
+    return [{"name": name, **_body(f"obstacles[{name!r}][{k}]", body)} for k, body in enumerate(bodies)]
+
+
+def _body(place: str, body: ArrayLike | TriangleMesh) -> dict[str, Any]:
+    """The table of a body, from its corners or its mesh."""
+    if not isinstance(body, TriangleMesh):
+        return {"vertices": rows(place, body).tolist()}
+    triangles = np.asarray(body.faces)
+    if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
+        found = f"{triangles.dtype} of shape {triangles.shape}"
+        raise InputError(f"{place}.faces: found {found}, expected integers of shape (m, 3)")
+    if triangles.size and triangles.min() < 0:
+        raise InputError(f"{place}.faces: found {triangles.min()}, expected indices from 0")
+    vertices = rows(f"{place}.vertices", body.vertices).tolist()
+    return {"mesh": {"vertices": vertices, "triangles": triangles.tolist()}}

@@ -7,6 +7,7 @@ import tomllib
 import jsonschema
 import numpy as np
 import pytest
+import trimesh
 from conftest import TESTDATA
 
 import cdpr
@@ -119,3 +120,53 @@ def test_the_schema_accepts_every_shipped_file_and_refuses_what_the_program_refu
         with pytest.raises(cdpr.InputError):
             cdpr.Scene.from_dict(spec | slip)
     jsonschema.validate({"waypoints": [[0, 0, 0], [1, 1, 1]]}, cdpr.schema("path"))
+
+
+def test_meshes_of_trimesh_are_obstacles_and_platforms():
+    ring = trimesh.creation.annulus(r_min=0.5, r_max=0.7, height=0.2)
+    ring.apply_translation([1, 1, 1])
+    with pytest.warns(cdpr.CdprWarning, match=r"obstacles\[0\]: .* triangles in .* convex parts, which"):
+        scene = cdpr.Scene(robot(), {"ring": ring}, workspace=BOX)
+    assert len(scene.to_dict()["obstacles"]) > 4
+    through = scene.motions_valid([[1, 1, 0.9]], [[1, 1, 1.1]])
+    assert through.all()
+    rng = np.random.default_rng(3)
+    inside = [(platform + CUBE[k]) for platform in rng.uniform(0.2, 1.8, (200, 3)) for k in range(8)]
+    offset = np.array(inside) - [1, 1, 1]
+    radius = np.hypot(offset[:, 0], offset[:, 1])
+    hits = ((radius > 0.51) & (radius < 0.69) & (abs(offset[:, 2]) < 0.1)).reshape(200, 8).any(axis=1)
+    states = (np.array(inside).reshape(200, 8, 3) - CUBE)[:, 0]
+    assert not scene.states_valid(states[hits]).any() and hits.sum() > 3
+    assert cdpr.Scene.from_dict(scene.to_dict()) == scene
+    block = trimesh.creation.box(extents=[0.2, 0.2, 0.2])
+    assert cdpr.Robot(CORNERS, CUBE, [block]).to_dict()["platform"][0]["vertices"]
+
+
+def test_meshes_of_wrong_shapes_are_refused():
+    class Mesh:
+        vertices = CUBE
+        faces = [[0, 1, 2]]
+
+    def scene(faces):
+        mesh = Mesh()
+        mesh.faces = np.array(faces)
+        return cdpr.Scene(robot(), {"mesh": mesh}, workspace=BOX)
+
+    for faces, message in [
+        ([[0, 1, 2, 3]], r"obstacles\['mesh'\]\[0\].faces: found int64 of shape \(1, 4\)"),
+        ([[0.0, 1.0, 2.0]], "found float64 of shape"),
+        ([[0, 1, -1]], "found -1, expected indices from 0"),
+        ([[0, 1, 8]], r"obstacles\[0\].mesh: triangle 0 has a corner"),
+    ]:
+        with pytest.raises(cdpr.InputError, match=message):
+            scene(faces)
+
+
+def test_an_imported_robot_is_the_stored_one():
+    with pytest.warns(cdpr.CdprWarning, match="not carried over: joint SPATIAL_EULER_XYZ.*inertia"):
+        made = cdpr.import_robot(TESTDATA / "caspr" / "CoGiRo")
+    stored = cdpr.Robot.load(TESTDATA / "robots" / "cogiro.toml")
+    assert (made.outlets == stored.outlets).all() and (made.attachments == stored.attachments).all()
+    assert made.mass == stored.mass
+    with pytest.raises(cdpr.InputError, match="no cable set \"orignal\", expected one of original; did you mean"):
+        cdpr.import_robot(TESTDATA / "caspr" / "CoGiRo", cable_set="orignal")

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
+use cdpr_core::model::Unit;
 use cdpr_core::plan::{PlanOptions, Post, Processing};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{RegionOptions, Space};
@@ -51,6 +52,16 @@ pub enum Command {
     #[command(after_help = "Example:
   cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html")]
     New(NewArgs),
+    /// Make a robot file from a robot of another program.
+    ///
+    /// CASPR: one of the two XML files of a model, or their folder; --cable-set chooses one of its sets of cables. Gazebo
+    /// (https://github.com/oKermorgant/cdpr): its YAML file. What is not carried over is listed. Where the source says
+    /// nothing of the platform's shape, it is the hull of the attachments, unless --platform gives a mesh.
+    #[command(after_help = "Examples:
+  cdpr import CoGiRo_cables.xml -o cogiro.toml
+  cdpr import models/CAROCA --cable-set gazebo_sim -o caroca.toml
+  cdpr import caroca.yaml --platform platform.stl --units mm -o caroca.toml")]
+    Import(ImportArgs),
     /// Print the JSON Schema of a file format.
     #[command(after_help = "Example:
   cdpr schema scene > scene.schema.json")]
@@ -267,6 +278,31 @@ pub struct NewArgs {
     /// Overwrite an existing file.
     #[arg(long)]
     pub force: bool,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ImportArgs {
+    /// The source: an XML file of CASPR, a folder of them, or a YAML file of the Gazebo simulation.
+    #[arg(value_hint = ValueHint::AnyPath)]
+    pub source: PathBuf,
+    /// CASPR's bodies file, where it does not stand beside the cables file under the same name.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub bodies: Option<PathBuf>,
+    /// Set of cables [default: the one that the file names].
+    #[arg(long, value_name = "ID")]
+    pub cable_set: Option<String>,
+    /// Mesh of the platform in its frame (.stl or .obj); the robot file names it.
+    #[arg(long, value_name = "MESH", value_hint = ValueHint::FilePath)]
+    pub platform: Option<PathBuf>,
+    /// Unit of that mesh.
+    #[arg(long, value_parser = choice::<Unit>(), requires = "platform", default_value = Unit::M.name())]
+    pub units: Unit,
+    /// Robot file to write (.toml or .json).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

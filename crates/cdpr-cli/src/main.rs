@@ -38,6 +38,7 @@ fn run(command: Command) -> Result<Answer, Error> {
         Command::Info(args) => commands::info::run(&args),
         Command::Post(args) => commands::post::run(&args),
         Command::New(args) => commands::new::run(&args),
+        Command::Import(args) => commands::import::run(&args),
         Command::Schema(args) => commands::schema::run(&args),
         Command::Shadows(args) => commands::shadows::run(&args),
         Command::View(args) => commands::view::run(&args),

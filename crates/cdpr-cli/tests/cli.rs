@@ -442,3 +442,27 @@ fn anytime_uses_its_budget_and_any_path_can_be_pulled_taut() {
         assert_eq!(status(&cdpr_in(folder.path(), &["check", &hard1, "taut.json", "--engine", engine])), 0, "{engine}");
     }
 }
+
+#[test]
+fn an_imported_robot_is_planned_around_an_obstacle_from_a_mesh() {
+    let folder = folder();
+    let imported = cdpr_in(folder.path(), &["import", &testdata("caspr/CoGiRo"), "-o", "cogiro.toml"]);
+    assert_eq!(status(&imported), 0, "{}", stderr(&imported));
+    assert!(stdout(&imported).starts_with("CoGiRo: 8 cables, 91.058 kg\nnot carried over:\n"), "{}", stdout(&imported));
+    let angle = "v -0.2 -0.2 0\nv 0.8 -0.2 0\nv 0.8 0.2 0\nv -0.2 0.2 0\nv -0.2 -0.2 1\nv 0.8 -0.2 1\nv 0.8 0.2 1\n\
+        v -0.2 0.2 1\nv 0.2 -0.2 1\nv 0.2 0.2 1\nv -0.2 -0.2 3\nv 0.2 -0.2 3\nv 0.2 0.2 3\nv -0.2 0.2 3\n\
+        f 1 4 3 2\nf 1 2 6 9 5\nf 5 9 12 11\nf 2 3 7 6\nf 3 4 8 10 7\nf 8 14 13 10\nf 4 1 5 11 14 8\nf 9 6 7 10\n\
+        f 9 10 13 12\nf 11 12 13 14\n";
+    fs::write(folder.path().join("angle.obj"), angle).unwrap();
+    let scene = "version = 1\nrobot = \"cogiro.toml\"\n[workspace]\nmin = [-7.0, -5.0, 0.0]\nmax = [7.0, 5.0, 6.0]\n\
+        [[obstacles]]\nname = \"angle\"\nmesh = \"angle.obj\"\nposition = [2.0, 0.0, 0.0]\n\
+        [query]\nstart = [0.0, 2.0, 1.0]\ngoal = [2.0, -2.0, 1.0]\n";
+    fs::write(folder.path().join("hall.toml"), scene).unwrap();
+    let planned = cdpr_in(folder.path(), &["plan", "hall.toml", "-o", "path.json"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    assert!(stderr(&planned).contains("in 2 convex parts, which fill it exactly"), "{}", stderr(&planned));
+    assert_eq!(status(&cdpr_in(folder.path(), &["check", "hall.toml", "path.json"])), 0);
+    let wrong = cdpr_in(folder.path(), &["import", &testdata("caspr/CAROCA"), "--cable-set", "gazebo", "-o", "a.toml"]);
+    assert_eq!(status(&wrong), 2);
+    assert!(stderr(&wrong).contains("original, with_rotating_pulleys, gazebo_sim"), "{}", stderr(&wrong));
+}

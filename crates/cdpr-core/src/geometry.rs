@@ -1,6 +1,7 @@
 //! Convex bodies and what can be asked of two of them: distance (GJK), overlap depth (separating axes), contact.
 
 pub mod clip;
+pub mod convex_parts;
 pub mod features;
 pub mod gjk;
 pub mod half_space;
@@ -12,14 +13,18 @@ pub mod segment_segment;
 pub mod separating_axes;
 pub mod shadow;
 pub mod shape;
+pub mod solid;
+pub mod surface;
 
 pub use clip::{convex_mesh, wedge_mesh};
+pub use convex_parts::{ConvexParts, convex_parts};
 pub use gjk::{Proximity, distance, proximity};
 pub use half_space::HalfSpace;
 pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
 pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, Swept, Triangle};
+pub use surface::{Faults, Piece, pieces};
 
 /// A place in the world or in the platform frame, m.
 pub type Point = nalgebra::Point3<f64>;

@@ -2,22 +2,30 @@
 
 pub mod batch_folder;
 pub mod batch_tables;
+mod caspr;
 pub mod experiment_file;
+mod gazebo;
+pub mod import_file;
+mod mesh_bodies;
 pub mod mesh_file;
+pub mod mesh_reader;
 pub mod path_file;
 pub mod report_file;
 pub mod scene_file;
 pub mod tension_file;
 pub mod text;
 pub mod wrench_map_file;
+mod xml;
 
 pub use batch_folder::{BatchFolder, merge};
 pub use batch_tables::{BatchRows, Tables};
 pub use experiment_file::{experiment_from_text, load_experiment};
+pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 pub use mesh_file::{RegionFormat, save_regions};
+pub use mesh_reader::load_mesh;
 pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
 pub use report_file::{load_study, save_plots};
-pub use scene_file::{load_robot, load_scene, scene_from_text, schema};
+pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};
 pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
 pub use text::write_atomically;
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map};

@@ -45,11 +45,12 @@ pub const SUPERSET: f64 = 1e-8;
 /// By how much bodies without volume are fattened to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 
-/// What rounding may add to the way from the middle of a cell, in cells, when motions are cut into pieces of a cell's size.
+/// What rounding may add to the way from the middle of a cell, in cells, when motions are cut into pieces of a cell's
+/// size.
 pub const CELL_ROUNDING: f64 = 1e-9;
 
-/// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding puts
-/// it: either reading gives the same set up to this.
+/// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding
+/// puts it: either reading gives the same set up to this.
 pub const GRAZING: f64 = 1e-10;
 
 /// How far the length of an orientation quaternion may be from 1.
@@ -76,13 +77,13 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
-/// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends on
-/// them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be; whatever
-/// its normal, the set lies below its support there, so no margin comes out too small by it.
+/// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends
+/// on them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be;
+/// whatever its normal, the set lies below its support there, so no margin comes out too small by it.
 pub const DEPENDENT: f64 = 1e-9;
 
-/// Least share of the largest diagonal entry of R that the least one may have for the kernel of four positions to be sure
-/// of it: what it computes is then right to eleven digits.
+/// Least share of the largest diagonal entry of R that the least one may have for the kernel of four positions to be
+/// sure of it: what it computes is then right to eleven digits.
 pub const KERNEL_CONDITION: f64 = 1e-5;
 
 /// Normals (in coordinates of a null space, where they are of order one) above this length are good to nine digits.
@@ -91,15 +92,15 @@ pub const KERNEL_NORMAL: f64 = 1e-6;
 /// Normals below this length are those of dependent columns: rounding of zero.
 pub const KERNEL_NO_NORMAL: f64 = 1e-13;
 
-/// Slack below this share of the longest edge of the available set (greatest tension times column) cannot be certified along
-/// a motion, and is refused: the kernel of four positions is good to some 1e-10 of it.
+/// Slack below this share of the longest edge of the available set (greatest tension times column) cannot be certified
+/// along a motion, and is refused: the kernel of four positions is good to some 1e-10 of it.
 pub const SLACK_RELATIVE: f64 = 1e-9;
 
 /// Least length of a piece that certifying a motion still divides, m: below it lies rounding of positions.
 pub const CERTIFY_PIECE: f64 = 1e-11;
 
-/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only by
-/// motions that stay close to the boundary over a long way.
+/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only
+/// by motions that stay close to the boundary over a long way.
 pub const CERTIFY_DIVISIONS: usize = 1 << 14;
 
 /// Divisions that certifying may always make, however long a margin takes.
@@ -108,8 +109,8 @@ pub const LEAST_DIVISIONS: usize = 64;
 /// Share by which a largest scale is taken back where rounding has it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;
 
-/// Largest ratio of two lengths that statics accept, characteristic length against metre: beyond it forces and moments could
-/// not be measured together in `f64`.
+/// Largest ratio of two lengths that statics accept, characteristic length against metre: beyond it forces and moments
+/// could not be measured together in `f64`.
 pub const MOST_SCALE: f64 = 1e6;
 
 /// Accuracy of the least slack of a motion, as a share of the largest tension.
@@ -195,3 +196,68 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 
 /// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
 pub const SCALE_STEPS: usize = 100;
+
+/// Largest file of another program's robot that is read, bytes; the largest known has 0.1 MB.
+pub const MOST_XML_BYTES: u64 = 1_000_000;
+
+/// Most nodes of an XML file.
+pub const MOST_XML_NODES: u32 = 100_000;
+
+/// Corners of a mesh that are nearer to each other than this share of its extent are one: formats that list triangles
+/// by coordinates round them to single precision (6e-8).
+pub const WELD_RELATIVE: f64 = 3e-7;
+
+/// By how much a surface without an inside is fattened to all sides, m: engines keep out of bodies with volume, and
+/// parts of such a surface overlap by this along their seams.
+pub const SHEET: f64 = 1e-4;
+
+/// Share of a volume or area by which two may differ and still count as equal: rounding of meshes.
+pub const EXACT_VOLUME: f64 = 1e-6;
+
+/// Least share of the surface in a cell that a plane needs to be cut along; smaller faces belong to something round.
+pub const FACE_SHARE: f64 = 0.02;
+
+/// Most corners of a convex mesh that is taken as it is; the fast engine sums them with the platform's.
+pub const MOST_CONVEX_CORNERS: usize = 512;
+
+/// Most corners of a convex part of another mesh; with more it is enclosed in some planes that touch it.
+pub const MOST_PART_CORNERS: usize = 64;
+
+/// Cosine of the angle by which normals of such planes differ at least, about 20 degrees.
+pub const SPREAD_NORMALS: f64 = 0.94;
+
+/// Most parts that one piece of a mesh is cut into.
+pub const MOST_PARTS: usize = 256;
+
+/// Most parts of all pieces of a mesh together, if there are fewer pieces.
+pub const MOST_PARTS_IN_ALL: usize = 5_000;
+
+/// Steps after which a part counts as one that reaches too far: some tenths of a second.
+pub const MOST_REACH_STEPS: usize = 300_000;
+
+/// Share of the tolerance beyond which a part counts as one that reaches too far: to tell just below from just above would
+/// take most of the time.
+pub const UNDECIDED: f64 = 0.75;
+
+/// Share of the volume that a cut beside a void must leave, against one across the part, to be preferred.
+pub const MUCH_SMALLER: f64 = 0.9;
+
+/// How far the parts of a mesh may reach beyond each connected piece of it where a file does not say, as a share of the
+/// piece's largest extent.
+pub const MESH_TOLERANCE: f64 = 0.01;
+
+/// The same as a share of the whole mesh's extent, where that is more: a hall of 20 m has no use for chairs to the
+/// millimetre, and would pay for it with thousands of parts.
+pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
+
+/// Largest mesh file that is read, bytes.
+pub const MOST_MESH_BYTES: u64 = 100_000_000;
+
+/// Most triangles of a mesh.
+pub const MOST_TRIANGLES: usize = 500_000;
+
+/// Most words of an OBJ file for each of [`MOST_TRIANGLES`]: corners, normals, textures and faces have some 10.
+pub const WORDS_PER_TRIANGLE: usize = 16;
+
+/// Most pieces of a mesh that do not hang together: beyond it lies a mesh that is not welded.
+pub const MOST_PIECES: usize = 5_000;

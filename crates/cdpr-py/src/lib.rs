@@ -1,4 +1,5 @@
-//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around it.
+//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around
+//! it.
 
 mod batch;
 mod convert;
@@ -20,7 +21,7 @@ use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench as core_wrench;
-use cdpr_core::{Choice, Error, Robot};
+use cdpr_core::{Choice, Error};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -65,14 +66,14 @@ fn serialized(value: &impl serde::Serialize) -> String {
 impl Scene {
     /// Loads a scene file.
     #[staticmethod]
-    fn load(path: std::path::PathBuf) -> PyResult<Self> {
-        io::load_scene(&path).map(Scene::of).map_err(raised)
+    fn load(py: Python<'_>, path: std::path::PathBuf) -> PyResult<Self> {
+        py.detach(|| io::load_scene(&path)).map(Scene::of).map_err(raised)
     }
 
     /// A scene from JSON text, the robot in place.
     #[staticmethod]
-    fn from_json(text: &str) -> PyResult<Self> {
-        io::scene_from_text(text, Notation::Json, None).map(Scene::of).map_err(raised)
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        py.detach(|| io::scene_from_text(text, Notation::Json, None)).map(Scene::of).map_err(raised)
     }
 
     /// The scene as JSON text, the robot in place.
@@ -430,11 +431,27 @@ fn seconds(budget: f64) -> PyResult<std::time::Duration> {
         .ok_or_else(|| raised(Error::invalid("budget", format!("found {budget} s, expected a positive number"))))
 }
 
-/// Checks a robot given as JSON text.
+/// Checks a robot given as JSON text, and gives it back with its meshes as convex parts.
 #[pyfunction]
-fn check_robot(text: &str) -> PyResult<()> {
-    let spec: cdpr_core::model::RobotSpec = io::text::parse(text, Notation::Json).map_err(raised)?;
-    Robot::try_from(spec).map(drop).map_err(raised)
+fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
+    let robot = py.detach(|| io::robot_from_text(text, Notation::Json, None)).map_err(raised)?;
+    Ok(serialized(robot.spec()))
+}
+
+/// A robot of another program as JSON text, and what was not carried over.
+#[pyfunction]
+fn import_robot(
+    py: Python<'_>,
+    path: std::path::PathBuf,
+    bodies: Option<std::path::PathBuf>,
+    cable_set: Option<String>,
+    platform: Option<std::path::PathBuf>,
+    units: &str,
+) -> PyResult<(String, Vec<String>)> {
+    let units = named(units)?;
+    let options = io::ImportOptions { bodies, cable_set, platform: platform.map(|mesh| (mesh, units)) };
+    let found = py.detach(|| io::import_robot(&path, &options)).map_err(raised)?;
+    Ok((serialized(&found.whole), found.notes))
 }
 
 /// The robot of a robot file as JSON text.
@@ -492,7 +509,9 @@ mod _core {
     use super::wrench_map::Map;
     use super::*;
     #[pymodule_export]
-    use super::{Scene, check_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema};
+    use super::{
+        Scene, check_robot, import_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema,
+    };
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

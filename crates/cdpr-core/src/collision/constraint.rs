@@ -172,7 +172,7 @@ impl Constraints {
             platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
             obstacles: obstacle_bodies(scene),
             list: Vec::new(),
-            notes: Vec::new(),
+            notes: scene.notes().to_vec(),
         };
         constraints.workspace(scene);
         constraints.cable_lengths(scene);

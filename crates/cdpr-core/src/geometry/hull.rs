@@ -3,6 +3,8 @@
 //! parry computes the triangles; here they become facets with all their corners, and the result is verified: every
 //! point inside every facet, every edge between exactly two facets, and Euler's formula.
 
+use std::collections::HashMap;
+
 use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::transformation::try_convex_hull;
 
@@ -69,14 +71,18 @@ pub(super) fn segment_hull(points: &[Point], extent: &Extent) -> Hull {
 
 /// Hull of points in a plane: a polygon with two faces; none if no corner list covers them all.
 pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
-    let [u, v, _] = extent.axes;
-    let flat: Vec<[f64; 2]> =
-        points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect();
+    let flat = flattened(points, extent);
     let corners: Vec<Point> = convex_ring(&flat)?.iter().map(|&i| points[i]).collect();
     let front: Vec<usize> = (0..corners.len()).collect();
     let back: Vec<usize> = front.iter().rev().copied().collect();
     let facets = vec![Facet::through(&corners, front), Facet::through(&corners, back)];
     Some(Hull { corners, facets })
+}
+
+/// Coordinates in the plane of the first two axes.
+fn flattened(points: &[Point], extent: &Extent) -> Vec<[f64; 2]> {
+    let [u, v, _] = extent.axes;
+    points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect()
 }
 
 /// Counter-clockwise hull of points in the plane, as indices, without corners that stand out by rounding only.
@@ -164,10 +170,34 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     })
 }
 
+/// Corners of the hull of a point cloud and its triangles over them, as parry finds them, without triangles where the
+/// points lie in a plane: not verified, but fast for many points. None if they lie on a line.
+pub(super) fn hull_corners(points: &[Point]) -> Option<(Vec<Point>, Vec<[usize; 3]>)> {
+    let extent = Extent::of(points);
+    if extent.dimension == 2 {
+        let ring = monotone_chain(&flattened(points, &extent));
+        return Some((ring.into_iter().map(|i| points[i]).collect(), Vec::new()));
+    }
+    let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
+    let (kept, triangles) = (extent.dimension == 3).then(|| try_convex_hull(&even).ok()).flatten()?;
+    let key = |v: &Glam| [v.x, v.y, v.z].map(f64::to_bits);
+    let places: HashMap<[u64; 3], usize> = even.iter().enumerate().map(|(k, v)| (key(v), k)).collect();
+    let corners = kept.iter().map(|v| places.get(&key(v)).map(|k| points[*k])).collect::<Option<_>>()?;
+    Some((corners, triangles.iter().map(|t| t.map(|i| i as usize)).collect()))
+}
+
+/// Volume of a hull from [`hull_corners`], m³.
+pub(super) fn hull_volume(corners: &[Point], triangles: &[[usize; 3]]) -> f64 {
+    let spoke = |i: usize| corners[i] - corners[0];
+    let volume: f64 = triangles.iter().map(|[a, b, c]| spoke(*a).dot(&spoke(*b).cross(&spoke(*c)))).sum();
+    volume.abs() / 6.0
+}
+
 /// A plane of a hull: its outward normal and the vertices on it.
 type Plane = (Vector, Vec<usize>);
 
-/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it holds.
+/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it
+/// holds.
 fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Plane> {
     let outward = handedness(vertices, triangles);
     let area = |t: &[usize; 3]| outward * doubled_area(vertices, t);
@@ -180,7 +210,8 @@ fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -
         let normal = area.normalize();
         let held_by = |(n, held): &Plane| n.dot(&normal) > 0.0 && own.iter().all(|i| held.contains(i));
         let height = |i: usize| (vertices[i] - vertices[own[0]]).dot(&normal);
-        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the body.
+        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the
+        // body.
         let supports = || tolerance == 0.0 || (0..vertices.len()).all(|i| height(i) <= 2.0 * tolerance);
         if !planes.iter().any(held_by) && supports() {
             let near = |i: &usize| own.contains(i) || height(*i).abs() <= tolerance;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use schemars::schema_for;
 
+use super::mesh_bodies;
 use super::text::{self, Notation};
 use crate::batch::ExperimentSpec;
 use crate::choice::choices;
@@ -36,26 +37,38 @@ pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) ->
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
 pub fn load_robot(path: &Path) -> Result<Robot, Error> {
-    Robot::try_from(robot_spec(path)?).map_err(|e| e.in_file(path))
+    Robot::try_from(robot_spec(path, &mut Vec::new())?).map_err(|e| e.in_file(path))
 }
 
-fn robot_spec(path: &Path) -> Result<RobotSpec, Error> {
+/// A robot from text; mesh files it names are read relative to `folder`.
+///
+/// # Errors
+/// As [`load_robot`].
+pub fn robot_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
+    let mut spec: RobotSpec = text::parse(text, notation)?;
+    mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Vec::new())?;
+    Robot::try_from(spec)
+}
+
+/// A robot file with its meshes in place; what is to be said about them goes to the notes.
+fn robot_spec(path: &Path, notes: &mut Vec<String>) -> Result<RobotSpec, Error> {
     let notation = Notation::of(path)?;
-    let spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
-    match spec.version {
-        Some(_) => Ok(spec),
-        None => {
-            Err(Error::invalid("version", "found none, expected version = 1 at the top of a robot file").in_file(path))
-        }
+    let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+    if spec.version.is_none() {
+        let problem = "found none, expected version = 1 at the top of a robot file";
+        return Err(Error::invalid("version", problem).in_file(path));
     }
+    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), notes).map_err(|e| e.in_file(path))?;
+    Ok(spec)
 }
 
-/// Reads the robot file, if the scene names one, and checks the whole.
+/// Reads the robot file, if the scene names one, and all meshes, and checks the whole.
 pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
-    match &spec.robot {
+    let mut notes = Vec::new();
+    match &mut spec.robot {
         RobotSource::File(name) => {
-            let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
-            let robot = robot_spec(&path)?;
+            let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
+            let robot = robot_spec(&path, &mut notes)?;
             Robot::try_from(robot.clone()).map_err(|e| e.in_file(&path))?;
             spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
         }
@@ -65,9 +78,12 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Sce
                 "found one in a scene; only a robot file of its own has a version",
             ));
         }
-        RobotSource::Inline(_) => {}
+        RobotSource::Inline(robot) => {
+            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut notes)?;
+        }
     }
-    Scene::new(spec)
+    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut notes)?;
+    Scene::new(spec).map(|scene| scene.with_notes(notes))
 }
 
 /// Which file format a schema is asked for.

@@ -1,7 +1,7 @@
 //! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
 
 use std::ffi::OsStr;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
@@ -40,6 +40,24 @@ pub(super) fn shown(extension: Option<&str>) -> String {
 /// The whole file as text.
 pub fn read(path: &Path) -> Result<String, Error> {
     std::fs::read_to_string(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))
+}
+
+/// The whole file as text, refused if it is larger than `most` bytes.
+pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
+    let bytes = read_bytes_at_most(path, most)?;
+    String::from_utf8(bytes).map_err(|_| Error::file(path, "is no text in UTF-8"))
+}
+
+/// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
+pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    let unreadable = |e: std::io::Error| Error::file(path, format!("cannot be read: {e}"));
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    file.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > most {
+        return Err(Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000)));
+    }
+    Ok(bytes)
 }
 
 /// Parses text; errors name the key path, what was found, what was expected, and the line.

@@ -1,6 +1,6 @@
 //! Bodies from their specs, and the checks of numbers that robots and scenes share.
 
-use super::spec::{BodySpec, MarginSpec, PrismSpec, WrenchSpec};
+use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, Rotation, Vector};
 use crate::numerics::{MAX_COORDINATE, UNIT_QUATERNION};
@@ -95,12 +95,16 @@ pub fn unit_quaternion(place: &str, [w, x, y, z]: [f64; 4]) -> Result<Rotation, 
 
 /// Builds a convex body where its spec puts it. Flat bodies are allowed here.
 pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
+    one_shape(place, spec)?;
+    if let Some(MeshSource::File(path)) = &spec.mesh {
+        let problem = format!("found the path \"{path}\"; load the scene or robot from its file to have it read");
+        return Err(Error::invalid(format!("{place}.mesh"), problem));
+    }
     let shape = match (&spec.cuboid, &spec.vertices, &spec.prism) {
         (Some(sides), None, None) => cuboid(&format!("{place}.box"), *sides),
         (None, Some(vertices), None) => from_vertices(&format!("{place}.vertices"), vertices),
         (None, None, Some(prism)) => upright_prism(&format!("{place}.prism"), prism),
-        (None, None, None) => Err(Error::invalid(place, "found no shape, expected one of box, vertices, prism")),
-        _ => Err(Error::invalid(place, "found several shapes, expected exactly one of box, vertices, prism")),
+        _ => Err(Error::invalid(format!("{place}.mesh"), "found a mesh in place of the convex parts it stands for")),
     }?;
     let rotation = turn(place, spec)?;
     let position = point(&format!("{place}.position"), spec.position.unwrap_or_default())?;
@@ -108,6 +112,25 @@ pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
     let numbers: Vec<f64> = body.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
     coordinates(place, &numbers)?;
     Ok(body)
+}
+
+/// Checks that a body has exactly one shape, and what belongs to a mesh only with one.
+pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
+    let shapes = [spec.cuboid.is_some(), spec.vertices.is_some(), spec.prism.is_some(), spec.mesh.is_some()];
+    match shapes.iter().filter(|given| **given).count() {
+        0 => return Err(Error::invalid(place, "found no shape, expected one of box, vertices, prism, mesh")),
+        1 => {}
+        _ => {
+            let problem = "found several shapes, expected exactly one of box, vertices, prism, mesh";
+            return Err(Error::invalid(place, problem));
+        }
+    }
+    let of_mesh =
+        [("units", spec.units.is_some()), ("scale", spec.scale.is_some()), ("tolerance", spec.tolerance.is_some())];
+    match of_mesh.iter().find(|(_, given)| *given && spec.mesh.is_none()) {
+        Some((key, _)) => Err(Error::invalid(format!("{place}.{key}"), "found it without a mesh, which it is for")),
+        None => Ok(()),
+    }
 }
 
 fn turn(place: &str, spec: &BodySpec) -> Result<Rotation, Error> {

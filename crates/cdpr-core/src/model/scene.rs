@@ -49,6 +49,7 @@ pub struct Scene {
     ignored: Vec<(Member, Member)>,
     start: Option<Point>,
     goal: Option<Point>,
+    notes: Vec<String>,
 }
 
 impl Scene {
@@ -85,7 +86,31 @@ impl Scene {
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
         let orientation =
             body::unit_quaternion("query.orientation", query.orientation.unwrap_or([1.0, 0.0, 0.0, 0.0]))?;
-        Ok(Scene { spec, robot, obstacles, seams, workspace, orientation, clearance, ignored, start, goal })
+        Ok(Scene {
+            spec,
+            robot,
+            obstacles,
+            seams,
+            workspace,
+            orientation,
+            clearance,
+            ignored,
+            start,
+            goal,
+            notes: Vec::new(),
+        })
+    }
+
+    /// The same scene with more to say about where it is from.
+    pub fn with_notes(mut self, notes: Vec<String>) -> Self {
+        self.notes.extend(notes);
+        self
+    }
+
+    /// What the user should know about how the scene was read: meshes that are not sound, and how far the convex parts
+    /// that stand for them reach.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The scene as plain data, the robot in place.

@@ -1,6 +1,7 @@
 //! The file formats as plain data: one set of types for TOML, JSON and the JSON Schema. Nothing here is checked beyond
 //! its shape; [`crate::model::Robot`] and [`crate::model::Scene`] do that once.
 
+use crate::choice::choices;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
@@ -129,7 +130,7 @@ pub struct CableSpec {
     pub length: Option<[f64; 2]>,
 }
 
-/// A convex body: exactly one of `box`, `vertices` and `prism`, then turned and moved.
+/// A body: exactly one of `box`, `vertices`, `prism` (convex ones) and `mesh` (any), then turned and moved.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodySpec {
@@ -145,6 +146,20 @@ pub struct BodySpec {
     /// An upright prism over a convex polygon.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prism: Option<PrismSpec>,
+    /// A triangle mesh: an STL or OBJ file, relative to the file that names it, or vertices and triangles. It stands
+    /// for convex parts that cover it; one that is convex stands as it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshSource>,
+    /// Unit of the mesh's coordinates; default m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<Unit>,
+    /// Factor of the mesh's coordinates, besides their unit; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<f64>,
+    /// How far the convex parts of the mesh may reach beyond it, m; default 1 % of the extent of each connected piece, and
+    /// at least 0.25 % of the whole mesh's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
     /// Added to every point after turning, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 3]>,
@@ -154,6 +169,86 @@ pub struct BodySpec {
     /// The turn as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
+}
+
+/// The path of a mesh file, or a mesh in place.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum MeshSource {
+    /// Path of an STL or OBJ file, relative to the scene or robot file.
+    File(String),
+    /// The mesh itself.
+    Inline(MeshSpec),
+}
+
+impl<'de> Deserialize<'de> for MeshSource {
+    // By hand, as RobotSource.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = MeshSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("the path of a mesh file (.stl or .obj), or a table of vertices and triangles")
+            }
+
+            fn visit_str<E: de::Error>(self, path: &str) -> Result<MeshSource, E> {
+                Ok(MeshSource::File(path.to_string()))
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<MeshSource, A::Error> {
+                MeshSpec::deserialize(de::value::MapAccessDeserializer::new(map)).map(MeshSource::Inline)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+/// A triangle mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshSpec {
+    /// Corners, in the mesh's unit.
+    pub vertices: Vec<[f64; 3]>,
+    /// Corners of each triangle, counter-clockwise seen from outside, as indices from 0 into the vertices.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// Unit of a mesh's coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Unit {
+    /// Millimetre.
+    Mm,
+    /// Centimetre.
+    Cm,
+    /// Metre.
+    M,
+    /// Inch.
+    In,
+    /// Foot.
+    Ft,
+}
+
+choices!(Unit, "unit", [
+    Mm = "mm": "Millimetre",
+    Cm = "cm": "Centimetre",
+    M = "m": "Metre",
+    In = "in": "Inch",
+    Ft = "ft": "Foot",
+]);
+
+impl Unit {
+    /// One of it in metres.
+    pub fn metres(self) -> f64 {
+        match self {
+            Unit::Mm => 1e-3,
+            Unit::Cm => 1e-2,
+            Unit::M => 1.0,
+            Unit::In => 0.0254,
+            Unit::Ft => 0.3048,
+        }
+    }
 }
 
 /// An upright prism from z = 0 to z = height.
@@ -176,8 +271,8 @@ pub struct WrenchSpec {
     /// Radius of the required moment ball, N·m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
-    /// Corners of a required polytope instead of the balls, each fx fy fz mx my mz, N and N·m, on top of the wrench that
-    /// balances the loads.
+    /// Corners of a required polytope instead of the balls, each fx fy fz mx my mz, N and N·m, on top of the wrench
+    /// that balances the loads.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertices: Option<Vec<[f64; 6]>>,
     /// A further constant load, world axes, its moment about the platform's origin.

@@ -1,0 +1,303 @@
+//! What a list of triangles amounts to: pieces that hang together, which of them enclose a body, and what is wrong.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use super::solid::SignedDistance;
+use super::{Aabb, Point, TriangleMesh, Vector};
+use crate::numerics::WELD_RELATIVE;
+
+/// What is wrong with a mesh, counted. None of it keeps the triangles from being obstacles.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Faults {
+    /// Triangles with two equal corners or without area.
+    pub degenerate: usize,
+    /// Triangles that stand in the list already.
+    pub doubled: usize,
+    /// Edges of a single triangle: the rims of holes.
+    pub open_edges: usize,
+    /// Edges along which the neighbours do not agree which side is outside.
+    pub turned_edges: usize,
+    /// Pieces that enclose something but are turned inside out.
+    pub inside_out: usize,
+    /// Pieces without an inside, for any of these reasons.
+    pub sheets: usize,
+}
+
+impl Faults {
+    /// In words, for the user; none if the mesh is sound.
+    pub fn notes(&self) -> Vec<String> {
+        let count = |number: usize, one: &str, many: &str| {
+            (number > 0).then(|| format!("{number} {}", if number == 1 { one } else { many }))
+        };
+        let wrong: Vec<String> = [
+            count(self.open_edges, "open edge (a hole)", "open edges (holes)"),
+            count(self.turned_edges, "edge with a flipped triangle", "edges with a flipped triangle"),
+            count(self.inside_out, "piece is inside out", "pieces are inside out"),
+            count(self.degenerate, "degenerate triangle", "degenerate triangles"),
+            count(self.doubled, "doubled triangle", "doubled triangles"),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let mut notes = Vec::new();
+        if !wrong.is_empty() {
+            notes.push(format!("the mesh is not sound: {}", wrong.join(", ")));
+        }
+        notes.extend(
+            count(self.sheets, "piece has", "pieces have").map(|pieces| {
+                format!("{pieces} no inside: taken as a thin surface, what lies behind it is not filled")
+            }),
+        );
+        notes
+    }
+}
+
+/// Triangles that hang together, and the bodies of other pieces that they enclose as cavities.
+pub struct Piece {
+    /// Corners of every triangle, m, as they were given.
+    pub triangles: Vec<[Point; 3]>,
+    /// Distance from the surface, negative inside.
+    pub distance: SignedDistance,
+    /// Enclosed volume, m³; none of a sheet.
+    pub volume: Option<f64>,
+}
+
+/// Cuts a mesh into pieces.
+pub fn pieces(mesh: &TriangleMesh) -> (Vec<Piece>, Faults) {
+    let welded = Welded::new(mesh);
+    let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };
+    let mut shells: Vec<Shell> = welded.connected().into_iter().map(|list| welded.shell(list, &mut faults)).collect();
+    let cavities: Vec<Shell> = shells.extract_if(.., |s| s.volume.is_some_and(|v| v < 0.0)).collect();
+    for cavity in cavities {
+        match enclosing(&welded, &shells, &cavity) {
+            Some(k) => shells[k].join(cavity),
+            None => {
+                faults.inside_out += 1;
+                shells.push(Shell { volume: None, ..cavity });
+            }
+        }
+    }
+    faults.sheets = shells.iter().filter(|s| s.volume.is_none()).count();
+    (shells.into_iter().filter_map(|s| welded.piece(s)).collect(), faults)
+}
+
+/// A connected surface: indices of its triangles, and its volume if it is closed.
+struct Shell {
+    triangles: Vec<usize>,
+    volume: Option<f64>,
+    aabb: Aabb,
+}
+
+impl Shell {
+    fn join(&mut self, cavity: Shell) {
+        self.triangles.extend(cavity.triangles);
+        self.volume = self.volume.zip(cavity.volume).map(|(a, b)| a + b);
+    }
+}
+
+/// The smallest closed shell around a cavity.
+fn enclosing(welded: &Welded, shells: &[Shell], cavity: &Shell) -> Option<usize> {
+    let around = |s: &Shell| {
+        s.volume.is_some() && (0..3).all(|k| s.aabb.min[k] < cavity.aabb.min[k] && s.aabb.max[k] > cavity.aabb.max[k])
+    };
+    let inside = |s: &Shell| {
+        let distance = welded.distance(&s.triangles, true);
+        distance.is_some_and(|d| d.at(&welded.corners[cavity.triangles[0]][0]).0 < 0.0)
+    };
+    let mut candidates: Vec<usize> = (0..shells.len()).filter(|k| around(&shells[*k])).collect();
+    candidates.sort_by(|a, b| shells[*a].volume.partial_cmp(&shells[*b].volume).expect("finite"));
+    candidates.into_iter().find(|k| inside(&shells[*k]))
+}
+
+/// Triangles over corners of which nearly equal ones are one, for questions of what hangs together; where the triangles
+/// lie, the corners as given tell.
+struct Welded {
+    corners: Vec<[Point; 3]>,
+    points: Vec<Point>,
+    ids: Vec<[usize; 3]>,
+    /// Whether a triangle counts: it has an area, and is the first of its kind.
+    counts: Vec<bool>,
+    degenerate: usize,
+    doubled: usize,
+}
+
+impl Welded {
+    fn new(mesh: &TriangleMesh) -> Self {
+        let aabb = Aabb::around(&mesh.vertices);
+        let cell = WELD_RELATIVE * (aabb.max - aabb.min).amax().max(f64::MIN_POSITIVE);
+        let mut places: HashMap<[i64; 3], usize> = HashMap::new();
+        let mut points = Vec::new();
+        let mut id_of = |p: &Point| {
+            let key = std::array::from_fn(|k| ((p[k] - aabb.min[k]) / cell).round() as i64);
+            *places.entry(key).or_insert_with(|| {
+                points.push(*p);
+                points.len() - 1
+            })
+        };
+        let vertex_ids: Vec<usize> = mesh.vertices.iter().map(&mut id_of).collect();
+        let ids: Vec<[usize; 3]> = mesh.triangles.iter().map(|t| t.map(|i| vertex_ids[i])).collect();
+        let corners: Vec<[Point; 3]> = mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i])).collect();
+        let mut welded = Welded { counts: vec![true; ids.len()], corners, points, ids, degenerate: 0, doubled: 0 };
+        welded.sort_out();
+        welded
+    }
+
+    fn sort_out(&mut self) {
+        let mut known = HashSet::new();
+        for (k, [a, b, c]) in self.ids.iter().copied().enumerate() {
+            let collapsed = a == b || b == c || c == a;
+            let first = [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().expect("three");
+            let doubled = !collapsed && !known.insert(first);
+            let flat = self.doubled_area(k).norm() == 0.0;
+            self.degenerate += usize::from(collapsed || flat);
+            self.doubled += usize::from(doubled);
+            self.counts[k] = !collapsed && !doubled;
+        }
+    }
+
+    fn doubled_area(&self, k: usize) -> Vector {
+        let [a, b, c] = self.ids[k].map(|i| self.points[i]);
+        (b - a).cross(&(c - a))
+    }
+
+    /// Triangles by the surface that they are part of.
+    fn connected(&self) -> Vec<Vec<usize>> {
+        let mut parent: Vec<usize> = (0..self.points.len()).collect();
+        fn root(parent: &mut [usize], mut i: usize) -> usize {
+            while parent[i] != i {
+                parent[i] = parent[parent[i]];
+                i = parent[i];
+            }
+            i
+        }
+        for [a, b, c] in &self.ids {
+            for other in [b, c] {
+                let (i, j) = (root(&mut parent, *a), root(&mut parent, *other));
+                parent[i.max(j)] = i.min(j);
+            }
+        }
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (k, [a, ..]) in self.ids.iter().enumerate() {
+            groups.entry(root(&mut parent, *a)).or_default().push(k);
+        }
+        groups.into_values().collect()
+    }
+
+    fn shell(&self, triangles: Vec<usize>, faults: &mut Faults) -> Shell {
+        let mut uses: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
+        for [a, b, c] in self.counted(&triangles) {
+            for [i, j] in [[a, b], [b, c], [c, a]] {
+                uses.entry([i.min(j), i.max(j)]).or_default()[usize::from(i > j)] += 1;
+            }
+        }
+        let open = uses.values().filter(|[forth, back]| forth + back == 1).count();
+        let turned = uses.values().filter(|[forth, back]| forth != back && forth + back > 1).count();
+        faults.open_edges += open;
+        faults.turned_edges += turned;
+        let corners: Vec<Point> = triangles.iter().flat_map(|k| self.corners[*k]).collect();
+        let aabb = Aabb::around(&corners);
+        let volume = self.volume(&triangles);
+        let bulk = WELD_RELATIVE * (aabb.max - aabb.min).iter().product::<f64>();
+        let closed = open + turned == 0 && volume.abs() > bulk;
+        Shell { triangles, volume: closed.then_some(volume), aabb }
+    }
+
+    fn counted(&self, triangles: &[usize]) -> Vec<[usize; 3]> {
+        triangles.iter().filter(|k| self.counts[**k]).map(|k| self.ids[*k]).collect()
+    }
+
+    fn volume(&self, triangles: &[usize]) -> f64 {
+        let Some(first) = triangles.first() else { return 0.0 };
+        let origin = self.points[self.ids[*first][0]];
+        let cone = |t: [usize; 3]| {
+            let [a, b, c] = t.map(|i| self.points[i] - origin);
+            a.dot(&b.cross(&c)) / 6.0
+        };
+        self.counted(triangles).into_iter().map(cone).sum()
+    }
+
+    fn distance(&self, triangles: &[usize], closed: bool) -> Option<SignedDistance> {
+        let with_area = triangles.iter().filter(|k| self.counts[**k] && self.doubled_area(**k).norm() > 0.0);
+        let mut place: HashMap<usize, usize> = HashMap::new();
+        let mut points = Vec::new();
+        let mut compact = |i: usize| {
+            *place.entry(i).or_insert_with(|| {
+                points.push(self.points[i]);
+                points.len() - 1
+            })
+        };
+        let list: Vec<[usize; 3]> = with_area.map(|k| self.ids[*k].map(&mut compact)).collect();
+        SignedDistance::new(&points, &list, closed)
+    }
+
+    /// A piece; none of a shell of triangles that all have no area.
+    fn piece(&self, shell: Shell) -> Option<Piece> {
+        let distance = self.distance(&shell.triangles, shell.volume.is_some())?;
+        let triangles = shell.triangles.iter().map(|k| self.corners[*k]).collect();
+        Some(Piece { triangles, distance, volume: shell.volume })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::convex_mesh;
+
+    fn cube(from: f64, to: f64) -> TriangleMesh {
+        let corner = |x: f64| Point::new(x, x, x);
+        convex_mesh(&[], &Aabb { min: corner(from), max: corner(to) }).unwrap()
+    }
+
+    fn inside_out(mut mesh: TriangleMesh) -> TriangleMesh {
+        mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+        mesh
+    }
+
+    fn joined(parts: &[TriangleMesh]) -> TriangleMesh {
+        let mut whole = TriangleMesh::default();
+        parts.iter().for_each(|part| whole.append(part));
+        whole
+    }
+
+    #[test]
+    fn bodies_apart_are_pieces_and_a_cavity_belongs_to_the_body_around_it() {
+        let room = joined(&[cube(0.0, 4.0), inside_out(cube(1.0, 3.0)), cube(1.5, 2.5), cube(5.0, 6.0)]);
+        let (pieces, faults) = pieces(&room);
+        assert_eq!(faults, Faults::default());
+        let volumes: Vec<f64> = pieces.iter().map(|p| p.volume.unwrap().round()).collect();
+        assert_eq!(volumes, [56.0, 1.0, 1.0]);
+        let wall = &pieces[0].distance;
+        assert!((wall.at(&Point::new(2.0, 2.0, 1.2)).0 - 0.2).abs() < 1e-12);
+        assert!((wall.at(&Point::new(2.0, 2.0, 0.3)).0 + 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn triangles_listed_by_coordinates_hang_together() {
+        let mesh = cube(0.0, 1.0);
+        let soup = TriangleMesh {
+            vertices: mesh.triangles.iter().flatten().map(|i| mesh.vertices[*i]).collect(),
+            triangles: (0..mesh.triangles.len()).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+        };
+        let (pieces, faults) = pieces(&soup);
+        assert_eq!((pieces.len(), faults), (1, Faults::default()));
+        assert!((pieces[0].volume.unwrap() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_wrong_is_counted() {
+        let sound = cube(0.0, 1.0);
+        let with = |change: &dyn Fn(&mut Vec<[usize; 3]>)| {
+            let mut mesh = sound.clone();
+            change(&mut mesh.triangles);
+            pieces(&mesh).1
+        };
+        assert_eq!(with(&|t| t.truncate(t.len() - 1)), Faults { open_edges: 3, sheets: 1, ..Faults::default() });
+        assert_eq!(with(&|t| t[0].swap(0, 1)), Faults { turned_edges: 3, sheets: 1, ..Faults::default() });
+        assert_eq!(with(&|t| t.push(t[0])), Faults { doubled: 1, ..Faults::default() });
+        assert_eq!(with(&|t| t.push([t[0][0], t[0][1], t[0][1]])), Faults { degenerate: 1, ..Faults::default() });
+        let turned = pieces(&inside_out(sound.clone())).1;
+        assert_eq!(turned, Faults { inside_out: 1, sheets: 1, ..Faults::default() });
+        assert_eq!(turned.notes().len(), 2);
+        assert!(Faults::default().notes().is_empty());
+    }
+}

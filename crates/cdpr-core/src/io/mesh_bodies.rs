@@ -1,0 +1,197 @@
+//! Bodies that are given as meshes, replaced by the convex parts that stand for them. What it takes time to find is
+//! kept beside the file, and found again by the contents of the file and what was asked.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::mesh_reader::{bytes_of, mesh_from, mesh_of};
+use super::text::{read_bytes_at_most, write_atomically};
+use crate::error::Error;
+use crate::geometry::{Aabb, ConvexParts, Piece, Point, TriangleMesh, convex_parts, pieces};
+use crate::model::body::{coordinates, one_shape, positive};
+use crate::model::{BodySpec, MeshSource, Unit};
+use crate::numerics::{
+    EXACT_VOLUME, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES,
+};
+
+/// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
+/// places in messages stay right. What the user should know goes to the notes.
+pub(super) fn in_place(
+    bodies: &mut Vec<BodySpec>,
+    list: &str,
+    folder: Option<&Path>,
+    notes: &mut Vec<String>,
+) -> Result<(), Error> {
+    if bodies.iter().all(|body| body.mesh.is_none()) {
+        return Ok(());
+    }
+    let mut behind = Vec::new();
+    for (k, body) in bodies.iter_mut().enumerate() {
+        let place = format!("{list}[{k}]");
+        if list == "obstacles" {
+            body.name.get_or_insert_with(|| format!("obstacle {k}"));
+        }
+        let Some(source) = &body.mesh else { continue };
+        one_shape(&place, body)?;
+        let (what, parts) = match source {
+            MeshSource::File(name) => {
+                let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
+                (format!("{place}: {name}"), of_file(&path, body, &place)?)
+            }
+            MeshSource::Inline(mesh) => {
+                let size = (scale(body, &place)?, tolerance(body, &place)?);
+                let mesh = mesh_of(mesh).map_err(|e| e.under(&format!("{place}.mesh")))?;
+                (place.clone(), parts_of(&mesh, size).map_err(|e| e.under(&format!("{place}.mesh")))?)
+            }
+        };
+        notes.extend(parts.notes.iter().map(|note| format!("{what}: {note}")));
+        let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
+        let first = specs.next().expect("a mesh has parts");
+        behind.extend(specs);
+        *body = first;
+    }
+    bodies.extend(behind);
+    Ok(())
+}
+
+fn as_vertices(body: &BodySpec, vertices: Vec<[f64; 3]>) -> BodySpec {
+    let BodySpec { name, position, rpy, quaternion, .. } = body.clone();
+    BodySpec { name, vertices: Some(vertices), position, rpy, quaternion, ..BodySpec::default() }
+}
+
+fn scale(body: &BodySpec, place: &str) -> Result<f64, Error> {
+    Ok(positive(&format!("{place}.scale"), body.scale.unwrap_or(1.0))? * body.units.unwrap_or(Unit::M).metres())
+}
+
+fn tolerance(body: &BodySpec, place: &str) -> Result<Option<f64>, Error> {
+    body.tolerance.map(|length| positive(&format!("{place}.tolerance"), length)).transpose()
+}
+
+/// Corners of convex parts, m, and what is to be said about them.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Parts {
+    parts: Vec<Vec<[f64; 3]>>,
+    notes: Vec<String>,
+}
+
+fn of_file(path: &Path, body: &BodySpec, place: &str) -> Result<Parts, Error> {
+    let size = (scale(body, place)?, tolerance(body, place)?);
+    let bytes = bytes_of(path)?;
+    let key = key(&bytes, size);
+    let kept = path.with_file_name(format!(
+        "{}.{}.parts.json",
+        path.file_name().unwrap_or_default().to_string_lossy(),
+        &key[..8]
+    ));
+    if let Some(parts) = kept_parts(&kept, &key) {
+        return Ok(parts);
+    }
+    let parts = parts_of(&mesh_from(path, &bytes)?, size).map_err(|e| e.in_file(path))?;
+    if parts.parts.len() > 1 {
+        keep(&kept, &key, &parts);
+    }
+    Ok(parts)
+}
+
+/// The convex parts of a mesh, scaled to metres.
+fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Result<Parts, Error> {
+    let scaled =
+        TriangleMesh { vertices: mesh.vertices.iter().map(|v| v * scale).collect(), triangles: mesh.triangles.clone() };
+    let numbers: Vec<f64> = scaled.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+    coordinates("", &numbers)?;
+    let (pieces, faults) = pieces(&scaled);
+    if pieces.is_empty() {
+        return Err(Error::invalid("", "found no triangle with an area, expected at least one"));
+    }
+    if pieces.len() > MOST_PIECES {
+        let problem =
+            format!("found {} pieces that do not hang together, expected at most {MOST_PIECES}", pieces.len());
+        return Err(Error::invalid("", format!("{problem}; join equal corners of neighbours, or take fewer pieces")));
+    }
+    let whole = largest_side(&scaled.vertices);
+    let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
+    let parts: Vec<ConvexParts> = pieces
+        .par_iter()
+        .map(|piece| {
+            let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
+            convex_parts(piece, tolerance.unwrap_or(usual), most)
+        })
+        .collect();
+    let mut notes = faults.notes();
+    notes.extend(told(&scaled, &pieces, &parts));
+    let corners = parts.iter().flat_map(|p| &p.bodies).map(|b| b.vertices().iter().map(|v| [v.x, v.y, v.z]).collect());
+    Ok(Parts { parts: corners.collect(), notes })
+}
+
+fn extent(piece: &Piece) -> f64 {
+    let corners: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
+    largest_side(&corners)
+}
+
+fn largest_side(points: &[Point]) -> f64 {
+    let aabb = Aabb::around(points);
+    (aabb.max - aabb.min).amax()
+}
+
+/// How the parts stand for the mesh; nothing where it is one convex body.
+fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<String> {
+    let count: usize = parts.iter().map(|p| p.bodies.len()).sum();
+    let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
+    if count == 1 && reach == 0.0 {
+        return None;
+    }
+    let solid: f64 = pieces.iter().filter_map(|p| p.volume).sum();
+    let of_solids = pieces.iter().zip(parts).filter(|(piece, _)| piece.volume.is_some());
+    let filled: f64 = of_solids.flat_map(|(_, p)| &p.bodies).map(|b| b.volume()).sum();
+    let more = (filled - solid).max(0.0);
+    let beyond = if reach == 0.0 {
+        "which fill it exactly".to_string()
+    } else if more > EXACT_VOLUME * solid {
+        format!("which reach at most {:.1} mm beyond it and hold {:.3} m³ more (of {solid:.3} m³)", 1e3 * reach, more)
+    } else {
+        format!("which reach at most {:.1} mm beyond it", 1e3 * reach)
+    };
+    Some(format!("{} triangles in {count} convex parts, {beyond}", mesh.triangles.len()))
+}
+
+/// What the file of kept parts holds. The sum tells whether it is whole.
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    key: String,
+    sum: String,
+    #[serde(flatten)]
+    parts: Parts,
+}
+
+/// Identifies a decomposition: the mesh, what was asked, and the way it is done.
+fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
+    const METHOD: &str = "convex parts 1";
+    let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
+    hex(&[asked.as_bytes(), bytes])
+}
+
+fn hex(pieces: &[&[u8]]) -> String {
+    let mut hash = Sha256::new();
+    pieces.iter().for_each(|piece| hash.update(piece));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn sum(parts: &Parts) -> String {
+    hex(&[serde_json::to_string(parts).expect("parts are finite").as_bytes()])
+}
+
+/// Parts kept beside a file; none if there are none, or not these, or they were changed.
+fn kept_parts(path: &Path, key: &str) -> Option<Parts> {
+    let kept: Kept = serde_json::from_slice(&read_bytes_at_most(path, MOST_MESH_BYTES).ok()?).ok()?;
+    (kept.key == key && kept.sum == sum(&kept.parts)).then_some(kept.parts)
+}
+
+/// Keeps parts beside a file. A folder that cannot be written only costs the time of finding them again.
+fn keep(path: &Path, key: &str, parts: &Parts) {
+    let kept = Kept { key: key.to_string(), sum: sum(parts), parts: parts.clone() };
+    let text = serde_json::to_string(&kept).expect("parts are finite");
+    let _ = write_atomically(path, text.as_bytes());
+}
