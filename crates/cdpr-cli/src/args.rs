@@ -48,9 +48,15 @@ pub enum Command {
   cdpr post hall.toml waypoints.csv --post taut -o taut.json
   cdpr post hall.toml path.json --step 0.02 --repeats 5 -o shorter.csv")]
     Post(PostArgs),
-    /// Write a commented starter scene that plans.
-    #[command(after_help = "Example:
-  cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html")]
+    /// Write a commented scene that plans: a small one to start from, or one around your own robot and meshes.
+    ///
+    /// With --robot the box is that of outlets and meshes, down to the floor; start and goal are found where none are given:
+    /// far apart, with something in the way. If the robot has a mass and tension limits, its cables must be able to
+    /// hold it all along.
+    #[command(after_help = "Examples:
+  cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html
+  cdpr new hall.toml --robot cogiro.toml --obstacle machine.stl
+  cdpr new hall.toml --robot cogiro.toml --obstacle press.obj rack.stl --units mm --start -4 0 1")]
     New(NewArgs),
     /// Make a robot file from a robot of another program.
     ///
@@ -275,6 +281,21 @@ pub struct NewArgs {
     /// File to write; standard output if none is given.
     #[arg(value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
+    /// Robot file.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub robot: Option<PathBuf>,
+    /// Meshes of obstacles (.stl or .obj), in world coordinates.
+    #[arg(long, value_name = "MESH", num_args = 1.., requires = "robot", value_hint = ValueHint::FilePath)]
+    pub obstacle: Vec<PathBuf>,
+    /// Unit of the meshes.
+    #[arg(long, value_parser = choice::<Unit>(), requires = "obstacle", default_value = Unit::M.name())]
+    pub units: Unit,
+    /// Start, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, requires = "robot")]
+    pub start: Option<Vec<f64>>,
+    /// Goal, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, requires = "robot")]
+    pub goal: Option<Vec<f64>>,
     /// Overwrite an existing file.
     #[arg(long)]
     pub force: bool,

@@ -466,3 +466,41 @@ fn an_imported_robot_is_planned_around_an_obstacle_from_a_mesh() {
     assert_eq!(status(&wrong), 2);
     assert!(stderr(&wrong).contains("original, with_rotating_pulleys, gazebo_sim"), "{}", stderr(&wrong));
 }
+
+/// A table with a wall on it, in millimetres.
+const MACHINE: &str = "\
+v -1500 -2000 0\nv 1500 -2000 0\nv 1500 2000 0\nv -1500 2000 0\n\
+v -1500 -2000 400\nv 1500 -2000 400\nv 1500 2000 400\nv -1500 2000 400\n\
+f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n\
+v 600 -1500 400\nv 1200 -1500 400\nv 1200 1500 400\nv 600 1500 400\n\
+v 600 -1500 2600\nv 1200 -1500 2600\nv 1200 1500 2600\nv 600 1500 2600\n\
+f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+
+#[test]
+fn a_new_scene_around_ones_own_robot_and_mesh_plans() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("parts")).unwrap();
+    std::fs::write(folder.path().join("parts/machine.obj"), MACHINE).unwrap();
+    let import = ["import", &testdata("caspr/CoGiRo"), "-o", "parts/cogiro.toml"];
+    assert_eq!(status(&cdpr_in(folder.path(), &import)), 0);
+    let files = ["--robot", "parts/cogiro.toml", "--obstacle", "parts/machine.obj", "--units", "mm"];
+    let made = cdpr_in(folder.path(), &[&["new", "hall.toml"], &files[..]].concat());
+    assert_eq!(status(&made), 0, "{}", stderr(&made));
+    let text = std::fs::read_to_string(folder.path().join("hall.toml")).unwrap();
+    for line in ["robot = \"parts/cogiro.toml\"", "mesh = \"parts/machine.obj\"", "units = \"mm\"", "[wrench]"] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    let found = json(&cdpr_in(folder.path(), &["plan", "hall.toml", "--format", "json", "-o", "path.json"]));
+    assert_eq!(found["status"], "solved");
+    assert!(found["waypoints"].as_array().unwrap().len() > 2, "something is in the way");
+    let checked = json(&cdpr_in(folder.path(), &["check", "hall.toml", "path.json", "--format", "json"]));
+    assert_eq!(checked["valid"], true);
+
+    let end = ["--start", "-4", "0", "1"];
+    let made = cdpr_in(folder.path(), &[&["new", "--format", "json"], &files[..], &end].concat());
+    assert_eq!(json(&made)["query"]["start"], serde_json::json!([-4.0, 0.0, 1.0]));
+    let made = cdpr_in(folder.path(), &["new", "--obstacle", "parts/machine.obj"]);
+    assert!(status(&made) == 2 && stderr(&made).contains("--robot"), "{}", stderr(&made));
+    let made = cdpr_in(folder.path(), &["new", "x.toml", "--robot", "nowhere.toml"]);
+    assert!(status(&made) == 2 && stderr(&made).contains("nowhere.toml") && !folder.path().join("x.toml").exists());
+}

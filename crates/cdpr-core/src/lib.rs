@@ -6,8 +6,9 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`], [`regions`], [`view`],
-//! [`report`], [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by examples and tests.
+//! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
+//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by
+//! examples and tests.
 
 pub mod batch;
 pub mod choice;
@@ -21,6 +22,7 @@ pub mod numerics;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
+pub mod proposal;
 pub mod regions;
 pub mod report;
 pub mod survey;

@@ -1,38 +1,69 @@
 //! `cdpr new`
 
+use std::path::Path;
+
+use cdpr_core::geometry::Point;
 use cdpr_core::io::text::Notation;
-use cdpr_core::{Error, io};
+use cdpr_core::io::{Starter, starter_scene, starter_text};
+use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
-use crate::output::{result, say};
+use crate::output::{position, result, say};
+use crate::progress::with_sign_of_life;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
 
 pub fn run(args: &NewArgs) -> Result<Answer, Error> {
-    let json = || {
-        io::scene_from_text(STARTER, Notation::Toml, None)
-            .map(|scene| format!("{:#}\n", serde_json::json!(scene.spec())))
-    };
     let Some(path) = &args.output else {
-        result(
-            match args.format {
-                Format::Text => STARTER.to_string(),
-                Format::Json => json()?,
-            }
-            .trim_end(),
-        );
+        let notation = match args.format {
+            Format::Text => Notation::Toml,
+            Format::Json => Notation::Json,
+        };
+        result(text(args, notation, Path::new("scene.toml"))?.trim_end());
         return Ok(Answer::Yes);
     };
-    let text = match Notation::of(path)? {
-        Notation::Toml => STARTER.to_string(),
-        Notation::Json => json()?,
-    };
+    let notation = Notation::of(path)?;
     if path.exists() && !args.force {
         return Err(Error::file(path, "exists already; choose another name, or overwrite it with --force"));
     }
-    io::write_atomically(path, text.as_bytes())?;
+    io::write_atomically(path, text(args, notation, path)?.as_bytes())?;
     say(&format!("wrote {}", path.display()));
     say(&format!("next: cdpr plan {} -o path.json --html view.html", path.display()));
     Ok(Answer::Yes)
+}
+
+/// The scene as a file of this name.
+fn text(args: &NewArgs, notation: Notation, path: &Path) -> Result<String, Error> {
+    let Some(robot) = &args.robot else { return example(notation) };
+    let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
+    let starter = Starter {
+        robot: robot.clone(),
+        obstacles: args.obstacle.clone(),
+        units: args.units,
+        start: end(&args.start),
+        goal: end(&args.goal),
+    };
+    let (spec, scene) =
+        with_sign_of_life("looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
+    tell(&scene);
+    starter_text(&spec, notation)
+}
+
+fn example(notation: Notation) -> Result<String, Error> {
+    match notation {
+        Notation::Toml => Ok(STARTER.to_string()),
+        Notation::Json => {
+            let scene = io::scene_from_text(STARTER, Notation::Toml, None)?;
+            Ok(format!("{:#}\n", serde_json::json!(scene.spec())))
+        }
+    }
+}
+
+fn tell(scene: &Scene) {
+    scene.notes().iter().for_each(|note| say(&format!("note: {note}")));
+    match (scene.start(), scene.goal()) {
+        (Some(start), Some(goal)) => say(&format!("asks for a path from {} to {}", position(&start), position(&goal))),
+        _ => say("note: no two positions with a path between them were found; add yours under [query]"),
+    }
 }

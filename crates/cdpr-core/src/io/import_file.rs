@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::text::{Notation, shown, write_atomically};
+use super::text::{Notation, relative, shown, write_atomically};
 use super::{caspr, gazebo, mesh_bodies};
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, PolytopeError};
@@ -103,20 +103,17 @@ pub fn check_robot_name(path: &Path) -> Result<(), Error> {
     Notation::of(path).map(drop)
 }
 
-/// Writes an imported robot as a robot file, by extension; in TOML its origin and notes stand above it. A mesh in the
-/// same folder, or below it, is named relative to the file.
+/// Writes an imported robot as a robot file, by extension; in TOML its origin and notes stand above it. A mesh is
+/// named relative to the file.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written.
 pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
     let notation = Notation::of(path)?;
     let mut imported = imported.clone();
-    let folder = std::path::absolute(path).ok().and_then(|p| p.parent().map(Path::to_path_buf));
     for body in &mut imported.robot.platform {
-        if let (Some(MeshSource::File(mesh)), Some(folder)) = (&mut body.mesh, &folder)
-            && let Ok(near) = Path::new(mesh).strip_prefix(folder)
-        {
-            *mesh = near.to_string_lossy().into_owned();
+        if let Some(MeshSource::File(mesh)) = &mut body.mesh {
+            *mesh = relative(Path::new(mesh), path)?;
         }
     }
     let text = match notation {

@@ -104,6 +104,15 @@ fn with_suggestion(message: &str) -> String {
     }
 }
 
+/// A file as another file names it, relative to its folder.
+pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
+    let absolute =
+        |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("no such place: {e}")));
+    let (file, output) = (absolute(file)?, absolute(output)?);
+    let near = output.parent().and_then(|folder| pathdiff::diff_paths(&file, folder)).unwrap_or(file);
+    Ok(near.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/"))
+}
+
 /// Writes a file whole or not at all: beside it first, then renamed over it.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
     let mut file = temporary_beside(path)?;

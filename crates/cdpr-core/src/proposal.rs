@@ -1,0 +1,84 @@
+//! What a new scene could be: a box around robot and obstacles, and a question that is worth asking.
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use crate::collision::{Checker, Engine, Interference};
+use crate::error::Error;
+use crate::geometry::{Aabb, Point};
+use crate::model::Scene;
+use crate::plan::{PlanOptions, engine_for, plan_with};
+use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
+
+/// Positions drawn in search of valid ones.
+const DRAWN: usize = 5_000;
+/// Valid positions that are looked at in pairs.
+const PLACES: usize = 40;
+/// Pairs that a path is searched between.
+const TRIALS: usize = 12;
+/// Samples of such a search.
+const SAMPLES: usize = 2_000;
+
+/// The box of a new scene: around outlets and obstacles, and down to the floor, z = 0, where all of them are above it.
+///
+/// # Example
+/// ```
+/// let box_ = cdpr_core::proposal::workspace(&cdpr_core::testing::hard1());
+/// assert_eq!((box_.min.z, box_.max.z), (0.0, 2.0));
+/// ```
+pub fn workspace(scene: &Scene) -> Aabb {
+    let outlets = scene.robot().cables().iter().map(|cable| cable.outlet);
+    let corners = scene.obstacles().iter().flat_map(|o| &o.parts).flat_map(|part| part.vertices().iter().copied());
+    let mut whole = Aabb::around(&outlets.chain(corners).collect::<Vec<_>>());
+    whole.min.z = whole.min.z.min(0.0);
+    whole
+}
+
+/// A start and a goal in whole centimetres between which a path exists: far apart, and the path as much longer than the
+/// straight line as was found. An end that the scene has is kept. None if none was found.
+///
+/// # Errors
+/// As [`engine_for`]; [`Error::interrupted`].
+pub fn query(scene: &Scene, interrupted: &dyn Fn() -> bool) -> Result<Option<[Point; 2]>, Error> {
+    let engine = engine_for(scene, Engine::default(), Interference::default())?;
+    let places = valid_places(&*engine, interrupted)?;
+    let ends = |given: Option<Point>| given.map_or(places.clone(), |end| vec![end]);
+    let goals = ends(scene.goal());
+    let pairs = ends(scene.start()).into_iter().flat_map(|start| goals.iter().map(move |goal| [start, *goal]));
+    let mut pairs: Vec<(bool, f64, [Point; 2])> =
+        pairs.map(|[a, b]| (engine.motion_valid(&a, &b), (b - a).norm(), [a, b])).collect();
+    pairs.sort_by(|(free, length, _), (other_free, other, _)| free.cmp(other_free).then(other.total_cmp(length)));
+    let settings = PlannerSettings { max_samples: Some(SAMPLES), ..PlannerSettings::default() };
+    let planner = PlannerOptions::new(Planner::RrtConnect, PlanOptions::default().step, &settings)?;
+    let mut best: Option<(f64, [Point; 2])> = None;
+    for (_, straight, [start, goal]) in pairs.into_iter().take(TRIALS) {
+        let options =
+            PlanOptions { planner: planner.clone(), start: Some(start), goal: Some(goal), ..PlanOptions::default() };
+        let found = plan_with(&*engine, scene, &options, interrupted)?;
+        let detour = found.cost / straight;
+        if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
+            best = Some((detour, [start, goal]));
+        }
+    }
+    Ok(best.map(|(_, ends)| ends))
+}
+
+fn valid_places(engine: &dyn Checker, interrupted: &dyn Fn() -> bool) -> Result<Vec<Point>, Error> {
+    let space = TranslationSpace::of(engine.constraints());
+    let mut rng = ChaCha8Rng::seed_from_u64(0);
+    let mut places = Vec::new();
+    for _ in 0..DRAWN {
+        if interrupted() {
+            return Err(Error::interrupted());
+        }
+        let Some(place) = space.sample(&mut rng) else { break };
+        let place = place.map(|x| (x * 100.0).round() / 100.0);
+        if engine.state_valid(&place) {
+            places.push(place);
+        }
+        if places.len() == PLACES {
+            break;
+        }
+    }
+    Ok(places)
+}
