@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::scene_file::Format as FileFormat;
-use cdpr_core::model::Unit;
+use cdpr_core::model::{OrientationSource, Unit};
 use cdpr_core::plan::{PlanOptions, Post, Processing};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{RegionOptions, Space};
-use cdpr_core::{Choice, Error};
+use cdpr_core::{Choice, Error, Scene, io};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
@@ -31,6 +31,7 @@ pub enum Command {
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
   cdpr plan hall.toml --budget-ms 100
+  cdpr plan hall.toml --orientation tilted -o path.json
   cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
@@ -144,9 +145,33 @@ pub struct SceneArgs {
     /// Scene file (.toml or .json).
     #[arg(value_hint = ValueHint::FilePath)]
     pub scene: PathBuf,
+    /// How the platform is turned: one of the scene's orientations by name, or a unit quaternion W,X,Y,Z. Otherwise as the
+    /// scene says; if it names several, `plan` takes the one with the shortest path, `check` and others that of the path.
+    #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
+    pub orientation: Option<OrientationSource>,
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+impl SceneArgs {
+    /// The scene, turned as asked for.
+    pub fn load(&self) -> Result<Scene, Error> {
+        let scene = io::load_scene(&self.scene)?;
+        match &self.orientation {
+            Some(orientation) => scene.turned(orientation.clone()).map_err(|e| e.in_file(&self.scene)),
+            None => Ok(scene),
+        }
+    }
+}
+
+/// Four numbers are a quaternion, anything else is a name.
+fn orientation(text: &str) -> Result<OrientationSource, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    Ok(match numbers.ok().and_then(|numbers| <[f64; 4]>::try_from(numbers).ok()) {
+        Some(quaternion) => OrientationSource::Quaternion(quaternion),
+        None => OrientationSource::Named(text.to_string()),
+    })
 }
 
 #[derive(Debug, Args)]

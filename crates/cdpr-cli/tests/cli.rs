@@ -504,3 +504,56 @@ fn a_new_scene_around_ones_own_robot_and_mesh_plans() {
     let made = cdpr_in(folder.path(), &["new", "x.toml", "--robot", "nowhere.toml"]);
     assert!(status(&made) == 2 && stderr(&made).contains("nowhere.toml") && !folder.path().join("x.toml").exists());
 }
+
+/// A plank that passes the slot of a wall lengthwise only.
+const SLOT: &str = r#"
+version = 1
+orientations = [{ name = "across", rpy = [0, 0, 1.5707963267948966] }, { name = "along" }]
+workspace = { min = [0, 0, 0], max = [2, 2, 2] }
+query = { start = [0.45, 1, 0.5], goal = [1.55, 1, 0.5] }
+obstacles = [
+    { name = "left", box = [0.1, 0.75, 2], position = [1, 0.375, 1] },
+    { name = "right", box = [0.1, 0.75, 2], position = [1, 1.625, 1] },
+]
+[robot]
+platform = [{ box = [0.8, 0.05, 0.05] }]
+cables = [{ outlet = [0, 1, 2], attachment = [-0.4, 0, 0.025] }, { outlet = [2, 1, 2], attachment = [0.4, 0, 0.025] }]
+"#;
+
+#[test]
+fn every_command_takes_an_orientation_and_plan_chooses_one() {
+    let folder = folder();
+    std::fs::write(folder.path().join("slot.toml"), SLOT).unwrap();
+    let run = |arguments: &[&str]| cdpr_in(folder.path(), arguments);
+    let found = run(&["plan", "slot.toml", "-o", "path.json", "--html", "view.html"]);
+    assert!(stdout(&found).contains("at \"along\"") && stdout(&found).contains("solved: 1.1 m"), "{}", stdout(&found));
+    let path = std::fs::read_to_string(folder.path().join("path.json")).unwrap();
+    assert!(path.contains("\"orientation_name\": \"along\""), "{path}");
+    assert!(std::fs::read_to_string(folder.path().join("view.html")).unwrap().contains("\"orientation\":[1.0,"));
+    // Without a word the path's orientation counts, otherwise the one that was told.
+    assert_eq!(status(&run(&["check", "slot.toml", "path.json"])), 0);
+    let refused = run(&["check", "slot.toml", "path.json", "--orientation", "across"]);
+    assert!(
+        status(&refused) == 2 && stderr(&refused).contains("path.json: orientation: found [1.0"),
+        "{}",
+        stderr(&refused)
+    );
+    std::fs::write(folder.path().join("path.csv"), "x,y,z\n0.45,1,0.5\n1.55,1,0.5\n").unwrap();
+    for (orientation, expected) in [("across", 1), ("along", 0), ("1,0,0,0", 0), ("-0.707106781,0,0,-0.707106781", 1)] {
+        let checked = run(&["check", "slot.toml", "path.csv", "--orientation", orientation]);
+        assert_eq!(status(&checked), expected, "{orientation}: {}", stderr(&checked));
+    }
+    let unknown = run(&["plan", "slot.toml", "--orientation", "acros"]);
+    assert!(status(&unknown) == 2 && stderr(&unknown).contains("did you mean \"across\"?"), "{}", stderr(&unknown));
+
+    let info = json(&run(&["info", "slot.toml", "--orientation", "along", "--format", "json"]));
+    assert_eq!((&info["orientation_name"], &info["orientations"][1]), (&"along".into(), &"along".into()));
+    let size = |orientation: &str| {
+        let arguments =
+            ["shadows", "slot.toml", "-o", "s.obj", "--all", "--format", "json", "--orientation", orientation];
+        let regions = json(&run(&arguments));
+        let meshes = regions["meshes"].as_array().unwrap().clone();
+        meshes.iter().find(|mesh| mesh["kind"] == "platform-obstacle").unwrap()["volume"].as_f64().unwrap()
+    };
+    assert!(size("across") != size("along"));
+}

@@ -24,7 +24,9 @@ pub use experiment_file::{experiment_from_text, load_experiment};
 pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
-pub use path_file::{LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path};
+pub use path_file::{
+    LoadedPath, PathFile, check_path_name, load_path_of, load_waypoints, path_json, plan_json, save_path,
+};
 pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};
 pub use starter_file::{Starter, starter_scene, starter_text};

@@ -8,6 +8,6 @@ pub mod spec;
 pub use robot::{Cable, Robot};
 pub use scene::{GRAVITY, Member, Obstacle, Scene};
 pub use spec::{
-    BodySpec, CableSpec, MarginSpec, MeshSource, MeshSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec,
-    SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableSpec, MarginSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PrismSpec, QuerySpec,
+    RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };

@@ -56,6 +56,9 @@ pub const GRAZING: f64 = 1e-10;
 /// How far the length of an orientation quaternion may be from 1.
 pub const UNIT_QUATERNION: f64 = 1e-6;
 
+/// Orientations that differ by less, rad, are one and the same: far above rounding, far below any encoder.
+pub const SAME_TURN: f64 = 1e-9;
+
 /// Coplanarity of hull vertices relative to the size of the body: input typed with rounding still has its faces.
 pub const COPLANAR_RELATIVE: f64 = 1e-10;
 

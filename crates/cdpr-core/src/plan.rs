@@ -1,5 +1,7 @@
 //! The whole answer to a planning question: engine, planner, rewinding, and a last check of the path.
 
+mod choosing;
+
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -19,6 +21,8 @@ use crate::planning::{
 };
 use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
+
+pub use choosing::{Planned, plan_choosing};
 
 /// What is done to a planner's path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -226,7 +230,7 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result
     Ok(CheckReport { path: check_path(engine, waypoints), wrench: path_wrench(&measures(scene)?, waypoints)? })
 }
 
-/// Plans the query of a scene.
+/// Plans the query of a scene at the scene's orientation; [`plan_choosing`] chooses one where the scene leaves it open.
 ///
 /// # Errors
 /// A scene without start or goal where the options give none, bad options, [`Error::interrupted`].

@@ -28,6 +28,12 @@ pub struct Survey {
     pub obstacles: usize,
     /// Their convex parts.
     pub obstacle_parts: usize,
+    /// World-from-platform quaternion of this survey, w x y z.
+    pub orientation: [f64; 4],
+    /// Its name, if it has one.
+    pub orientation_name: Option<String>,
+    /// Names of the scene's orientations.
+    pub orientations: Vec<String>,
     /// Smallest and largest position at which the platform is inside the workspace, m; none if it does not fit.
     pub position_box: Option<[[f64; 3]; 2]>,
     /// Least and largest rank of the wrench matrix over sampled positions.
@@ -77,6 +83,7 @@ pub fn survey(scene: &Scene) -> Result<Survey, Error> {
         .filter_map(|p| wrench_matrix(scene.robot(), scene.orientation(), p).ok())
         .map(|w| rank(&w));
     let ranks: Vec<usize> = ranks.collect();
+    let turn = scene.orientation();
     let at = |p: Option<Point>| p.and_then(|p| engine.explain(&p, &p));
     Ok(Survey {
         name: scene.name().to_string(),
@@ -85,6 +92,9 @@ pub fn survey(scene: &Scene) -> Result<Survey, Error> {
         platform_parts: scene.robot().parts().len(),
         obstacles: scene.obstacles().len(),
         obstacle_parts: scene.obstacles().iter().map(|o| o.parts.len()).sum(),
+        orientation: [turn.w, turn.i, turn.j, turn.k],
+        orientation_name: scene.orientation_name().map(str::to_string),
+        orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
         wrench_rank: ranks.iter().min().zip(ranks.iter().max()).map(|(low, high)| [*low, *high]),
         sharing_pairs: sharing_pairs(scene),

@@ -43,6 +43,7 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         gravity: None,
         clearance: None,
         ignore: Vec::new(),
+        orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] },
         robot: RobotSource::Inline(paper_robot()),
         obstacles,

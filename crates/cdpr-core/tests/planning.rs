@@ -152,7 +152,7 @@ fn bad_questions_are_errors() {
 fn a_goal_in_free_space_behind_a_turned_platform_is_planned() {
     let mut spec = hard1().spec().clone();
     let half = std::f64::consts::FRAC_PI_8;
-    let turned = Some([half.cos(), 0.0, 0.0, half.sin()]);
+    let turned = Some([half.cos(), 0.0, 0.0, half.sin()].into());
     spec.query = Some(QuerySpec { orientation: turned, ..spec.query.unwrap() });
     let scene = scene(spec);
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();

@@ -10,8 +10,7 @@ use crate::args::{Format, PathArgs};
 use crate::output::{count, result, say_notes, scene_line, short, thousandths};
 
 pub fn run(args: &PathArgs) -> Result<Answer, Error> {
-    let scene = io::load_scene(&args.scene.scene)?;
-    let path = io::load_waypoints(&args.path, Some(&scene))?;
+    let (scene, path) = io::load_path_of(&args.scene.load()?, &args.path)?;
     let engine =
         engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     say_notes(engine.constraints());

@@ -1,14 +1,14 @@
 //! `cdpr info`
 
+use cdpr_core::Error;
 use cdpr_core::survey::{Survey, survey};
-use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
 use crate::output::{count, result, scene_line, short};
 
 pub fn run(args: &SceneArgs) -> Result<Answer, Error> {
-    let scene = io::load_scene(&args.scene)?;
+    let scene = args.load()?;
     let survey = survey(&scene).map_err(|e| e.in_file(&args.scene))?;
     match args.format {
         Format::Json => result(&format!("{:#}", serde_json::json!(survey))),
@@ -22,6 +22,10 @@ pub fn run(args: &SceneArgs) -> Result<Answer, Error> {
 
 fn lines(s: &Survey) -> Vec<String> {
     let mut lines = vec![format!("parts: platform {}, obstacles {}", s.platform_parts, s.obstacle_parts)];
+    if !s.orientations.is_empty() {
+        let this = s.orientation_name.as_ref().map_or(format!("{:?}", s.orientation), |name| name.to_string());
+        lines.push(format!("orientations: {}; what follows is at {this}", s.orientations.join(", ")));
+    }
     let xyz = |p: &[f64; 3]| p.map(short).join(", ");
     lines.push(match &s.position_box {
         Some([min, max]) => format!("positions: from ({}) to ({}) m", xyz(min), xyz(max)),

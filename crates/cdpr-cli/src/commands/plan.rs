@@ -3,7 +3,7 @@
 use cdpr_core::collision::Checker;
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, engine_for, lower_bound, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Planned, Post, lower_bound, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench::{measures, path_wrench};
@@ -17,12 +17,12 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_path_name).transpose()?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    let scene = io::load_scene(&args.scene.scene)?;
+    let scene = args.scene.load()?;
     let options = args.options()?;
-    let engine = engine_for(&scene, options.engine, options.interference).map_err(|e| e.in_file(&args.scene.scene))?;
+    let in_scene = |e: Error| e.in_file(&args.scene.scene);
+    let search = |stop: &dyn Fn() -> bool| plan_choosing(&scene, &options, stop, &|_, _, _| {});
+    let Planned { scene, engine, result: found } = with_sign_of_life("searching", search).map_err(in_scene)?;
     say_notes(engine.constraints());
-    let found = with_sign_of_life("searching", |stop| plan(&scene, &options, stop))
-        .map_err(|e| e.in_file(&args.scene.scene))?;
     let nearest = min_clearance(&*engine, &found.waypoints);
     let wrench = path_wrench(&measures(&scene)?, &found.waypoints)?;
     let bound = bound(&*engine, &found);
@@ -90,7 +90,9 @@ fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
 
 fn question(scene: &Scene, options: &PlanOptions) -> String {
     let end = |given: Option<Point>, own: Option<Point>| given.or(own).map_or("?".to_string(), |p| position(&p));
-    format!("{}; from {} to {}", scene_line(scene), end(options.start, scene.start()), end(options.goal, scene.goal()))
+    let ends = [end(options.start, scene.start()), end(options.goal, scene.goal())];
+    let turned = scene.orientation_name().map_or(String::new(), |name| format!(", at \"{name}\""));
+    format!("{}; from {} to {}{turned}", scene_line(scene), ends[0], ends[1])
 }
 
 fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {

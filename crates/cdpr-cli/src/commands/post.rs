@@ -12,8 +12,7 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &PostArgs) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_path_name).transpose()?;
     let given = &args.path;
-    let scene = io::load_scene(&given.scene.scene)?;
-    let path = io::load_waypoints(&given.path, Some(&scene))?;
+    let (scene, path) = io::load_path_of(&given.scene.load()?, &given.path)?;
     let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
     say_notes(engine.constraints());

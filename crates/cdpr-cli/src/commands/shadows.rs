@@ -3,7 +3,7 @@
 use cdpr_core::collision::Constraints;
 use cdpr_core::io::{RegionFormat, save_regions};
 use cdpr_core::regions::{NamedMesh, Regions, regions};
-use cdpr_core::{Choice, Error, Scene, io};
+use cdpr_core::{Choice, Error, Scene};
 use serde_json::json;
 
 use crate::Answer;
@@ -12,7 +12,7 @@ use crate::output::{count, result, say, say_notes, scene_line};
 
 pub fn run(args: &ShadowsArgs) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;
-    let scene = io::load_scene(&args.scene.scene)?;
+    let scene = args.scene.load()?;
     let found = regions(&scene, &args.options()).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
         say_notes(&Constraints::new(&scene)?);

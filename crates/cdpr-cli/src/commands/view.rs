@@ -14,15 +14,15 @@ use crate::output::{result, say};
 
 pub fn run(args: &ViewArgs) -> Result<Answer, Error> {
     check_page_name(&args.output)?;
-    let scene = io::load_scene(&args.scene.scene)?;
-    let (shown, violations) = match &args.path {
-        None => (None, Vec::new()),
+    let scene = args.scene.load()?;
+    let (scene, shown, violations) = match &args.path {
+        None => (scene, None, Vec::new()),
         Some(path) => {
-            let loaded = io::load_waypoints(path, Some(&scene))?;
+            let (scene, loaded) = io::load_path_of(&scene, path)?;
             let engine = engine_for(&scene, args.checker.engine, args.checker.interference)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
             let report = check_path(&*engine, &loaded.waypoints);
-            (Some(shown(loaded, report.length)), report.violations)
+            (scene, Some(shown(loaded, report.length)), report.violations)
         }
     };
     io::write_atomically(&args.output, page(&scene, shown.as_ref(), &violations).as_bytes())?;

@@ -1,5 +1,7 @@
 //! `cdpr wrench`
 
+use std::path::Path;
+
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
@@ -15,21 +17,39 @@ use crate::output::{position, result, say, scene_line, thousandths};
 use crate::progress::{interrupted, with_sign_of_life};
 
 pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
-    let scene = io::load_scene(&args.scene.scene)?;
-    let in_scene = |e: Error| e.in_file(&args.scene.scene);
-    let statics = Statics::new(scene.robot(), &Loads::of(&scene)).map_err(in_scene)?;
-    let required = constraint::required_of(&scene, args.force, args.moment)?;
-    if let Some(at) = &args.at {
-        let report = wrench_at(&statics, &required, &Point::from_slice(at)).map_err(in_scene)?;
-        return Ok(tell(args, &scene, &statics, &report));
+    let scene = args.scene.load()?;
+    match (&args.at, args.grid, &args.along) {
+        (Some(at), _, _) => at_position(args, &scene, &Point::from_slice(at)),
+        (_, Some(step), _) => map(args, &scene, step),
+        (_, _, path) => along(args, &scene, path.as_deref().expect("clap asks for one of the three")),
     }
-    if let Some(step) = args.grid {
-        return map(args, &scene, &statics, &required, step);
+}
+
+/// What the cables can produce, and what they must.
+fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error> {
+    let statics = Statics::new(scene.robot(), &Loads::of(scene)).map_err(|e| e.in_file(&args.scene.scene))?;
+    Ok((statics, constraint::required_of(scene, args.force, args.moment)?))
+}
+
+fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point) -> Result<Answer, Error> {
+    let (statics, required) = asked(args, scene)?;
+    let report = wrench_at(&statics, &required, at).map_err(|e| e.in_file(&args.scene.scene))?;
+    match args.scene.format {
+        Format::Json => result(&format!("{:#}", serde_json::json!(report))),
+        Format::Text => {
+            result(&scene_line(scene));
+            report_lines(&statics, &report, &position(at)).iter().for_each(|line| result(line));
+        }
     }
-    let path = args.along.as_deref().expect("clap asks for one of the three");
+    Ok(if report.feasible { Answer::Yes } else { Answer::No })
+}
+
+fn along(args: &WrenchArgs, scene: &Scene, path: &Path) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_tensions_name).transpose()?;
-    let path = io::load_waypoints(path, Some(&scene))?;
-    let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted).map_err(in_scene)?;
+    let (scene, path) = io::load_path_of(scene, path)?;
+    let (statics, required) = asked(args, &scene)?;
+    let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted)
+        .map_err(|e| e.in_file(&args.scene.scene))?;
     let all_balanced = rows.iter().all(|row| row.tensions.is_some());
     if let Some(output) = &args.output {
         io::save_tensions(output, &rows)?;
@@ -41,18 +61,6 @@ pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
         Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| result(line)),
     }
     Ok(if all_balanced { Answer::Yes } else { Answer::No })
-}
-
-fn tell(args: &WrenchArgs, scene: &Scene, statics: &Statics, report: &WrenchReport) -> Answer {
-    match args.scene.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!(report))),
-        Format::Text => {
-            let at = Point::from_slice(args.at.as_deref().unwrap_or_default());
-            result(&scene_line(scene));
-            report_lines(statics, report, &position(&at)).iter().for_each(|line| result(line));
-        }
-    }
-    if report.feasible { Answer::Yes } else { Answer::No }
 }
 
 fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<String> {
@@ -122,7 +130,8 @@ fn summary(scene: &Scene, statics: &Statics, rows: &[TensionRow]) -> Vec<String>
     lines
 }
 
-fn map(args: &WrenchArgs, scene: &Scene, statics: &Statics, required: &Required, step: f64) -> Result<Answer, Error> {
+fn map(args: &WrenchArgs, scene: &Scene, step: f64) -> Result<Answer, Error> {
+    let (statics, required) = asked(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
     io::MapFormat::of(output)?;
     let (min, max) = Constraints::new(scene)?.position_box();
@@ -135,7 +144,7 @@ fn map(args: &WrenchArgs, scene: &Scene, statics: &Statics, required: &Required,
     let options = MapOptions { step, projected: args.projected };
     let map = with_sign_of_life("measuring", |stop| {
         let batch = BatchOptions { threads: None, interrupted: stop };
-        WrenchMap::new(statics, required, &Aabb { min, max }, &options, &batch)
+        WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })?;
     io::save_wrench_map(output, &map)?;
     let found = map.summary();

@@ -9,9 +9,10 @@ use serde_json::{Value, json};
 use super::text::{self, shown};
 use crate::collision::path_check::PathClearance;
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, Rotation};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
+use crate::numerics::SAME_TURN;
 use crate::plan::{PlanOptions, PlanResult};
 use crate::wrench::PathWrench;
 
@@ -24,6 +25,9 @@ pub struct PathFile {
     pub version: Option<u32>,
     /// Positions of the platform's origin, world, m.
     pub waypoints: Vec<[f64; 3]>,
+    /// How the platform is turned all the way, world-from-platform, as a unit quaternion w x y z; none is as in the scene.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<[f64; 4]>,
     /// The scene that the path was planned for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<SceneId>,
@@ -68,6 +72,8 @@ pub fn plan_json(
         "reason": result.reason,
         "cost": finite(result.cost),
         "waypoints": rows(&result.waypoints),
+        "orientation": quaternion(scene.orientation()),
+        "orientation_name": scene.orientation_name(),
         "min_clearance": min_clearance,
         "raw_cost": finite(result.raw_cost),
         "raw_waypoints": rows(&result.raw_waypoints),
@@ -103,7 +109,18 @@ fn options_json(options: &PlanOptions) -> Value {
 /// The JSON of a bare path of a scene.
 pub fn path_json(scene: &Scene, waypoints: &[Point]) -> Value {
     let cost = crate::collision::path_check::path_length(waypoints);
-    json!({ "version": FORMAT_VERSION, "cost": cost, "waypoints": rows(waypoints), "scene": scene_id(scene) })
+    json!({
+        "version": FORMAT_VERSION,
+        "cost": cost,
+        "waypoints": rows(waypoints),
+        "orientation": quaternion(scene.orientation()),
+        "orientation_name": scene.orientation_name(),
+        "scene": scene_id(scene),
+    })
+}
+
+fn quaternion(rotation: &Rotation) -> [f64; 4] {
+    [rotation.w, rotation.i, rotation.j, rotation.k]
 }
 
 fn scene_id(scene: &Scene) -> SceneId {
@@ -163,13 +180,11 @@ pub struct LoadedPath {
 
 /// Loads a path of at least two waypoints from JSON or CSV.
 ///
-/// With `scene`, a file that says it was planned for another scene is refused.
-///
 /// # Errors
 /// Names the file, the key or line, what was found and what was expected.
-pub fn load_waypoints(path: &Path, scene: Option<&Scene>) -> Result<LoadedPath, Error> {
+pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
     let loaded = match path.extension().and_then(|e| e.to_str()) {
-        Some("json") => from_json(path, scene),
+        Some("json") => from_json(path),
         Some("csv") => from_csv(path).map(|waypoints| LoadedPath { waypoints, file: None }),
         other => {
             return Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other))));
@@ -178,23 +193,56 @@ pub fn load_waypoints(path: &Path, scene: Option<&Scene>) -> Result<LoadedPath, 
     loaded.map_err(|e| e.in_file(path))
 }
 
-fn from_json(path: &Path, scene: Option<&Scene>) -> Result<LoadedPath, Error> {
+/// Loads a path of a scene, and gives the scene at the orientation of the path: the scene's own, or, where the scene
+/// leaves it open, the one that the file says.
+///
+/// # Errors
+/// As [`load_waypoints`]; a file that says it was planned for another scene or at another orientation.
+pub fn load_path_of(scene: &Scene, path: &Path) -> Result<(Scene, LoadedPath), Error> {
+    let loaded = load_waypoints(path)?;
+    let scene = match &loaded.file {
+        Some(file) => scene_of(scene, file).map_err(|e| e.in_file(path))?,
+        None => scene.clone(),
+    };
+    Ok((scene, loaded))
+}
+
+/// The scene at the orientation of a path of it.
+fn scene_of(scene: &Scene, file: &PathFile) -> Result<Scene, Error> {
+    let own = match file.orientation {
+        Some(orientation) if !scene.orientation_is_fixed() => scene.turned(orientation.into())?,
+        _ => scene.clone(),
+    };
+    if let Some(found) = file.orientation {
+        let turn = body::unit_quaternion("orientation", found)?;
+        if turn.angle_to(own.orientation()) > SAME_TURN {
+            let expected = quaternion(own.orientation());
+            let problem = format!("found {found:?}, but the scene is at {expected:?}; choose its with --orientation");
+            return Err(Error::invalid("orientation", problem));
+        }
+    }
+    match &file.scene {
+        Some(id) if id.fingerprint != own.fingerprint() => Err(another_scene(&own, id)),
+        _ => Ok(own),
+    }
+}
+
+fn another_scene(scene: &Scene, id: &SceneId) -> Error {
+    let problem = format!(
+        "found a path planned for another scene (\"{}\", {}), expected one for \"{}\" ({}); \
+         plan again, or remove the key \"scene\" from the file to use the path anyway",
+        id.name,
+        id.fingerprint,
+        scene.name(),
+        scene.fingerprint()
+    );
+    Error::invalid("scene", problem)
+}
+
+fn from_json(path: &Path) -> Result<LoadedPath, Error> {
     let file: PathFile = text::parse(&text::read(path)?, text::Notation::Json)?;
     if let Some(version) = file.version.filter(|v| *v != FORMAT_VERSION) {
         return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
-    }
-    if let (Some(scene), Some(id)) = (scene, &file.scene)
-        && id.fingerprint != scene.fingerprint()
-    {
-        let problem = format!(
-            "found a path planned for another scene (\"{}\", {}), expected one for \"{}\" ({}); \
-             plan again, or remove the key \"scene\" from the file to use the path anyway",
-            id.name,
-            id.fingerprint,
-            scene.name(),
-            scene.fingerprint()
-        );
-        return Err(Error::invalid("scene", problem));
     }
     let why =
         file.status.as_deref().filter(|s| *s != "solved").map_or(String::new(), |s| format!(" (its status is {s})"));

@@ -66,6 +66,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         gravity: None,
         clearance: None,
         ignore: Vec::new(),
+        orientations: Vec::new(),
         workspace: WorkspaceSpec { min: whole_world.map(|x| -x), max: whole_world },
         robot: RobotSource::File(relative(&starter.robot, output)?),
         obstacles: obstacles(starter, output)?,

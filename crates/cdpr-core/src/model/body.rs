@@ -106,7 +106,7 @@ pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
         (None, None, Some(prism)) => upright_prism(&format!("{place}.prism"), prism),
         _ => Err(Error::invalid(format!("{place}.mesh"), "found a mesh in place of the convex parts it stands for")),
     }?;
-    let rotation = turn(place, spec)?;
+    let rotation = turn(place, spec.rpy, spec.quaternion)?;
     let position = point(&format!("{place}.position"), spec.position.unwrap_or_default())?;
     let body = shape.transformed(&rotation, &position.coords);
     let numbers: Vec<f64> = body.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
@@ -133,8 +133,9 @@ pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
     }
 }
 
-fn turn(place: &str, spec: &BodySpec) -> Result<Rotation, Error> {
-    match (spec.rpy, spec.quaternion) {
+/// A turn given in one of two ways, or none.
+pub fn turn(place: &str, rpy: Option<[f64; 3]>, quaternion: Option<[f64; 4]>) -> Result<Rotation, Error> {
+    match (rpy, quaternion) {
         (None, None) => Ok(Rotation::identity()),
         (Some(rpy), None) => {
             coordinates(&format!("{place}.rpy"), &rpy)?;

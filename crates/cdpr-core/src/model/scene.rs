@@ -4,11 +4,13 @@ use sha2::{Digest, Sha256};
 
 use super::body;
 use super::robot::Robot;
-use super::spec::{BodySpec, FORMAT_VERSION, RobotSource, SceneSpec, WrenchSpec};
+use super::spec::{
+    BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, QuerySpec, RobotSource, SceneSpec, WrenchSpec,
+};
 use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
-use crate::numerics::ON_SURFACE;
+use crate::numerics::{ON_SURFACE, SAME_TURN};
 
 /// The name that stands for the platform in messages and in `ignore`.
 pub const PLATFORM: &str = "platform";
@@ -45,6 +47,7 @@ pub struct Scene {
     seams: Vec<Seam>,
     workspace: Aabb,
     orientation: Rotation,
+    orientations: Vec<(String, Rotation)>,
     clearance: f64,
     ignored: Vec<(Member, Member)>,
     start: Option<Point>,
@@ -84,8 +87,11 @@ impl Scene {
         let query = spec.query.clone().unwrap_or_default();
         let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
-        let orientation =
-            body::unit_quaternion("query.orientation", query.orientation.unwrap_or([1.0, 0.0, 0.0, 0.0]))?;
+        let orientations = orientations(&spec.orientations)?;
+        let orientation = match &query.orientation {
+            Some(source) => orientation("query.orientation", source, &orientations)?,
+            None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
+        };
         Ok(Scene {
             spec,
             robot,
@@ -93,6 +99,7 @@ impl Scene {
             seams,
             workspace,
             orientation,
+            orientations,
             clearance,
             ignored,
             start,
@@ -144,9 +151,55 @@ impl Scene {
         &self.workspace
     }
 
-    /// World-from-platform rotation of the query.
+    /// World-from-platform rotation: that of the query, else the first of the named ones, else none.
     pub fn orientation(&self) -> &Rotation {
         &self.orientation
+    }
+
+    /// Its name, if it is one of the named ones.
+    pub fn orientation_name(&self) -> Option<&str> {
+        let turn = |other: &Rotation| self.orientation.angle_to(other);
+        self.orientations.iter().find(|(_, other)| turn(other) <= SAME_TURN).map(|(name, _)| name.as_str())
+    }
+
+    /// The named orientations.
+    pub fn orientations(&self) -> &[(String, Rotation)] {
+        &self.orientations
+    }
+
+    /// Whether the scene itself says at which orientation it is meant.
+    pub fn orientation_is_fixed(&self) -> bool {
+        self.orientations.len() == 1 || self.spec.query.as_ref().is_some_and(|query| query.orientation.is_some())
+    }
+
+    /// The same scene at this orientation.
+    ///
+    /// # Errors
+    /// A name that the scene does not have, a quaternion that is not of length 1.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::model::OrientationSource;
+    /// let upside_down = cdpr_core::testing::hard1().turned([0.0, 1.0, 0.0, 0.0].into())?;
+    /// assert!((upside_down.orientation().angle() - std::f64::consts::PI).abs() < 1e-12);
+    /// let unknown = OrientationSource::Named("tilted".to_string());
+    /// assert!(upside_down.turned(unknown).unwrap_err().to_string().contains("found \"tilted\""));
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn turned(&self, source: OrientationSource) -> Result<Scene, Error> {
+        let rotation = orientation("orientation", &source, &self.orientations)?;
+        let mut scene = Scene { orientation: rotation, ..self.clone() };
+        scene.spec.query.get_or_insert_default().orientation = Some(source);
+        Ok(scene)
+    }
+
+    /// The scene at each orientation that a plan may choose from: all named ones if the query says none, else its own.
+    pub fn choices(&self) -> Vec<Scene> {
+        if self.orientation_is_fixed() || self.orientations.is_empty() {
+            return vec![self.clone()];
+        }
+        let names = self.orientations.iter().map(|(name, _)| OrientationSource::Named(name.clone()));
+        names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
     }
 
     /// Least distance to keep, m.
@@ -188,17 +241,51 @@ impl Scene {
         }
     }
 
-    /// Identifies what paths of this scene were planned against: everything but name, start and goal.
+    /// Identifies what paths of this scene were planned against: everything but name, start, goal and the names of
+    /// orientations.
     pub fn fingerprint(&self) -> String {
-        let mut spec = self.spec.clone();
-        spec.name = None;
-        if let Some(query) = &mut spec.query {
-            (query.start, query.goal) = (None, None);
+        let mut spec = SceneSpec { name: None, orientations: Vec::new(), query: None, ..self.spec.clone() };
+        let turn = rounded(&self.orientation);
+        if turn != [1.0, 0.0, 0.0, 0.0] {
+            spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });
         }
-        spec.query = spec.query.filter(|query| query.orientation.is_some());
         let text = serde_json::to_string(&spec).expect("specs of checked scenes are finite");
         Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
     }
+}
+
+/// A rotation in digits that do not depend on how it was given.
+fn rounded(rotation: &Rotation) -> [f64; 4] {
+    let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
+    [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (sign * x / SAME_TURN).round() * SAME_TURN + 0.0)
+}
+
+fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Error> {
+    let mut all: Vec<(String, Rotation)> = Vec::new();
+    for (k, OrientationSpec { name, rpy, quaternion }) in specs.iter().enumerate() {
+        let place = format!("orientations[{k}]");
+        if name.is_empty() || all.iter().any(|(other, _)| other == name) {
+            let problem = format!("found \"{name}\", expected a name that no other orientation has");
+            return Err(Error::invalid(format!("{place}.name"), problem));
+        }
+        all.push((name.clone(), body::turn(&place, *rpy, *quaternion)?));
+    }
+    Ok(all)
+}
+
+fn orientation(place: &str, source: &OrientationSource, known: &[(String, Rotation)]) -> Result<Rotation, Error> {
+    let name = match source {
+        OrientationSource::Quaternion(quaternion) => return body::unit_quaternion(place, *quaternion),
+        OrientationSource::Named(name) => name,
+    };
+    if let Some((_, rotation)) = known.iter().find(|(other, _)| other == name) {
+        return Ok(*rotation);
+    }
+    let names = || known.iter().map(|(name, _)| name.as_str());
+    let all = if known.is_empty() { "none".to_string() } else { names().collect::<Vec<_>>().join(", ") };
+    let hint = nearest_name(name, names()).map(|near| format!("; did you mean \"{near}\"?")).unwrap_or_default();
+    let expected = format!("expected a quaternion [w, x, y, z] or one of the scene's orientations ({all})");
+    Err(Error::invalid(place, format!("found \"{name}\", {expected}{hint}")))
 }
 
 fn workspace(spec: &SceneSpec) -> Result<Aabb, Error> {

@@ -29,6 +29,10 @@ pub struct SceneSpec {
     pub ignore: Vec<[String; 2]>,
     /// The box that every platform vertex must stay in.
     pub workspace: WorkspaceSpec,
+    /// Named ways to turn the platform. Where the query says none, planning takes the one with the shortest path, and
+    /// everything else the first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub orientations: Vec<OrientationSpec>,
     /// The robot: a table, or the path of a robot file relative to the scene file.
     pub robot: RobotSource,
     /// Convex obstacle parts; parts of one concave body carry the same name.
@@ -322,7 +326,61 @@ pub struct QuerySpec {
     /// Position of the platform's origin at the goal, world, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal: Option<[f64; 3]>,
-    /// World-from-platform unit quaternion, w x y z; default no turn.
+    /// How the platform is turned all the way: a world-from-platform unit quaternion, w x y z, or the name of one of the
+    /// scene's orientations; default no turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub orientation: Option<[f64; 4]>,
+    pub orientation: Option<OrientationSource>,
+}
+
+/// A way to turn the platform, world-from-platform.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OrientationSpec {
+    /// Its name.
+    pub name: String,
+    /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rpy: Option<[f64; 3]>,
+    /// The turn as a unit quaternion, w x y z.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quaternion: Option<[f64; 4]>,
+}
+
+/// An orientation by name or in place.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OrientationSource {
+    /// One of the scene's orientations.
+    Named(String),
+    /// A unit quaternion, w x y z.
+    Quaternion([f64; 4]),
+}
+
+impl From<[f64; 4]> for OrientationSource {
+    fn from(quaternion: [f64; 4]) -> Self {
+        OrientationSource::Quaternion(quaternion)
+    }
+}
+
+impl<'de> Deserialize<'de> for OrientationSource {
+    // By hand, as RobotSource.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = OrientationSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a unit quaternion [w, x, y, z] or the name of an orientation")
+            }
+
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<OrientationSource, E> {
+                Ok(OrientationSource::Named(name.to_string()))
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<OrientationSource, A::Error> {
+                <[f64; 4]>::deserialize(de::value::SeqAccessDeserializer::new(seq)).map(OrientationSource::Quaternion)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
 }

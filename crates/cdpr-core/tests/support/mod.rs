@@ -6,9 +6,15 @@ pub mod scenes;
 use std::path::Path;
 
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
-use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
+use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec, Scene};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+
+/// A scene of `testdata/scenes`, by the name of its file.
+pub fn built_scene(name: &str) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../testdata/scenes").join(name).with_extension("toml");
+    cdpr_core::io::load_scene(&path).expect("a sound scene")
+}
 
 /// A robot of `testdata/robots`, by the name of its file.
 pub fn built_robot(name: &str) -> Robot {

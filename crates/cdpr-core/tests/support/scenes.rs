@@ -112,6 +112,7 @@ fn spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special }: Kind) -> Sc
         gravity: None,
         clearance: Some(clearance),
         ignore: Vec::new(),
+        orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [-half; 3], max: [half; 3] },
         robot: RobotSource::Inline(RobotSpec {
             version: None,
@@ -123,7 +124,7 @@ fn spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special }: Kind) -> Sc
         }),
         obstacles: obstacles.iter().map(|(name, o)| body_spec(Some(name), o)).collect(),
         wrench: None,
-        query: Some(QuerySpec { start: None, goal: None, orientation: Some([turn.w, turn.i, turn.j, turn.k]) }),
+        query: Some(QuerySpec { start: None, goal: None, orientation: Some([turn.w, turn.i, turn.j, turn.k].into()) }),
     }
 }
 
