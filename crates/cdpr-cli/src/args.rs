@@ -9,19 +9,47 @@ use cdpr_core::model::{OrientationSource, Unit};
 use cdpr_core::plan::{PlanOptions, Post, Processing};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{RegionOptions, Space};
-use cdpr_core::{Choice, Error, Scene, io};
+use cdpr_core::{Choice, Error};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+
+use crate::output::Talk;
 
 /// Plan, check and look at paths of cable-driven parallel robots among obstacles.
 ///
 /// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 130 interrupted.
-/// Results go to standard output, everything else to standard error.
+/// Results go to standard output, everything else to standard error, in colours only on a terminal. `-` in the place of a
+/// file is standard input or output; where a file goes to standard output, results go to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "cdpr", version, arg_required_else_help = true)]
 pub struct Cli {
+    #[command(flatten)]
+    pub talk: TalkArgs,
+    #[command(flatten)]
+    pub color: colorchoice_clap::Color,
     #[command(subcommand)]
     pub command: Command,
+}
+
+/// How much is said.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct TalkArgs {
+    /// Print results and errors only.
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Also say what was read, and how a search got on.
+    #[arg(short, long, global = true)]
+    verbose: bool,
+}
+
+impl TalkArgs {
+    pub fn level(self) -> Talk {
+        match (self.quiet, self.verbose) {
+            (true, _) => Talk::Quiet,
+            (_, true) => Talk::Verbose,
+            _ => Talk::Usual,
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -36,8 +64,9 @@ pub enum Command {
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
     /// Check a path: every violation with culprits, place and margin, and the nearest approach.
-    #[command(after_help = "Example:
-  cdpr check hall.toml path.json")]
+    #[command(after_help = "Examples:
+  cdpr check hall.toml path.json
+  cdpr plan hall.toml -o - | cdpr check hall.toml -")]
     Check(PathArgs),
     /// Describe a scene: sizes, ranks, special pairs of cables, how much of the workspace is free.
     #[command(after_help = "Example:
@@ -125,6 +154,10 @@ pub enum Command {
   cdpr report table2
   cdpr report table2 -o table2.html --plots figures")]
     Report(ReportArgs),
+    /// Write manual pages, one for each command.
+    #[command(after_help = "Example:
+  cdpr man -o ~/.local/share/man/man1 && man cdpr-plan")]
+    Man(ManArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:
   cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr")]
@@ -152,17 +185,6 @@ pub struct SceneArgs {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-}
-
-impl SceneArgs {
-    /// The scene, turned as asked for.
-    pub fn load(&self) -> Result<Scene, Error> {
-        let scene = io::load_scene(&self.scene)?;
-        match &self.orientation {
-            Some(orientation) => scene.turned(orientation.clone()).map_err(|e| e.in_file(&self.scene)),
-            None => Ok(scene),
-        }
-    }
 }
 
 /// Four numbers are a quaternion, anything else is a name.
@@ -494,6 +516,13 @@ pub struct ReportArgs {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// Folder to write; without it the page of cdpr itself is printed.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -5,6 +5,7 @@ pub mod check;
 pub mod completions;
 pub mod import;
 pub mod info;
+pub mod man;
 pub mod merge;
 pub mod new;
 pub mod plan;

@@ -2,6 +2,7 @@
 
 mod args;
 mod commands;
+mod input;
 mod output;
 mod progress;
 
@@ -10,6 +11,7 @@ use std::process::ExitCode;
 use args::{Cli, Command};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
+use output::Console;
 
 /// How a command that ran to its end answers.
 enum Answer {
@@ -21,31 +23,34 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     // Without a handler Ctrl-C would still end the program, only less politely.
     let _ = ctrlc::set_handler(progress::interrupt);
-    match run(cli.command) {
+    let out = Console::new(cli.talk.level());
+    cli.color.write_global();
+    match run(cli.command, &out) {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
-            output::say(&format!("cdpr: {error}"));
+            out.error(&error);
             ExitCode::from(if error.class() == ErrorClass::Interrupted { 130 } else { 2 })
         }
     }
 }
 
-fn run(command: Command) -> Result<Answer, Error> {
+fn run(command: Command, out: &Console) -> Result<Answer, Error> {
     match command {
-        Command::Plan(args) => commands::plan::run(&args),
-        Command::Check(args) => commands::check::run(&args),
-        Command::Info(args) => commands::info::run(&args),
-        Command::Post(args) => commands::post::run(&args),
-        Command::New(args) => commands::new::run(&args),
-        Command::Import(args) => commands::import::run(&args),
-        Command::Schema(args) => commands::schema::run(&args),
-        Command::Shadows(args) => commands::shadows::run(&args),
-        Command::View(args) => commands::view::run(&args),
-        Command::Wrench(args) => commands::wrench::run(&args),
-        Command::Batch(args) => commands::batch::run(&args),
-        Command::Merge(args) => commands::merge::run(&args),
-        Command::Report(args) => commands::report::run(&args),
-        Command::Completions(args) => commands::completions::run(&args),
+        Command::Plan(args) => commands::plan::run(&args, out),
+        Command::Check(args) => commands::check::run(&args, out),
+        Command::Info(args) => commands::info::run(&args, out),
+        Command::Post(args) => commands::post::run(&args, out),
+        Command::New(args) => commands::new::run(&args, out),
+        Command::Import(args) => commands::import::run(&args, out),
+        Command::Schema(args) => commands::schema::run(&args, out),
+        Command::Shadows(args) => commands::shadows::run(&args, out),
+        Command::View(args) => commands::view::run(&args, out),
+        Command::Wrench(args) => commands::wrench::run(&args, out),
+        Command::Batch(args) => commands::batch::run(&args, out),
+        Command::Merge(args) => commands::merge::run(&args, out),
+        Command::Report(args) => commands::report::run(&args, out),
+        Command::Man(args) => commands::man::run(&args, out),
+        Command::Completions(args) => commands::completions::run(&args, out),
     }
 }

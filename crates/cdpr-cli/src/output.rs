@@ -1,26 +1,122 @@
-//! Printing: results to standard output, talk to standard error. A reader that has gone away is no error.
+//! Printing: results to standard output, talk to standard error, both without colours unless they are terminals. A reader
+//! that has gone away is no error.
 
 use std::io::Write;
+use std::path::Path;
 
-use cdpr_core::Scene;
+use anstyle::{AnsiColor, Style};
 use cdpr_core::collision::Constraints;
 use cdpr_core::geometry::Point;
+use cdpr_core::{Error, Scene, io};
 
-/// Prints a line of the result.
-pub fn result(text: &str) {
-    let _ = writeln!(std::io::stdout(), "{text}");
+/// What stands for standard input or output in the place of a file.
+pub const STANDARD: &str = "-";
+
+const GOOD: Style = AnsiColor::Green.on_default().bold();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+const NOTE: Style = AnsiColor::Yellow.on_default();
+
+/// How much is said beside the result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Talk {
+    /// Nothing but errors.
+    Quiet,
+    /// What was written, what is special, what to do next.
+    Usual,
+    /// Also what was read, and how a search got on.
+    Verbose,
 }
 
-/// Says something that is not part of the result.
-pub fn say(text: &str) {
-    let _ = writeln!(std::io::stderr(), "{text}");
+/// Where a command prints.
+#[derive(Debug, Clone, Copy)]
+pub struct Console {
+    talk: Talk,
+    /// Standard output is taken by a file; results go where talk goes.
+    taken: bool,
 }
 
-/// Says what is special about a scene.
-pub fn say_notes(constraints: &Constraints) {
-    for note in &constraints.notes {
-        say(&format!("note: {note}"));
+impl Console {
+    /// With so much talk.
+    pub fn new(talk: Talk) -> Self {
+        Console { talk, taken: false }
     }
+
+    /// The same, where this file may be standard output.
+    pub fn beside(self, output: Option<&Path>) -> Self {
+        Console { taken: self.taken || output.is_some_and(is_standard), ..self }
+    }
+
+    /// How much is said.
+    pub fn talk(&self) -> Talk {
+        self.talk
+    }
+
+    /// Prints a line of the result.
+    pub fn result(&self, text: &str) {
+        let _ =
+            if self.taken { writeln!(anstream::stderr(), "{text}") } else { writeln!(anstream::stdout(), "{text}") };
+    }
+
+    /// Says something that is not part of the result.
+    pub fn say(&self, text: &str) {
+        if self.talk >= Talk::Usual {
+            let _ = writeln!(anstream::stderr(), "{text}");
+        }
+    }
+
+    /// Says what only the curious want to know.
+    pub fn detail(&self, text: &str) {
+        if self.talk >= Talk::Verbose {
+            let _ = writeln!(anstream::stderr(), "{text}");
+        }
+    }
+
+    /// Says what is special.
+    pub fn note(&self, text: &str) {
+        self.say(&format!("{NOTE}note:{NOTE:#} {text}"));
+    }
+
+    /// Says what is special about a scene.
+    pub fn notes(&self, constraints: &Constraints) {
+        constraints.notes.iter().for_each(|note| self.note(note));
+    }
+
+    /// Says what went wrong; also where all else is quiet.
+    pub fn error(&self, error: &Error) {
+        let _ = writeln!(anstream::stderr(), "{BAD}cdpr:{BAD:#} {error}");
+    }
+
+    /// Writes a file, or standard output, and says so; `hint` is what to do with it.
+    pub fn write(&self, path: &Path, contents: &[u8], hint: &str) -> Result<(), Error> {
+        if is_standard(path) {
+            let _ = std::io::stdout().write_all(contents);
+            return Ok(());
+        }
+        io::write_atomically(path, contents)?;
+        self.wrote(path, hint);
+        Ok(())
+    }
+
+    /// Says that a file was written.
+    pub fn wrote(&self, path: &Path, hint: &str) {
+        let gap = if hint.is_empty() { "" } else { " " };
+        self.say(&format!("wrote {}{gap}{hint}", path.display()));
+    }
+}
+
+/// Whether standard input or output is meant.
+pub fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == STANDARD
+}
+
+/// A word that means yes.
+pub fn good(word: &str) -> String {
+    format!("{GOOD}{word}{GOOD:#}")
+}
+
+/// A word that means no.
+pub fn bad(word: &str) -> String {
+    format!("{BAD}{word}{BAD:#}")
 }
 
 /// "1 obstacle", "3 obstacles".

@@ -3,7 +3,9 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::output::{Console, Talk};
 
 /// Set by Ctrl-C; long work asks for it.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -19,16 +21,24 @@ pub fn interrupted() -> bool {
 }
 
 /// A bar on standard error, if that is a terminal. The work comes in an even mixture, so the remaining time holds.
-pub fn bar() -> ProgressBar {
+pub fn bar(out: &Console) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} trials, {elapsed}, about {eta} left (Ctrl-C stops)");
-    ProgressBar::new(0).with_style(style.expect("a sound template"))
+    shown(out, ProgressBar::new(0)).with_style(style.expect("a sound template"))
+}
+
+/// The bar, unless all is quiet.
+fn shown(out: &Console, bar: ProgressBar) -> ProgressBar {
+    if out.talk() == Talk::Quiet {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    bar
 }
 
 /// Runs work that may take long. After half a second a line on standard error, if that is a terminal, says what is
 /// being done and for how long; the work asks its argument whether to stop.
-pub fn with_sign_of_life<T>(doing: &str, work: impl FnOnce(&dyn Fn() -> bool) -> T) -> T {
+pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&dyn Fn() -> bool) -> T) -> T {
     let style = ProgressStyle::with_template("{spinner} {msg} {elapsed} (Ctrl-C stops)").expect("a sound template");
-    let sign = ProgressBar::new_spinner().with_style(style).with_message(doing.to_string());
+    let sign = shown(out, ProgressBar::new_spinner()).with_style(style).with_message(doing.to_string());
     let patience = Duration::from_millis(500);
     let stop = || {
         if sign.elapsed() >= patience {

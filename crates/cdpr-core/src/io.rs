@@ -25,7 +25,8 @@ pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, r
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
 pub use path_file::{
-    LoadedPath, PathFile, check_path_name, load_path_of, load_waypoints, path_json, plan_json, save_path,
+    LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_of_path,
+    waypoints_from_text,
 };
 pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};

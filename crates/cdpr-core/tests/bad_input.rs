@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cdpr_core::io::{load_path_of, load_robot, load_scene};
+use cdpr_core::io::{load_robot, load_scene, load_waypoints, scene_of_path};
 
 fn testdata(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../testdata").join(name)
@@ -182,7 +182,10 @@ fn paths_that_make_no_sense_are_refused() {
     ] {
         let path = folder.path().join(name);
         fs::write(&path, text).unwrap();
-        let message = load_path_of(&scene, &path).unwrap_err().to_string();
+        let message = load_waypoints(&path)
+            .and_then(|loaded| scene_of_path(&scene, &loaded).map_err(|e| e.in_file(&path)))
+            .unwrap_err()
+            .to_string();
         assert!(message.contains(expected) && message.contains(name), "{name}: expected \"{expected}\" in: {message}");
     }
 }

@@ -4,7 +4,7 @@ mod support;
 
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
-use cdpr_core::io::{load_path_of, plan_json, save_path};
+use cdpr_core::io::{load_waypoints, plan_json, save_path, scene_of_path};
 use cdpr_core::model::{BodySpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan, plan_choosing};
 use cdpr_core::planning::Status;
@@ -152,16 +152,17 @@ fn a_path_is_checked_at_its_own_orientation() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("path.json");
     save_path(&file, &plan_json(&planned.scene, &PlanOptions::default(), &planned.result, None, None)).unwrap();
-    let (found, loaded) = load_path_of(&scene, &file).unwrap();
-    assert_eq!((found.orientation_name(), loaded.waypoints), (Some("along"), planned.result.waypoints.clone()));
+    let loaded = load_waypoints(&file).unwrap();
+    let found = scene_of_path(&scene, &loaded).unwrap();
+    assert_eq!((found.orientation_name(), &loaded.waypoints), (Some("along"), &planned.result.waypoints));
     // Not at another one that the scene was told.
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
-    let refused = load_path_of(&across, &file).unwrap_err().to_string();
+    let refused = scene_of_path(&across, &loaded).unwrap_err().to_string();
     assert!(refused.contains("orientation: found [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
     // Another scene stays another scene.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);
-    assert!(load_path_of(&Scene::new(other).unwrap(), &file).unwrap_err().to_string().contains("another scene"));
+    assert!(scene_of_path(&Scene::new(other).unwrap(), &loaded).unwrap_err().to_string().contains("another scene"));
 }
 
 #[test]

@@ -80,7 +80,7 @@ fn turned_with_a_mast() -> Scene {
     let mut spec = paper_scene("turned", obstacles);
     spec.robot = RobotSource::Inline(robot);
     let turn = Rotation::from_euler_angles(0.1, -0.2, 0.4);
-    spec.query.as_mut().unwrap().orientation = Some([turn.w, turn.i, turn.j, turn.k]);
+    spec.query.as_mut().unwrap().orientation = Some([turn.w, turn.i, turn.j, turn.k].into());
     scene(spec)
 }
 

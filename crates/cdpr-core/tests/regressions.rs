@@ -29,6 +29,7 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         gravity: None,
         clearance: Some(clearance),
         ignore: Vec::new(),
+        orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [-100.0; 3], max: [100.0; 3] },
         robot: RobotSource::Inline(robot),
         obstacles,

@@ -476,7 +476,8 @@ fn polytope_distance(
 /// The waypoints of a path file as rows; refused if it says it belongs to another scene.
 #[pyfunction]
 fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<Vec<[f64; 3]>> {
-    let loaded = io::load_waypoints(&path, scene.map(|s| &s.0)).map_err(raised)?;
+    let loaded = io::load_waypoints(&path).map_err(raised)?;
+    scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| raised(e.in_file(&path)))).transpose()?;
     Ok(loaded.waypoints.into_iter().map(Into::into).collect())
 }
 

@@ -9,33 +9,34 @@ use serde_json::Value;
 
 use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
-use crate::output::{count, result, say};
+use crate::input;
+use crate::output::{Console, count};
 use crate::progress::{bar, interrupted};
 
-pub fn run(args: &BatchArgs) -> Result<Answer, Error> {
-    let experiment = io::load_experiment(&args.experiment)?;
+pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
+    let experiment = input::experiment(&args.experiment)?;
     let trials = args.trials.clone().map_or(0..experiment.trials, |Trials(range)| range);
     let mut folder = BatchFolder::open(&args.output, &experiment, trials, args.resume)?;
     if folder.done() > 0 {
-        say(&format!("{} already there", count(folder.done(), "trial")));
+        out.say(&format!("{} already there", count(folder.done(), "trial")));
     }
-    let bar = bar();
+    let bar = bar(out);
     let mut progress = |progress: Progress| {
         bar.set_length(progress.total as u64);
         bar.set_position(progress.done as u64);
-        progress.failure.iter().for_each(|failure| bar.suspend(|| say(&format!("failed: {failure}"))));
+        progress.failure.iter().for_each(|failure| bar.suspend(|| out.say(&format!("failed: {failure}"))));
     };
     let options = RunOptions { threads: args.threads, interrupted: &interrupted, progress: &mut progress };
     let ended = folder.run(&experiment, options);
     bar.finish_and_clear();
     match ended {
         Ok(()) => {
-            print_summary(&args.output, args.format)?;
+            print_summary(&args.output, args.format, out)?;
             Ok(Answer::Yes)
         }
         Err(error) if error.class() == ErrorClass::Interrupted => {
             let done = count(folder.done(), "trial");
-            say(&format!("{done} in {}; go on with --resume", args.output.display()));
+            out.say(&format!("{done} in {}; go on with --resume", args.output.display()));
             Err(error)
         }
         Err(error) => Err(error.in_file(&args.experiment)),
@@ -43,18 +44,18 @@ pub fn run(args: &BatchArgs) -> Result<Answer, Error> {
 }
 
 /// Prints what `summary.json` says.
-pub fn print_summary(folder: &Path, format: Format) -> Result<(), Error> {
+pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(), Error> {
     let text = io::text::read(&folder.join("summary.json"))?;
     if format == Format::Json {
-        result(text.trim_end());
+        out.result(text.trim_end());
         return Ok(());
     }
     let summary: Value = io::text::parse(&text, io::text::Notation::Json)?;
     for line in lines(&summary) {
-        result(&line);
+        out.result(&line);
     }
     let history = if folder.join("history.csv").is_file() { " history.csv," } else { "" };
-    say(&format!("wrote trials.csv, timings.csv,{history} summary.json to {}", folder.display()));
+    out.say(&format!("wrote trials.csv, timings.csv,{history} summary.json to {}", folder.display()));
     Ok(())
 }
 

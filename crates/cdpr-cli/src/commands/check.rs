@@ -1,29 +1,30 @@
 //! `cdpr check`
 
+use cdpr_core::Error;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
 use cdpr_core::plan::{CheckReport, check, engine_for};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
-use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, PathArgs};
-use crate::output::{count, result, say_notes, scene_line, short, thousandths};
+use crate::input;
+use crate::output::{Console, bad, count, good, scene_line, short, thousandths};
 
-pub fn run(args: &PathArgs) -> Result<Answer, Error> {
-    let (scene, path) = io::load_path_of(&args.scene.load()?, &args.path)?;
+pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
+    let (scene, path) = input::scene_and_path(args, out)?;
     let engine =
         engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
-    say_notes(engine.constraints());
+    out.notes(engine.constraints());
     let found = check(&scene, &*engine, &path.waypoints).map_err(|e| e.in_file(&args.scene.scene))?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!(found))),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
-            result(&scene_line(&scene));
-            result(&verdict(report, path.waypoints.len()));
-            report.violations.iter().for_each(|v| result(&violation_line(v)));
-            report.min_clearance.iter().for_each(|nearest| result(&nearest_line(nearest)));
-            wrench.iter().flat_map(wrench_lines).for_each(|line| result(&line));
+            out.result(&scene_line(&scene));
+            out.result(&verdict(report, path.waypoints.len()));
+            report.violations.iter().for_each(|v| out.result(&violation_line(v)));
+            report.min_clearance.iter().for_each(|nearest| out.result(&nearest_line(nearest)));
+            wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
@@ -32,9 +33,9 @@ pub fn run(args: &PathArgs) -> Result<Answer, Error> {
 fn verdict(report: &PathReport, waypoints: usize) -> String {
     let path = format!("{} m, {}", short(report.length), count(waypoints, "waypoint"));
     if report.valid {
-        format!("valid: {path}")
+        format!("{} {path}", good("valid:"))
     } else {
-        format!("not valid: {path}, {}", count(report.violations.len(), "violation"))
+        format!("{} {path}, {}", bad("not valid:"), count(report.violations.len(), "violation"))
     }
 }
 

@@ -5,11 +5,11 @@ use clap::CommandFactory;
 
 use crate::Answer;
 use crate::args::{Cli, CompletionsArgs};
-use crate::output::result;
+use crate::output::Console;
 
-pub fn run(args: &CompletionsArgs) -> Result<Answer, Error> {
+pub fn run(args: &CompletionsArgs, out: &Console) -> Result<Answer, Error> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "cdpr", &mut script);
-    result(String::from_utf8_lossy(&script).trim_end());
+    out.result(String::from_utf8_lossy(&script).trim_end());
     Ok(Answer::Yes)
 }

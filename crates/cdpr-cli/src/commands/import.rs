@@ -1,21 +1,29 @@
 //! `cdpr import`
 
 use cdpr_core::Error;
-use cdpr_core::io::{ImportOptions, Imported, check_robot_name, import_robot, save_imported};
+use cdpr_core::io::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 
 use crate::Answer;
 use crate::args::{Format, ImportArgs};
-use crate::output::{count, result, say};
+use crate::output::{Console, count, is_standard};
 
-pub fn run(args: &ImportArgs) -> Result<Answer, Error> {
-    check_robot_name(&args.output)?;
+pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
+    if !is_standard(&args.output) {
+        check_robot_name(&args.output)?;
+    }
+    let out = &out.beside(Some(&args.output));
     let options = ImportOptions {
         bodies: args.bodies.clone(),
         cable_set: args.cable_set.clone(),
         platform: args.platform.clone().map(|mesh| (mesh, args.units)),
     };
     let found = import_robot(&args.source, &options)?;
-    save_imported(&args.output, &found)?;
+    if is_standard(&args.output) {
+        out.write(&args.output, robot_toml(&found).as_bytes(), "")?;
+    } else {
+        save_imported(&args.output, &found)?;
+        out.wrote(&args.output, "");
+    }
     match args.format {
         Format::Json => {
             let summary = serde_json::json!({
@@ -25,11 +33,10 @@ pub fn run(args: &ImportArgs) -> Result<Answer, Error> {
                 "origin": found.origin,
                 "not_carried_over": found.notes,
             });
-            result(&format!("{summary:#}"));
+            out.result(&format!("{summary:#}"));
         }
-        Format::Text => lines(&found).iter().for_each(|line| result(line)),
+        Format::Text => lines(&found).iter().for_each(|line| out.result(line)),
     }
-    say(&format!("wrote {}", args.output.display()));
     Ok(Answer::Yes)
 }
 

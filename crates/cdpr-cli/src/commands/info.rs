@@ -5,16 +5,17 @@ use cdpr_core::survey::{Survey, survey};
 
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
-use crate::output::{count, result, scene_line, short};
+use crate::input;
+use crate::output::{Console, count, scene_line, short};
 
-pub fn run(args: &SceneArgs) -> Result<Answer, Error> {
-    let scene = args.load()?;
+pub fn run(args: &SceneArgs, out: &Console) -> Result<Answer, Error> {
+    let scene = input::scene(args, out)?;
     let survey = survey(&scene).map_err(|e| e.in_file(&args.scene))?;
     match args.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!(survey))),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(survey))),
         Format::Text => {
-            result(&scene_line(&scene));
-            lines(&survey).iter().for_each(|line| result(line));
+            out.result(&scene_line(&scene));
+            lines(&survey).iter().for_each(|line| out.result(line));
         }
     }
     Ok(Answer::Yes)

@@ -4,9 +4,10 @@ use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::MergeArgs;
+use crate::output::Console;
 
-pub fn run(args: &MergeArgs) -> Result<Answer, Error> {
+pub fn run(args: &MergeArgs, out: &Console) -> Result<Answer, Error> {
     io::merge(&args.folders, &args.output)?;
-    super::batch::print_summary(&args.output, args.format)?;
+    super::batch::print_summary(&args.output, args.format, out)?;
     Ok(Answer::Yes)
 }

@@ -9,32 +9,31 @@ use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
-use crate::output::{position, result, say};
+use crate::output::{Console, is_standard, position};
 use crate::progress::with_sign_of_life;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
 
-pub fn run(args: &NewArgs) -> Result<Answer, Error> {
-    let Some(path) = &args.output else {
+pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
+    let Some(path) = args.output.as_ref().filter(|path| !is_standard(path)) else {
         let notation = match args.format {
             Format::Text => Notation::Toml,
             Format::Json => Notation::Json,
         };
-        result(text(args, notation, Path::new("scene.toml"))?.trim_end());
+        out.result(text(args, notation, Path::new("scene.toml"), out)?.trim_end());
         return Ok(Answer::Yes);
     };
     let notation = Notation::of(path)?;
     if path.exists() && !args.force {
         return Err(Error::file(path, "exists already; choose another name, or overwrite it with --force"));
     }
-    io::write_atomically(path, text(args, notation, path)?.as_bytes())?;
-    say(&format!("wrote {}", path.display()));
-    say(&format!("next: cdpr plan {} -o path.json --html view.html", path.display()));
+    out.write(path, text(args, notation, path, out)?.as_bytes(), "")?;
+    out.say(&format!("next: cdpr plan {} -o path.json --html view.html", path.display()));
     Ok(Answer::Yes)
 }
 
 /// The scene as a file of this name.
-fn text(args: &NewArgs, notation: Notation, path: &Path) -> Result<String, Error> {
+fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Result<String, Error> {
     let Some(robot) = &args.robot else { return example(notation) };
     let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
     let starter = Starter {
@@ -45,8 +44,8 @@ fn text(args: &NewArgs, notation: Notation, path: &Path) -> Result<String, Error
         goal: end(&args.goal),
     };
     let (spec, scene) =
-        with_sign_of_life("looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
-    tell(&scene);
+        with_sign_of_life(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
+    tell(&scene, out);
     starter_text(&spec, notation)
 }
 
@@ -60,10 +59,12 @@ fn example(notation: Notation) -> Result<String, Error> {
     }
 }
 
-fn tell(scene: &Scene) {
-    scene.notes().iter().for_each(|note| say(&format!("note: {note}")));
+fn tell(scene: &Scene, out: &Console) {
+    scene.notes().iter().for_each(|note| out.note(note));
     match (scene.start(), scene.goal()) {
-        (Some(start), Some(goal)) => say(&format!("asks for a path from {} to {}", position(&start), position(&goal))),
-        _ => say("note: no two positions with a path between them were found; add yours under [query]"),
+        (Some(start), Some(goal)) => {
+            out.say(&format!("asks for a path from {} to {}", position(&start), position(&goal)))
+        }
+        _ => out.note("no two positions with a path between them were found; add yours under [query]"),
     }
 }

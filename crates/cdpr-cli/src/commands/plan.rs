@@ -9,47 +9,54 @@ use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench::{measures, path_wrench};
 use cdpr_core::{Error, Scene, io};
 
+use super::post::{check_path_name, save_path};
+use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
-use crate::output::{count, position, result, say, say_notes, scene_line, short};
+use crate::input;
+use crate::output::{Console, bad, count, good, is_standard, position, scene_line, short};
 use crate::progress::with_sign_of_life;
 
-pub fn run(args: &PlanArgs) -> Result<Answer, Error> {
-    args.output.as_deref().map(io::check_path_name).transpose()?;
+pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
+    check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    let scene = args.scene.load()?;
+    let files = [args.output.as_deref(), args.html.as_deref()];
+    if files.iter().flatten().filter(|file| is_standard(file)).count() > 1 {
+        return Err(Error::invalid("", "found - for both -o and --html, but there is one standard output only"));
+    }
+    let out = &files.iter().fold(*out, |out, file| out.beside(*file));
+    let scene = input::scene(&args.scene, out)?;
     let options = args.options()?;
     let in_scene = |e: Error| e.in_file(&args.scene.scene);
-    let search = |stop: &dyn Fn() -> bool| plan_choosing(&scene, &options, stop, &|_, _, _| {});
-    let Planned { scene, engine, result: found } = with_sign_of_life("searching", search).map_err(in_scene)?;
-    say_notes(engine.constraints());
+    let better = |seconds: f64, cost: f64, path: &[Point]| {
+        out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
+    };
+    let search = |stop: &dyn Fn() -> bool| plan_choosing(&scene, &options, stop, &better);
+    let Planned { scene, engine, result: found } = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    out.notes(engine.constraints());
     let nearest = min_clearance(&*engine, &found.waypoints);
     let wrench = path_wrench(&measures(&scene)?, &found.waypoints)?;
     let bound = bound(&*engine, &found);
     let mut json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
     json["lower_bound"] = bound.into();
     match args.scene.format {
-        Format::Json => result(&format!("{json:#}")),
+        Format::Json => out.result(&format!("{json:#}")),
         Format::Text => {
-            result(&question(&scene, &options));
-            result(&answer(&scene, &options, &found));
-            bound.iter().for_each(|bound| result(&excess_line(found.cost, *bound)));
-            nearest.iter().for_each(|nearest| result(&super::check::nearest_line(nearest)));
-            wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| result(&line));
+            out.result(&question(&scene, &options));
+            out.result(&answer(&scene, &options, &found));
+            bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
+            nearest.iter().for_each(|nearest| out.result(&super::check::nearest_line(nearest)));
+            wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
         }
     }
     if let Some(path) = &args.output {
-        io::save_path(path, &json)?;
-        say(&format!("wrote {}", path.display()));
+        save_path(path, &json, out)?;
     }
     if let Some(path) = &args.html {
-        io::write_atomically(
-            path,
-            page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]).as_bytes(),
-        )?;
-        say(&format!("wrote {} (open it in a browser)", path.display()));
+        let page = page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]);
+        out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
-    say_next(args, &found);
+    say_next(args, &found, out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
 }
 
@@ -100,13 +107,14 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
     match found.status {
         Status::Solved => solved(options, found),
         Status::BudgetSpent => format!(
-            "no path found after {} ({:.1} ms, seed {}); there may still be one",
+            "{} after {} ({:.1} ms, seed {}); there may still be one",
+            bad("no path found"),
             count(found.stats.samples, "sample"),
             found.stats.planning_seconds * 1e3,
             options.seed
         ),
-        Status::StartInvalid => format!("no: the start of {} is not valid{}", scene.name(), reason()),
-        Status::GoalInvalid => format!("no: the goal of {} is not valid{}", scene.name(), reason()),
+        Status::StartInvalid => format!("{} the start of {} is not valid{}", bad("no:"), scene.name(), reason()),
+        Status::GoalInvalid => format!("{} the goal of {} is not valid{}", bad("no:"), scene.name(), reason()),
     }
 }
 
@@ -121,8 +129,9 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
     format!(
-        "solved: {} m with {} ({before}{} m as the crow flies)\n\
+        "{} {} m with {} ({before}{} m as the crow flies)\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment checked once more",
+        good("solved:"),
         short(found.cost),
         count(waypoints.len(), "waypoint"),
         short(straight),
@@ -133,16 +142,18 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
     )
 }
 
-fn say_next(args: &PlanArgs, found: &PlanResult) {
+fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
     let scene = args.scene.scene.display();
     match (found.status, &args.output) {
-        (Status::Solved, Some(path)) => say(&format!("next: cdpr check {scene} {}", path.display())),
-        (Status::Solved, None) if args.scene.format == Format::Text => {
-            say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
+        (Status::Solved, Some(path)) if !is_standard(path) => {
+            out.say(&format!("next: cdpr check {scene} {}", path.display()))
         }
-        (Status::BudgetSpent, _) => say("next: try --max-samples with a larger number, or another --seed"),
+        (Status::Solved, None) if args.scene.format == Format::Text => {
+            out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
+        }
+        (Status::BudgetSpent, _) => out.say("next: try --max-samples with a larger number, or another --seed"),
         (Status::StartInvalid | Status::GoalInvalid, _) => {
-            say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
+            out.say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
         }
         _ => {}
     }

@@ -1,30 +1,49 @@
 //! `cdpr post`
 
+use std::path::Path;
+
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::plan::{engine_for, shorten_path};
 use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, PostArgs};
-use crate::output::{count, result, say, say_notes, scene_line, short};
+use crate::input;
+use crate::output::{Console, count, is_standard, scene_line, short};
 use crate::progress::with_sign_of_life;
 
-pub fn run(args: &PostArgs) -> Result<Answer, Error> {
-    args.output.as_deref().map(io::check_path_name).transpose()?;
+/// Checks that a path can be written under this name, before the work is done.
+pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
+    path.filter(|path| !is_standard(path)).map_or(Ok(()), io::check_path_name)
+}
+
+/// Writes a path: JSON or CSV by the extension, JSON to standard output.
+pub fn save_path(path: &Path, json: &serde_json::Value, out: &Console) -> Result<(), Error> {
+    if is_standard(path) {
+        return out.write(path, format!("{json:#}\n").as_bytes(), "");
+    }
+    io::save_path(path, json)?;
+    out.wrote(path, "");
+    Ok(())
+}
+
+pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
+    check_path_name(args.output.as_deref())?;
+    let out = &out.beside(args.output.as_deref());
     let given = &args.path;
-    let (scene, path) = io::load_path_of(&given.scene.load()?, &given.path)?;
+    let (scene, path) = input::scene_and_path(given, out)?;
     let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
         .map_err(|e| e.in_file(&given.scene.scene))?;
-    say_notes(engine.constraints());
+    out.notes(engine.constraints());
     let processing = args.options()?;
     let shorten = |stop: &dyn Fn() -> bool| shorten_path(&*engine, &path.waypoints, &processing, stop);
-    let shorter = with_sign_of_life("shortening", shorten).map_err(|e| e.in_file(&given.path))?;
+    let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
     let json = io::path_json(&scene, &shorter);
     match given.scene.format {
-        Format::Json => result(&format!("{json:#}")),
+        Format::Json => out.result(&format!("{json:#}")),
         Format::Text => {
-            result(&scene_line(&scene));
-            result(&format!(
+            out.result(&scene_line(&scene));
+            out.result(&format!(
                 "{} m with {} (was {} m with {})",
                 short(path_length(&shorter)),
                 count(shorter.len(), "waypoint"),
@@ -34,8 +53,7 @@ pub fn run(args: &PostArgs) -> Result<Answer, Error> {
         }
     }
     if let Some(output) = &args.output {
-        io::save_path(output, &json)?;
-        say(&format!("wrote {}", output.display()));
+        save_path(output, &json, out)?;
     }
     Ok(Answer::Yes)
 }

@@ -5,9 +5,9 @@ use cdpr_core::io::schema;
 
 use crate::Answer;
 use crate::args::SchemaArgs;
-use crate::output::result;
+use crate::output::Console;
 
-pub fn run(args: &SchemaArgs) -> Result<Answer, Error> {
-    result(&format!("{:#}", schema(args.of)));
+pub fn run(args: &SchemaArgs, out: &Console) -> Result<Answer, Error> {
+    out.result(&format!("{:#}", schema(args.of)));
     Ok(Answer::Yes)
 }

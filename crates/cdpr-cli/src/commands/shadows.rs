@@ -6,30 +6,31 @@ use cdpr_core::regions::{NamedMesh, Regions, regions};
 use cdpr_core::{Choice, Error, Scene};
 use serde_json::json;
 
+use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
-use crate::output::{count, result, say, say_notes, scene_line};
+use crate::input;
+use crate::output::{Console, count, scene_line};
 
-pub fn run(args: &ShadowsArgs) -> Result<Answer, Error> {
+pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;
-    let scene = args.scene.load()?;
+    let scene = input::scene(&args.scene, out)?;
     let found = regions(&scene, &args.options()).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
-        say_notes(&Constraints::new(&scene)?);
+        out.notes(&Constraints::new(&scene)?);
     }
     if has_round_regions(&scene) {
-        say("note: clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
+        out.note("clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
     }
     save_regions(&args.output, &scene, &found)?;
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", summary(args, &found))),
+        Format::Json => out.result(&format!("{:#}", summary(args, &found))),
         Format::Text => {
-            result(&scene_line(&scene));
-            lines(&found).iter().for_each(|line| result(line));
+            out.result(&scene_line(&scene));
+            lines(&found).iter().for_each(|line| out.result(line));
         }
     }
-    let hint = if format == RegionFormat::Html { " (open it in a browser)" } else { "" };
-    say(&format!("wrote {}{hint}", args.output.display()));
+    out.wrote(&args.output, if format == RegionFormat::Html { IN_BROWSER } else { "" });
     Ok(Answer::Yes)
 }
 

@@ -10,25 +10,29 @@ use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
-use crate::output::{result, say};
+use crate::input;
+use crate::output::{Console, is_standard};
 
-pub fn run(args: &ViewArgs) -> Result<Answer, Error> {
+/// What to do with a page.
+pub const IN_BROWSER: &str = "(open it in a browser)";
+
+pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     check_page_name(&args.output)?;
-    let scene = args.scene.load()?;
+    let out = &out.beside(Some(&args.output));
+    let scene = input::scene(&args.scene, out)?;
     let (scene, shown, violations) = match &args.path {
         None => (scene, None, Vec::new()),
         Some(path) => {
-            let (scene, loaded) = io::load_path_of(&scene, path)?;
+            let (scene, loaded) = input::path(&scene, &args.scene, path)?;
             let engine = engine_for(&scene, args.checker.engine, args.checker.interference)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
             let report = check_path(&*engine, &loaded.waypoints);
             (scene, Some(shown(loaded, report.length)), report.violations)
         }
     };
-    io::write_atomically(&args.output, page(&scene, shown.as_ref(), &violations).as_bytes())?;
-    match args.scene.format {
-        Format::Text => say(&format!("wrote {} (open it in a browser)", args.output.display())),
-        Format::Json => result(&serde_json::json!({ "page": args.output, "violations": violations }).to_string()),
+    out.write(&args.output, page(&scene, shown.as_ref(), &violations).as_bytes(), IN_BROWSER)?;
+    if args.scene.format == Format::Json {
+        out.result(&serde_json::json!({ "page": args.output, "violations": violations }).to_string());
     }
     Ok(Answer::Yes)
 }
@@ -37,6 +41,7 @@ pub fn run(args: &ViewArgs) -> Result<Answer, Error> {
 pub fn check_page_name(path: &Path) -> Result<(), Error> {
     match path.extension().and_then(|e| e.to_str()) {
         Some("html" | "htm") => Ok(()),
+        _ if is_standard(path) => Ok(()),
         _ => Err(Error::file(path, "found another extension, expected .html")),
     }
 }

@@ -13,15 +13,16 @@ use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
-use crate::output::{position, result, say, scene_line, thousandths};
+use crate::input;
+use crate::output::{Console, position, scene_line, thousandths};
 use crate::progress::{interrupted, with_sign_of_life};
 
-pub fn run(args: &WrenchArgs) -> Result<Answer, Error> {
-    let scene = args.scene.load()?;
+pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
+    let scene = input::scene(&args.scene, out)?;
     match (&args.at, args.grid, &args.along) {
-        (Some(at), _, _) => at_position(args, &scene, &Point::from_slice(at)),
-        (_, Some(step), _) => map(args, &scene, step),
-        (_, _, path) => along(args, &scene, path.as_deref().expect("clap asks for one of the three")),
+        (Some(at), _, _) => at_position(args, &scene, &Point::from_slice(at), out),
+        (_, Some(step), _) => map(args, &scene, step, out),
+        (_, _, path) => along(args, &scene, path.as_deref().expect("clap asks for one of the three"), out),
     }
 }
 
@@ -31,34 +32,34 @@ fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error>
     Ok((statics, constraint::required_of(scene, args.force, args.moment)?))
 }
 
-fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point) -> Result<Answer, Error> {
+fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> Result<Answer, Error> {
     let (statics, required) = asked(args, scene)?;
     let report = wrench_at(&statics, &required, at).map_err(|e| e.in_file(&args.scene.scene))?;
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!(report))),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {
-            result(&scene_line(scene));
-            report_lines(&statics, &report, &position(at)).iter().for_each(|line| result(line));
+            out.result(&scene_line(scene));
+            report_lines(&statics, &report, &position(at)).iter().for_each(|line| out.result(line));
         }
     }
     Ok(if report.feasible { Answer::Yes } else { Answer::No })
 }
 
-fn along(args: &WrenchArgs, scene: &Scene, path: &Path) -> Result<Answer, Error> {
+fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result<Answer, Error> {
     args.output.as_deref().map(io::check_tensions_name).transpose()?;
-    let (scene, path) = io::load_path_of(scene, path)?;
+    let (scene, path) = input::path(scene, &args.scene, path)?;
     let (statics, required) = asked(args, &scene)?;
     let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted)
         .map_err(|e| e.in_file(&args.scene.scene))?;
     let all_balanced = rows.iter().all(|row| row.tensions.is_some());
     if let Some(output) = &args.output {
         io::save_tensions(output, &rows)?;
-        say(&format!("wrote {}", output.display()));
+        out.wrote(output, "");
     }
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", serde_json::json!({ "rows": rows }))),
-        Format::Text if args.output.is_none() => result(io::tensions_csv(&rows).trim_end()),
-        Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| result(line)),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!({ "rows": rows }))),
+        Format::Text if args.output.is_none() => out.result(io::tensions_csv(&rows).trim_end()),
+        Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| out.result(line)),
     }
     Ok(if all_balanced { Answer::Yes } else { Answer::No })
 }
@@ -130,7 +131,7 @@ fn summary(scene: &Scene, statics: &Statics, rows: &[TensionRow]) -> Vec<String>
     lines
 }
 
-fn map(args: &WrenchArgs, scene: &Scene, step: f64) -> Result<Answer, Error> {
+fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Answer, Error> {
     let (statics, required) = asked(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
     io::MapFormat::of(output)?;
@@ -142,30 +143,33 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64) -> Result<Answer, Error> {
         ));
     }
     let options = MapOptions { step, projected: args.projected };
-    let map = with_sign_of_life("measuring", |stop| {
+    let map = with_sign_of_life(out, "measuring", |stop| {
         let batch = BatchOptions { threads: None, interrupted: stop };
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })?;
     io::save_wrench_map(output, &map)?;
     let found = map.summary();
     match args.scene.format {
-        Format::Json => result(&format!("{:#}", summary_json(&map))),
+        Format::Json => out.result(&format!("{:#}", summary_json(&map))),
         Format::Text => {
-            result(&scene_line(scene));
+            out.result(&scene_line(scene));
             let [nx, ny, nz] = map.grid().counts;
             let share = 100.0 * found.share;
-            result(&format!("{} of {} nodes feasible ({nx} x {ny} x {nz}), {share:.1} %", found.feasible, found.nodes));
-            result(&format!("feasible volume {:.3} m³", found.volume));
+            out.result(&format!(
+                "{} of {} nodes feasible ({nx} x {ny} x {nz}), {share:.1} %",
+                found.feasible, found.nodes
+            ));
+            out.result(&format!("feasible volume {:.3} m³", found.volume));
             let extent = found.extent.iter().map(|e| format!("from {} to {} m", position(&e.min), position(&e.max)));
-            extent.for_each(|extent| result(&format!("its extent {extent}")));
+            extent.for_each(|extent| out.result(&format!("its extent {extent}")));
             for (what, place) in [("least", &found.least), ("greatest", &found.greatest)] {
                 let told =
                     |p: &Place| format!("{what} margin {} N at {}", thousandths(p.margin), position(&p.position));
-                place.iter().for_each(|place| result(&told(place)));
+                place.iter().for_each(|place| out.result(&told(place)));
             }
         }
     }
-    say(&format!("wrote {}", output.display()));
+    out.wrote(output, "");
     Ok(if found.feasible > 0 { Answer::Yes } else { Answer::No })
 }
 

@@ -21,6 +21,11 @@ pub fn cdpr_in(folder: &Path, arguments: &[&str]) -> Output {
     Command::cargo_bin("cdpr").unwrap().current_dir(folder).args(arguments).output().unwrap()
 }
 
+/// The program with this text as standard input.
+pub fn cdpr_fed(folder: &Path, arguments: &[&str], text: &str) -> Output {
+    Command::cargo_bin("cdpr").unwrap().current_dir(folder).args(arguments).write_stdin(text).output().unwrap()
+}
+
 pub fn status(output: &Output) -> i32 {
     output.status.code().expect("not killed")
 }

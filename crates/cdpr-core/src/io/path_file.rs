@@ -183,31 +183,33 @@ pub struct LoadedPath {
 /// # Errors
 /// Names the file, the key or line, what was found and what was expected.
 pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
-    let loaded = match path.extension().and_then(|e| e.to_str()) {
-        Some("json") => from_json(path),
-        Some("csv") => from_csv(path).map(|waypoints| LoadedPath { waypoints, file: None }),
+    let json = match path.extension().and_then(|e| e.to_str()) {
+        Some("json") => true,
+        Some("csv") => false,
         other => {
             return Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other))));
         }
     };
-    loaded.map_err(|e| e.in_file(path))
+    waypoints_from_text(&text::read(path)?, json).map_err(|e| e.in_file(path))
 }
 
-/// Loads a path of a scene, and gives the scene at the orientation of the path: the scene's own, or, where the scene
-/// leaves it open, the one that the file says.
+/// A path of at least two waypoints from text, JSON or else CSV.
 ///
 /// # Errors
-/// As [`load_waypoints`]; a file that says it was planned for another scene or at another orientation.
-pub fn load_path_of(scene: &Scene, path: &Path) -> Result<(Scene, LoadedPath), Error> {
-    let loaded = load_waypoints(path)?;
-    let scene = match &loaded.file {
-        Some(file) => scene_of(scene, file).map_err(|e| e.in_file(path))?,
-        None => scene.clone(),
-    };
-    Ok((scene, loaded))
+/// Names the key or line, what was found and what was expected.
+pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> {
+    if json { from_json(text) } else { from_csv(text).map(|waypoints| LoadedPath { waypoints, file: None }) }
 }
 
-/// The scene at the orientation of a path of it.
+/// The scene at the orientation of a path of it: the scene's own, or, where the scene leaves it open, the one that the
+/// path's file says.
+///
+/// # Errors
+/// A path that says it was planned for another scene or at another orientation.
+pub fn scene_of_path(scene: &Scene, path: &LoadedPath) -> Result<Scene, Error> {
+    path.file.as_ref().map_or(Ok(scene.clone()), |file| scene_of(scene, file))
+}
+
 fn scene_of(scene: &Scene, file: &PathFile) -> Result<Scene, Error> {
     let own = match file.orientation {
         Some(orientation) if !scene.orientation_is_fixed() => scene.turned(orientation.into())?,
@@ -239,8 +241,8 @@ fn another_scene(scene: &Scene, id: &SceneId) -> Error {
     Error::invalid("scene", problem)
 }
 
-fn from_json(path: &Path) -> Result<LoadedPath, Error> {
-    let file: PathFile = text::parse(&text::read(path)?, text::Notation::Json)?;
+fn from_json(text: &str) -> Result<LoadedPath, Error> {
+    let file: PathFile = text::parse(text, text::Notation::Json)?;
     if let Some(version) = file.version.filter(|v| *v != FORMAT_VERSION) {
         return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
     }
@@ -250,8 +252,7 @@ fn from_json(path: &Path) -> Result<LoadedPath, Error> {
     Ok(LoadedPath { waypoints, file: Some(file) })
 }
 
-fn from_csv(path: &Path) -> Result<Vec<Point>, Error> {
-    let text = text::read(path)?;
+fn from_csv(text: &str) -> Result<Vec<Point>, Error> {
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let header: Vec<String> = reader.headers().map_err(csv_problem)?.iter().map(str::to_string).collect();
     if header != ["x", "y", "z"] {

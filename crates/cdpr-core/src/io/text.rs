@@ -9,6 +9,9 @@ use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
 
+/// How many files of a folder are looked at for a name like that of a missing one.
+const MANY_FILES: usize = 10_000;
+
 /// What the names of temporary files begin with.
 const TEMPORARY: &str = ".cdpr-";
 
@@ -39,7 +42,23 @@ pub(super) fn shown(extension: Option<&str>) -> String {
 
 /// The whole file as text.
 pub fn read(path: &Path) -> Result<String, Error> {
-    std::fs::read_to_string(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))
+    std::fs::read_to_string(path).map_err(|e| unreadable(path, &e))
+}
+
+/// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
+fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    let near = (error.kind() == std::io::ErrorKind::NotFound).then(|| near_file(path)).flatten();
+    let hint = near.map(|name| format!("; did you mean {}?", path.with_file_name(name).display())).unwrap_or_default();
+    Error::file(path, format!("cannot be read: {error}{hint}"))
+}
+
+fn near_file(path: &Path) -> Option<String> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let names =
+        std::fs::read_dir(folder).ok()?.take(MANY_FILES).filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let mut names: Vec<String> = names.filter(|name| !name.starts_with('.')).collect();
+    names.sort();
+    nearest_name(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_string)
 }
 
 /// The whole file as text, refused if it is larger than `most` bytes.
@@ -50,7 +69,7 @@ pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
 
 /// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
 pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
-    let unreadable = |e: std::io::Error| Error::file(path, format!("cannot be read: {e}"));
+    let unreadable = |e: std::io::Error| unreadable(path, &e);
     let mut bytes = Vec::new();
     let file = std::fs::File::open(path).map_err(unreadable)?;
     file.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;

@@ -1,0 +1,81 @@
+//! Reading: scenes, paths and experiments from files, or from standard input where `-` stands for the file.
+
+use std::io::Read;
+use std::path::Path;
+use std::time::Instant;
+
+use cdpr_core::batch::Experiment;
+use cdpr_core::io::text::Notation;
+use cdpr_core::io::{LoadedPath, experiment_from_text, scene_from_text, scene_of_path, waypoints_from_text};
+use cdpr_core::{Error, Scene, io};
+
+use crate::args::{PathArgs, SceneArgs};
+use crate::output::{Console, count, is_standard};
+
+/// How standard input is called in messages.
+const STANDARD_INPUT: &str = "standard input";
+
+/// The scene, turned as asked for. Files that one from standard input names are relative to where the program runs.
+pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
+    let clock = Instant::now();
+    let scene = match is_standard(&args.scene) {
+        true => from_standard(|text| scene_from_text(text, notation(text), Some(Path::new(""))))?,
+        false => io::load_scene(&args.scene)?,
+    };
+    let parts = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
+    let what = format!("{} of {}", count(scene.obstacles().len(), "obstacle"), count(parts, "part"));
+    out.detail(&format!("read {} in {:.1} ms: {what}", args.scene.display(), 1e3 * clock.elapsed().as_secs_f64()));
+    match &args.orientation {
+        Some(orientation) => scene.turned(orientation.clone()).map_err(|e| e.in_file(&args.scene)),
+        None => Ok(scene),
+    }
+}
+
+/// A path, and its scene at the orientation of the path.
+pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+    if is_standard(&args.scene.scene) && is_standard(&args.path) {
+        return Err(only_one());
+    }
+    let scene = scene(&args.scene, out)?;
+    path(&scene, &args.scene, &args.path)
+}
+
+fn only_one() -> Error {
+    Error::invalid("", "found - for both scene and path, but there is one standard input only")
+}
+
+/// A path of a scene, and the scene at the orientation of the path.
+pub fn path(scene: &Scene, args: &SceneArgs, path: &Path) -> Result<(Scene, LoadedPath), Error> {
+    if !is_standard(path) {
+        let loaded = io::load_waypoints(path)?;
+        return Ok((scene_of_path(scene, &loaded).map_err(|e| e.in_file(path))?, loaded));
+    }
+    if is_standard(&args.scene) {
+        return Err(only_one());
+    }
+    from_standard(|text| {
+        let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
+        Ok((scene_of_path(scene, &loaded)?, loaded))
+    })
+}
+
+/// An experiment.
+pub fn experiment(path: &Path) -> Result<Experiment, Error> {
+    match is_standard(path) {
+        true => from_standard(|text| experiment_from_text(text, notation(text), None)),
+        false => io::load_experiment(path),
+    }
+}
+
+fn from_standard<T>(parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
+    let name = Path::new(STANDARD_INPUT);
+    let mut text = String::new();
+    let read = std::io::stdin().read_to_string(&mut text);
+    read.map_err(|e| Error::file(name, format!("cannot be read: {e}")))?;
+    parse(&text).map_err(|e| e.in_file(name))
+}
+
+/// JSON begins with a brace, TOML never does.
+fn notation(text: &str) -> Notation {
+    if text.trim_start().starts_with('{') { Notation::Json } else { Notation::Toml }
+}

@@ -1,0 +1,102 @@
+//! What people expect of any program in a shell: standard input and output, quiet and verbose, colours, hints, manuals.
+
+mod support;
+
+use support::*;
+
+#[test]
+fn a_dash_is_standard_input_or_output() {
+    let scene = std::fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    let folder = std::path::PathBuf::from(testdata("scenes")); // the scene names its robot relative to here
+    let planned = cdpr_fed(&folder, &["plan", "-", "-o", "-"], &scene);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    let path = json(&planned);
+    assert!(path["status"] == "solved" && stderr(&planned).contains("solved: "), "{}", stderr(&planned));
+    let checked = cdpr_fed(&folder, &["check", "hard1.toml", "-"], &stdout(&planned));
+    assert!(status(&checked) == 0 && stdout(&checked).contains("valid: "), "{}", stderr(&checked));
+    let csv = "x,y,z\n0.3,1,0.3\n1.7,1,1.7\n";
+    assert_eq!(status(&cdpr_fed(&folder, &["check", "hard1.toml", "-"], csv)), 1);
+    let as_json = stdout(&cdpr(&["new", "--format", "json"]));
+    assert_eq!(json(&cdpr_fed(&folder, &["info", "-", "--format", "json"], &as_json))["name"], "starter");
+    let robot = cdpr(&["import", &testdata("caspr/CoGiRo"), "-o", "-"]);
+    assert!(stdout(&robot).contains("[[cables]]") && stderr(&robot).contains("CoGiRo: 8 cables"), "{}", stdout(&robot));
+    let page = cdpr(&["view", &testdata("scenes/hard1.toml"), "-o", "-"]);
+    assert!(stdout(&page).starts_with("<!doctype html>") || stdout(&page).starts_with("<!DOCTYPE html>"));
+
+    for (arguments, text, expected) in [
+        (vec!["check", "-", "-"], "", "one standard input only"),
+        (vec!["info", "-"], "version = 2", "standard input: missing field"),
+        (vec!["check", "hard1.toml", "-"], "x,y\n1,2\n", "standard input: header: found \"x,y\""),
+        (vec!["plan", "hard1.toml", "-o", "-", "--html", "-"], "", "one standard output only"),
+    ] {
+        let refused = cdpr_fed(&folder, &arguments, text);
+        assert!(status(&refused) == 2 && stderr(&refused).contains(expected), "{arguments:?}: {}", stderr(&refused));
+        assert_eq!(stdout(&refused), "");
+    }
+}
+
+#[test]
+fn quiet_says_results_only_and_verbose_says_more() {
+    let hard1 = testdata("scenes/hard1.toml");
+    let folder = folder();
+    let run = |more: &[&str]| cdpr_in(folder.path(), &[&["plan", &hard1, "-o", "path.json"], more].concat());
+    assert_eq!(stderr(&run(&["-q"])), "");
+    assert!(stdout(&run(&["-q"])).contains("solved: "));
+    let (usual, verbose) = (stderr(&run(&[])), stderr(&run(&["--verbose"])));
+    assert!(usual.contains("wrote path.json") && !usual.contains(" ms: "), "{usual}");
+    assert!(verbose.contains("1 obstacle of 1 part") && verbose.contains(" ms: 2.4352 m, 3 waypoints"), "{verbose}");
+    // Errors are said even then.
+    let refused = cdpr(&["-q", "info", "nowhere.toml"]);
+    assert!(status(&refused) == 2 && stderr(&refused).contains("nowhere.toml: cannot be read"));
+}
+
+#[test]
+fn colours_are_for_terminals_and_for_those_who_ask() {
+    let hard1 = testdata("scenes/hard1.toml");
+    let coloured = "\u{1b}[1m\u{1b}[32msolved:\u{1b}[0m";
+    assert!(!stdout(&cdpr(&["plan", &hard1])).contains('\u{1b}'));
+    assert!(stdout(&cdpr(&["plan", &hard1, "--color", "always"])).contains(coloured));
+    assert!(stderr(&cdpr(&["--color", "always", "info", "nowhere.toml"])).starts_with("\u{1b}[1m\u{1b}[31mcdpr:"));
+}
+
+#[test]
+fn slips_of_the_keyboard_are_answered_with_the_nearest_name() {
+    let folder = folder();
+    let starter = stdout(&cdpr(&["new"]));
+    std::fs::write(folder.path().join("hall.toml"), &starter).unwrap();
+    std::fs::write(folder.path().join("slip.toml"), starter.replace("clearance", "clearence")).unwrap();
+    for (arguments, expected) in [
+        (vec!["info", "hal.toml"], "did you mean hall.toml?"),
+        (vec!["info", "slip.toml"], "did you mean `clearance`?"),
+        (vec!["inof", "hall.toml"], "'info'"),
+        (vec!["plan", "hall.toml", "--planer", "rrt"], "'--planner'"),
+        (vec!["plan", "hall.toml", "--planner", "rrt-conect"], "'rrt-connect'"),
+        (vec!["shadows", "hall.toml", "-o", "s.obj", "--obstacle", "colum"], "did you mean \"column\"?"),
+    ] {
+        let refused = cdpr_in(folder.path(), &arguments);
+        assert!(status(&refused) == 2 && stderr(&refused).contains(expected), "{arguments:?}: {}", stderr(&refused));
+    }
+}
+
+#[test]
+fn every_command_has_examples_a_manual_page_and_completions() {
+    let folder = folder();
+    assert_eq!(status(&cdpr_in(folder.path(), &["man", "-o", "man1"])), 0);
+    let help = stdout(&cdpr(&["--help"]));
+    let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names: Vec<&str> =
+        commands.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help").collect();
+    assert!(names.len() >= 15, "{help}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = stdout(&cdpr(&["completions", shell]));
+        assert!(names.iter().all(|name| script.contains(name)), "{shell}");
+    }
+    for name in names {
+        let help = stdout(&cdpr(&[name, "--help"]));
+        assert!(help.contains("Example") && help.contains(&format!("cdpr {name}")), "{name}");
+        let page = std::fs::read_to_string(folder.path().join(format!("man1/cdpr-{name}.1"))).unwrap();
+        assert!(page.contains(".TH") && page.contains("EXAMPLE") | page.contains("Example"), "{name}");
+    }
+    assert!(folder.path().join("man1/cdpr.1").exists());
+    assert!(stdout(&cdpr(&["man"])).contains(".TH cdpr 1"));
+}
