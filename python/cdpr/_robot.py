@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Floats, point, rows
 from ._tables import TriangleMesh, body_table
-from ._values import frozen
+from ._values import Immutable
 from .exceptions import CdprWarning, InputError
 
 Unit: TypeAlias = Literal["mm", "cm", "m", "in", "ft"]
 
 
-class Robot:
+class Robot(Immutable):
     """A cable robot: a platform of convex parts, hung on straight cables.
 
     Parameters
@@ -185,22 +185,6 @@ class Robot:
     def mass(self) -> float | None:
         """Mass of the platform, kg, if given."""
         return self._spec.get("mass")
-
-    def __eq__(self, other: object) -> bool:
-        """Compare by value."""
-        return isinstance(other, Robot) and self._spec == other._spec
-
-    def __hash__(self) -> int:
-        """Hash by value."""
-        return hash(frozen(self._spec))
-
-    def __copy__(self) -> Robot:
-        """Return the robot itself, which never changes."""
-        return self
-
-    def __deepcopy__(self, memo: object) -> Robot:
-        """Return the robot itself, which never changes."""
-        return self
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         """Pickle by value."""

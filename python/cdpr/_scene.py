@@ -17,7 +17,7 @@ from . import _core
 from ._arrays import Floats, point, rows
 from ._robot import Robot
 from ._tables import KEPT, QUERY, Kept, Obstacle, box_table, obstacle_tables, put
-from ._values import frozen
+from ._values import Immutable
 from ._violation import Violation, violation_from
 from .exceptions import CdprWarning, InputError
 
@@ -25,7 +25,7 @@ Engine: TypeAlias = Literal["cspace", "gjk"]
 Interference: TypeAlias = Literal["exact", "swept"]
 
 
-class Scene:
+class Scene(Immutable):
     """A robot among obstacles in a workspace, with the question asked of it.
 
     Parameters
@@ -480,22 +480,6 @@ class Scene:
         """
         found = json.loads(self._core.violations(point("start", start), point("end", end), engine, interference))
         return violation_from(found[0]) if found else None
-
-    def __eq__(self, other: object) -> bool:
-        """Compare by value."""
-        return isinstance(other, Scene) and self._spec == other._spec
-
-    def __hash__(self) -> int:
-        """Hash by value."""
-        return hash(frozen(self._spec))
-
-    def __copy__(self) -> Scene:
-        """Return the scene itself, which never changes."""
-        return self
-
-    def __deepcopy__(self, memo: object) -> Scene:
-        """Return the scene itself, which never changes."""
-        return self
 
     @classmethod
     def _of_sound(cls, text: str) -> Scene:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from dataclasses import fields
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -27,6 +27,28 @@ def frozen(value: Any) -> Hashable:
     if isinstance(value, Mapping):
         return frozenset((key, frozen(entry)) for key, entry in value.items())
     return tuple(map(frozen, value)) if isinstance(value, (list, tuple)) else value
+
+
+class Immutable:
+    """Something that a table says in full and that never changes."""
+
+    _spec: dict[str, Any]
+
+    def __eq__(self, other: object) -> bool:
+        """Compare by value."""
+        return isinstance(other, Immutable) and type(self) is type(other) and self._spec == other._spec
+
+    def __hash__(self) -> int:
+        """Hash by value."""
+        return hash(frozen(self._spec))
+
+    def __copy__(self) -> Self:
+        """Return the thing itself."""
+        return self
+
+    def __deepcopy__(self, memo: object) -> Self:
+        """Return the thing itself."""
+        return self
 
 
 class ByValue:
