@@ -53,8 +53,8 @@ python-test: wheel browser
 	$(BIN)/python -m pytest python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
 
-# Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned; the
-# source archive is built there from nothing, which takes some minutes.
+# Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned;
+# the source archive is built there from nothing, which takes some minutes.
 package-test: wheel
 	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
 

@@ -216,7 +216,8 @@ class Result(Path):
         DataFrame
             A row a milestone: ``seconds``, ``samples``, ``cost`` (m).
         """
-        return frame({name: [getattr(entry, name) for entry in self.history] for name in Milestone._fields}, "milestone")
+        columns = {name: [getattr(entry, name) for entry in self.history] for name in Milestone._fields}
+        return frame(columns, "milestone")
 
     def __repr__(self) -> str:
         """Say what was found, or why nothing was."""

@@ -176,7 +176,7 @@ class Scene(Immutable):
         workspace: ArrayLike | None = None,
         start: ArrayLike | None | Kept = KEPT,
         goal: ArrayLike | None | Kept = KEPT,
-        orientation: ArrayLike | None | Kept = KEPT,
+        orientation: ArrayLike | str | None | Kept = KEPT,
         clearance: float | None = None,
         name: str | None | Kept = KEPT,
     ) -> Scene:
@@ -189,8 +189,9 @@ class Scene(Immutable):
             Smallest and largest coordinates, m.
         start, goal : array_like (3,) or None, optional
             Positions of the platform's origin, world, m; None takes them away.
-        orientation : array_like (4,) or None, optional
-            World-from-platform unit quaternion w x y z; None is no turn.
+        orientation : array_like (4,), str or None, optional
+            World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None is the first
+            of those, or no turn.
         clearance : float, optional
             Metres.
         name : str or None, optional
@@ -339,7 +340,7 @@ class Scene(Immutable):
     @property
     def orientation(self) -> Floats:
         """World-from-platform unit quaternion w x y z, (4,)."""
-        return np.array(self._spec.get("query", {}).get("orientation", [1, 0, 0, 0]), dtype=np.float64)
+        return np.array(self._core.orientation(), dtype=np.float64)
 
     @property
     def required_clearance(self) -> float:

@@ -124,11 +124,11 @@ class WrenchMap:
         Returns
         -------
         DataFrame
-            ``x``, ``y``, ``z`` (m), ``margin`` (N), and ``force_margin`` (N) and ``moment_margin`` (N·m) where there are.
+            ``x``, ``y``, ``z`` (m), ``margin`` (N); where there are, ``force_margin`` (N), ``moment_margin`` (N·m).
         """
-        columns = {axis: self.positions[..., k].ravel() for k, axis in enumerate("xyz")} | {"margin": self.margin.ravel()}
-        for name, margins in (("force_margin", self.force_margin), ("moment_margin", self.moment_margin)):
-            if margins is not None:
+        columns = {axis: self.positions[..., k].ravel() for k, axis in enumerate("xyz")}
+        for name in ("margin", "force_margin", "moment_margin"):
+            if (margins := getattr(self, name)) is not None:
                 columns[name] = margins.ravel()
         return frame(columns)
 

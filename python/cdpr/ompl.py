@@ -1,8 +1,8 @@
 """Planners of OMPL on the checker of this package: ``pip install 'cdpr[ompl]'``.
 
 OMPL (Şucan, Moll and Kavraki, *The Open Motion Planning Library*, IEEE Robotics & Automation Magazine, 2012,
-https://ompl.kavrakilab.org) brings the planners; the scene brings the space of positions and says which states and which
-motions are valid. Motions are judged whole, as everywhere in this package, not by samples along them.
+https://ompl.kavrakilab.org) brings the planners; the scene brings the space of positions and says which states and
+which motions are valid. Motions are judged whole, as everywhere in this package, not by samples along them.
 
 >>> import cdpr, cdpr.ompl
 >>> from ompl import geometric
@@ -216,8 +216,8 @@ class MotionValidator(base.MotionValidator):
 
         Notes
         -----
-        The overload of ``checkMotion`` with ``lastValid``. The bindings of OMPL 2.0.1 do not hand it on to Python, their
-        successors do under this name (https://github.com/ompl/ompl/pull/1442).
+        The overload of ``checkMotion`` with ``lastValid``. The bindings of OMPL 2.0.1 do not hand it on to Python,
+        their successors do under this name (https://github.com/ompl/ompl/pull/1442).
         """
         if self.checkMotion(s1, s2):
             return True, 1.0
@@ -363,8 +363,8 @@ def path(setup: Any) -> Path:
     Returns
     -------
     Path
-        ``waypoints`` (k, 3), world, m, and ``cost``, its length, m, for `check`, `rewind`, `refine`, `show`, and to save.
-        It has been checked once more, whole.
+        ``waypoints`` (k, 3), world, m, and ``cost``, its length, m, for `check`, `rewind`, `refine`, `show`, and to
+        save. It has been checked once more, whole.
 
     Raises
     ------

@@ -143,7 +143,8 @@ def test_copies_of_what_never_changes_are_itself():
 
 def work(scene, path):
     """In another process: check a path, and hand back all kinds of things."""
-    return scene, cdpr.check(scene, path), cdpr.plan(scene, "modified-rrt", seed=4), cdpr.shadows(scene), make("WrenchMap")
+    report, result = cdpr.check(scene, path), cdpr.plan(scene, "modified-rrt", seed=4)
+    return scene, report, result, cdpr.shadows(scene), make("WrenchMap")
 
 
 def test_processes_that_share_nothing_get_and_give_them():

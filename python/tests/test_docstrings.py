@@ -46,7 +46,8 @@ NAMES = sorted(set(public()))
 
 
 def test_all_of_the_package_is_looked_at():
-    assert len(NAMES) > 80 and {"cdpr.plan", "cdpr.Scene.without", "cdpr.ompl.MotionValidator.checkMotion"} <= set(NAMES)
+    some = {"cdpr.plan", "cdpr.Scene.without", "cdpr.ompl.MotionValidator.checkMotion"}
+    assert len(NAMES) > 80 and some <= set(NAMES)
 
 
 def described(thing):
@@ -63,9 +64,9 @@ def results():
 
 @pytest.mark.parametrize("thing", results(), ids=lambda thing: thing.__name__)
 def test_results_describe_every_attribute(thing):
-    fields = [field.name for field in dataclasses.fields(thing)] if dataclasses.is_dataclass(thing) else described(thing)
-    own = [name for name in getattr(thing, "_fields", fields) if not name.startswith("_")]
-    assert described(thing) == own and len(results()) == 13
+    fields = dataclasses.fields(thing) if dataclasses.is_dataclass(thing) else ()
+    own = getattr(thing, "_fields", [field.name for field in fields if not field.name.startswith("_")])
+    assert described(thing) == list(own or described(thing)) and len(results()) == 13
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -19,7 +19,8 @@ def test_waypoints_nodes_and_history(hard1):
     assert table["s"].iloc[0] == 0 and table["s"].iloc[-1] == pytest.approx(result.cost)
     assert cdpr.refine(hard1, result).to_pandas()["s"].is_monotonic_increasing
     nodes = result.tree.to_pandas()
-    assert (nodes[["x", "y", "z"]].to_numpy() == result.tree.states).all() and nodes["parent"].tolist() == result.tree.parents.tolist()
+    assert (nodes[["x", "y", "z"]].to_numpy() == result.tree.states).all()
+    assert nodes["parent"].tolist() == result.tree.parents.tolist()
     history = result.history_to_pandas()
     assert history["cost"].tolist() == [milestone.cost for milestone in result.history] and len(history) >= 1
     unsolved = cdpr.plan(hard1, max_samples=0)

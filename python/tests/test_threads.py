@@ -13,8 +13,8 @@ from conftest import TESTDATA
 
 import cdpr
 
-# How long a call must take for the test to tell something, s, and the longest part of it in which a thread that ticks each
-# millisecond may be silent; beside a call that held the interpreter it would be silent all the time.
+# How long a call must take for the test to tell something, s, and the longest part of it in which a thread that ticks
+# each millisecond may be silent; beside a call that held the interpreter it would be silent all the time.
 LONG, SILENT = 0.5, 0.5
 
 
@@ -38,18 +38,20 @@ def longest_pause(call):
 
 
 def plenty(scene):
+    """Calls that take the longer the greater the number they get."""
+    more = {"keep_going": True, "post": "none", "near_radius": 0.3}
     points = np.random.default_rng(0).uniform(0.15, 1.85, (400_000, 3))
     return {
         "motions_valid": lambda n: scene.motions_valid(points[:n], points[:n][::-1].copy(), engine="gjk", threads=1),
         "states_valid": lambda n: scene.states_valid(points[:n], engine="gjk", threads=1),
         "clearance": lambda n: scene.clearance(points[:n], threads=1),
-        "plan": lambda n: cdpr.plan(scene, "rrt-star", seed=1, keep_going=True, max_samples=n, post="none", near_radius=0.3),
+        "plan": lambda n: cdpr.plan(scene, "rrt-star", seed=1, max_samples=n, **more),
         "wrench_map": lambda n: cdpr.wrench_map(scene, step=1.7 / n ** (1 / 3), threads=1),
         "capacity_margin": lambda n: cdpr.capacity_margin(scene.robot, points[:n], threads=1),
     }
 
 
-@pytest.mark.parametrize("name", ["motions_valid", "states_valid", "clearance", "plan", "wrench_map", "capacity_margin"])
+@pytest.mark.parametrize("name", list(plenty(None)))
 def test_a_ticking_thread_goes_on(hard1, name):
     call = plenty(hard1)[name]
     n, took = 500, 0.0
@@ -88,7 +90,8 @@ import threading, time, cdpr
 import numpy as np
 scene = cdpr.Scene.load({str(TESTDATA / "scenes/hard1.toml")!r})
 points = np.random.default_rng(0).uniform(0.1, 1.9, (2_000_000, 3))
-other = threading.Thread(target=lambda: scene.motions_valid(points, points[::-1].copy(), engine="gjk", threads=1), daemon=True)
+ask = lambda: scene.motions_valid(points, points[::-1].copy(), engine="gjk", threads=1)
+other = threading.Thread(target=ask, daemon=True)
 other.start()
 print("ready", flush=True)
 try:

@@ -140,6 +140,12 @@ impl Scene {
         Ok(engine_of(self, engine, interference)?.motion_valid(&point(start), &point(end)))
     }
 
+    /// World-from-platform unit quaternion, w x y z.
+    fn orientation(&self) -> [f64; 4] {
+        let turn = self.0.orientation();
+        [turn.w, turn.i, turn.j, turn.k]
+    }
+
     /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
     fn position_box(&self) -> PyResult<([f64; 3], [f64; 3])> {
         let (min, max) = Constraints::new(&self.0).map_err(raised)?.position_box();
@@ -499,7 +505,11 @@ fn polytope_distance(
 /// The waypoints of a path file as rows; refused if it says it belongs to another scene.
 #[pyfunction]
 fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<Vec<[f64; 3]>> {
-    let loaded = io::load_waypoints(&path, scene.map(|s| &s.0)).map_err(raised)?;
+    let loaded = match scene {
+        Some(scene) => io::load_path_of(&scene.0, &path).map(|(_, loaded)| loaded),
+        None => io::load_waypoints(&path),
+    };
+    let loaded = loaded.map_err(raised)?;
     Ok(loaded.waypoints.into_iter().map(Into::into).collect())
 }
 
