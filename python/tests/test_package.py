@@ -30,7 +30,7 @@ scene = cdpr.Scene(cdpr.Robot(outlets, cube, [cube]), {}, workspace=[[0, 0, 0], 
 scene = scene.with_obstacle("pillar", cube * [1, 1, 6], position=[1, 1, 0.6])
 scene = scene.replace(start=[0.3, 1, 0.3], goal=[1.7, 1, 1.7])
 result = cdpr.plan(scene)
-assert result.solved and cdpr.check(scene, result).valid and 2.4 < result.cost < 2.6, result
+assert result.solved and cdpr.check(scene, result).valid and 1.98 < result.cost < 2.3, result
 result.save("path.json")
 cdpr.save_view("view.html", scene, result)
 scene.save("scene.toml")
@@ -75,7 +75,7 @@ def test_the_wheel_is_for_every_python_from_3_11_on():
 
 def test_the_wheel_plans_in_an_environment_of_its_own(tmp_path):
     (wheel,) = WHEELS.glob("*.whl")
-    assert planned_with(wheel, tmp_path) == "planned 2.435\n"
+    assert planned_with(wheel, tmp_path) == "planned 2.103\n"
 
 
 @pytest.mark.sdist
@@ -91,4 +91,4 @@ def test_the_sdist_builds_and_plans_outside_of_the_checkout(tmp_path):
     assert not [name for name in names if name.startswith(("target/", "viewer/", ".venv/")) or "node_modules" in name]
     assert not [name for name, text in manifests.items() if str(ROOT) in text]
     # Without optimisation: what is asked is whether it builds, and the wheel is tested optimised.
-    assert planned_with(sdist, tmp_path, MATURIN_PEP517_ARGS="--profile dev") == "planned 2.435\n"
+    assert planned_with(sdist, tmp_path, MATURIN_PEP517_ARGS="--profile dev") == "planned 2.103\n"
