@@ -160,7 +160,7 @@ class Scene(Immutable):
         Parameters
         ----------
         path : path
-            .toml or .json.
+            .toml or .json. A scene without a name has that of its file when it is loaded again.
 
         Raises
         ------

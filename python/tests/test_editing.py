@@ -132,6 +132,8 @@ def test_scenes_and_robots_are_saved_and_loaded(hard3, tmp_path, extension):
     for scene in (hard3, hard3.with_obstacle("crate", CUBE + [1.7, 0.3, 0.2]).replace(clearance=0.01, start=None)):
         scene.save(tmp_path / f"scene.{extension}")
         assert cdpr.Scene.load(tmp_path / f"scene.{extension}") == scene
+    hard3.replace(name=None).save(tmp_path / f"hall.{extension}")
+    assert cdpr.Scene.load(tmp_path / f"hall.{extension}") == hard3.replace(name="hall")
     hard3.robot.save(tmp_path / f"robot.{extension}")
     assert cdpr.Robot.load(tmp_path / f"robot.{extension}") == hard3.robot
     for thing in (hard3, hard3.robot):

@@ -34,7 +34,7 @@ assert result.solved and cdpr.check(scene, result).valid and 1.98 < result.cost 
 result.save("path.json")
 cdpr.save_view("view.html", scene, result)
 scene.save("scene.toml")
-assert cdpr.Scene.load("scene.toml") == scene
+assert cdpr.Scene.load("scene.toml") == scene.replace(name="scene")
 for name, extra in (("ompl", "ompl"), ("figures", "figures")):
     try:
         __import__(f"cdpr.{name}")
