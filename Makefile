@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 WHEELS := target/wheels
 
-.PHONY: test lint rust-test release-test verify wheel python-test demo figures bench viewer browser clean
+.PHONY: test lint rust-test release-test verify wheel python-test package-test demo figures bench viewer browser clean
 
 test: lint rust-test release-test python-test
 
@@ -49,8 +49,14 @@ browser:
 
 python-test: wheel browser
 	$(BIN)/python -m mypy python/cdpr
+	$(BIN)/python -m mypy.stubtest cdpr --mypy-config-file pyproject.toml --allowlist python/stubtest-allowlist.txt
 	$(BIN)/python -m pytest python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
+
+# Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned;
+# the source archive is built there from nothing, which takes some minutes.
+package-test: wheel
+	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
 
 # Plan the paper's scene; writes path.json and view.html.
 demo:

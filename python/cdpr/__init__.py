@@ -20,10 +20,13 @@ True
 from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
-from ._model import Robot, Scene, Violation, import_robot
-from ._planning import Milestone, Path, Report, Result, SearchTree, check, load_path, lower_bound, plan, refine, rewind, schema
+from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
+from ._results import Milestone, Path, Report, Result, SearchTree
+from ._robot import Robot, import_robot
+from ._scene import Scene
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
+from ._violation import Violation
 from ._wrench import (
     AvailableSet,
     Tensions,

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import csv
-import importlib
 import io
 import json
 import os
 import warnings
 from collections.abc import Callable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from . import _core
-from ._model import Scene
+from ._pandas import pandas_or_none
+from ._scene import Scene
 from .exceptions import CdprWarning, InputError
 
 Progress: TypeAlias = Callable[[int, int], object]
@@ -30,7 +30,7 @@ _NAMES = ("scenario", "method", "status")
 _INTEGERS = {"trial": np.int64, "seed": np.uint64, "samples": np.int64}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BatchResult:
     """Tables of a run: pandas DataFrames if pandas is installed, else structured NumPy arrays.
 
@@ -57,21 +57,33 @@ class BatchResult:
         ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None where there is no number.
     trials_csv : bytes
         What ``cdpr batch`` writes to trials.csv, byte by byte.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scenarios, methods = [{"name": "pillar", "scene": scene}], [{"name": "RRT", "planner": "rrt"}]
+    >>> run_batch({"version": 1, "trials": 5, "scenarios": scenarios, "methods": methods})
+    BatchResult('experiment', 5 rows)
     """
 
     name: str
-    trials: Any = field(repr=False)
-    timings: Any = field(repr=False)
-    history: Any = field(repr=False)
-    summary: Any = field(repr=False)
-    t_tests: list[dict[str, Any]] = field(repr=False)
-    trials_csv: bytes = field(repr=False)
-    _json: str = field(repr=False)
-    _range: tuple[int, int] = field(repr=False)
-    _rows: list[bytes] = field(repr=False)
+    trials: Any
+    timings: Any
+    history: Any
+    summary: Any
+    t_tests: list[dict[str, Any]]
+    trials_csv: bytes
+    _json: str
+    _range: tuple[int, int]
+    _rows: list[bytes]
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write the folder that ``cdpr batch -o`` writes; ``cdpr report`` and ``cdpr merge`` read it.
+
+        Parameters
+        ----------
+        folder : path
+            New, or empty.
 
         Raises
         ------
@@ -79,6 +91,18 @@ class BatchResult:
             A folder that is not empty, or that cannot be written.
         """
         _core.Experiment.from_json(self._json).save(os.fspath(folder), *self._range, self._rows)
+
+    def __eq__(self, other: object) -> bool:
+        """Compare by value: experiment, range of trials, and rows, times among them."""
+        if not isinstance(other, BatchResult):
+            return NotImplemented
+        return (self._json, self._range, self._rows) == (other._json, other._range, other._rows)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        """Say name and size."""
+        return f"BatchResult({self.name!r}, {len(self.trials)} rows)"
 
 
 def run_batch(
@@ -207,7 +231,7 @@ def _work(text: str, first: int, end: int, threads: int) -> tuple[list[bytes], l
     return _core.Experiment.from_json(text).run(first, end, threads, None)
 
 
-_Part: TypeAlias = "Future[tuple[list[bytes], list[str]]]"
+_Part: TypeAlias = Future[tuple[list[bytes], list[str]]]
 
 
 def _on_executor(
@@ -240,20 +264,13 @@ def _on_executor(
     return rows, [failure for _, failures in results for failure in failures]
 
 
-def _pandas() -> Any | None:
-    try:
-        return importlib.import_module("pandas")
-    except ImportError:
-        return None
-
-
 def _table(text: bytes) -> Any:
     """Return CSV as a DataFrame, or as a structured array; empty numbers are NaN."""
     lines = csv.reader(io.StringIO(text.decode()))
     header = next(lines)
     columns = dict(zip(header, list(zip(*lines, strict=True)) or [()] * len(header), strict=True))
     arrays = {name: _column(name, values) for name, values in columns.items()}
-    if (pandas := _pandas()) is not None:
+    if (pandas := pandas_or_none()) is not None:
         return pandas.DataFrame(arrays)
     table = np.empty(len(arrays["trial"]), dtype=[(name, column.dtype) for name, column in arrays.items()])
     for name, column in arrays.items():
@@ -270,7 +287,7 @@ def _column(name: str, values: tuple[str, ...]) -> np.ndarray[Any, Any]:
 
 
 def _summary(facts: dict[str, Any]) -> Any:
-    if (pandas := _pandas()) is None:
+    if (pandas := pandas_or_none()) is None:
         return facts
     return pandas.DataFrame([_flat(entry) for entry in facts["methods"]])
 

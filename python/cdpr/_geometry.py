@@ -21,6 +21,12 @@ class Distance(float):
         Nearest points of the first and the second body; where they meet, a common point as nearly as one was found.
     depth : float
         How far one body must be moved to part them, m; 0 where they are apart or only touch.
+
+    Examples
+    --------
+    >>> apart = distance([[0, 0, 0]], [[0, 0, 2]])
+    >>> apart, apart + 1.0, apart.intersects
+    (2.0, 3.0, False)
     """
 
     intersects: bool

@@ -5,16 +5,17 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal, NamedTuple, TypeAlias
+from collections.abc import Callable
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Ints, point, rows
-from ._model import Engine, Interference, Scene, Violation, violation_from
+from ._arrays import Floats, point, rows
+from ._results import Milestone, Path, Report, Result, SearchTree
+from ._scene import Engine, Interference, Scene
+from ._violation import violation_from
 from .exceptions import InputError
 
 Planner: TypeAlias = Literal["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
@@ -28,137 +29,6 @@ def _array(waypoints: list[list[float]]) -> Floats:
 
 def _number(value: float | None) -> float:
     return float("nan") if value is None else value
-
-
-@dataclass(frozen=True, eq=False)
-class Path:
-    """A path of straight segments.
-
-    Attributes
-    ----------
-    waypoints : ndarray (k, 3)
-        Positions of the platform's origin, world, m.
-    cost : float
-        Length, m.
-    """
-
-    waypoints: Floats
-    cost: float
-    _json: str = field(repr=False, default="")
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a path file: .json, or .csv for the waypoints alone."""
-        _core.save_path(os.fspath(path), self._json)
-
-
-class Milestone(NamedTuple):
-    """A path that was better than those before.
-
-    Attributes
-    ----------
-    seconds : float
-        Time since the search began, s.
-    samples : int
-        Samples drawn by then.
-    cost : float
-        Length of the path, m.
-    """
-
-    seconds: float
-    samples: int
-    cost: float
-
-
-class SearchTree(NamedTuple):
-    """The tree of a planner, or several of them one after the other.
-
-    Attributes
-    ----------
-    states : ndarray (n, 3)
-        Position of each node, world, m.
-    parents : ndarray (n,) of int64
-        Index of each node's parent; a root is its own.
-    """
-
-    states: Floats
-    parents: Ints
-
-
-def _no_tree() -> SearchTree:
-    return SearchTree(np.empty((0, 3)), np.empty(0, dtype=np.int64))
-
-
-@dataclass(frozen=True, eq=False)
-class Result(Path):
-    """What planning found.
-
-    Attributes
-    ----------
-    status : str
-        "solved", "budget_spent", "start_invalid" or "goal_invalid".
-    waypoints : ndarray (k, 3)
-        The final path, m; (0, 3) unless solved.
-    cost : float
-        Its length, m; NaN unless solved.
-    raw_waypoints : ndarray (k, 3)
-        The planner's path before rewinding, m.
-    raw_cost : float
-        Its length, m; NaN unless solved.
-    reason : Violation or None
-        Why the start or goal is invalid.
-    min_clearance : dict or None
-        Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
-    stats : dict
-        ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
-    history : tuple of Milestone
-        When the planner's path got better, first to last.
-    tree : SearchTree
-        The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if start
-        or goal is invalid; path files do not hold it.
-    """
-
-    status: str = ""
-    raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
-    raw_cost: float = float("nan")
-    reason: Violation | None = None
-    min_clearance: Mapping[str, Any] | None = None
-    stats: Mapping[str, float] = field(default_factory=dict)
-    history: tuple[Milestone, ...] = ()
-    tree: SearchTree = field(repr=False, default_factory=_no_tree)
-
-    @property
-    def solved(self) -> bool:
-        """Whether a path was found."""
-        return self.status == "solved"
-
-
-@dataclass(frozen=True)
-class Report:
-    """What was found about a path.
-
-    Attributes
-    ----------
-    valid : bool
-    length : float
-        m
-    violations : tuple of Violation
-        In order along the path.
-    min_clearance : dict or None
-        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``.
-    min_wrench_margin : dict or None
-        On scenes with ``[wrench]`` the least margin beyond what is demanded: ``value``, ``unit``, ``measure``, ``segment``,
-        ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
-    tension_range : dict or None
-        On scenes with ``[wrench]`` the least and the greatest tension, ``min`` and ``max``: ``value`` (N), ``cable``,
-        ``segment``, ``at``. None where the loads cannot be balanced everywhere.
-    """
-
-    valid: bool
-    length: float
-    violations: tuple[Violation, ...]
-    min_clearance: Mapping[str, Any] | None
-    min_wrench_margin: Mapping[str, Any] | None = None
-    tension_range: Mapping[str, Any] | None = None
 
 
 def plan(
@@ -331,6 +201,8 @@ def rewind(
         Which direction comes first; "both" keeps the shorter of the two.
     repeats : int
         How often the pair of rewindings runs.
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
 
     Returns
     -------
@@ -369,6 +241,8 @@ def refine(
     scene : Scene
     waypoints : array_like (k, 3), k >= 2
         Positions of the platform's origin, world, m; every segment must be valid.
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
 
     Returns
     -------
@@ -388,6 +262,11 @@ def refine(
     2.435167
     """
     return _shortened(scene, waypoints, "taut", 1.0, 1, engine, interference)
+
+
+def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
+    """Anyone's path, checked."""
+    return _shortened(scene, waypoints, "none", 1.0, 1, engine, interference)
 
 
 def _shortened(
@@ -442,6 +321,17 @@ def check(
     scene : Scene
     waypoints : array_like (k, 3), k >= 2
         Positions of the platform's origin, world, m.
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
+
+    Returns
+    -------
+    Report
+
+    Raises
+    ------
+    InputError
+        Wrong shape, fewer than two waypoints, numbers that are not finite.
 
     Examples
     --------
@@ -455,15 +345,49 @@ def check(
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Floats:
-    """Load the waypoints of a path file (.json or .csv), (k, 3), m.
+    """Load the waypoints of a path file.
 
-    With ``scene``, a file that says it was planned for another scene is refused.
+    Parameters
+    ----------
+    path : path
+        .json or .csv.
+    scene : Scene, optional
+        A file that says it was planned for another scene is refused.
+
+    Returns
+    -------
+    ndarray (k, 3)
+        Positions of the platform's origin, world, m.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, or its name has another extension.
+    InputError
+        Bad contents, or a path of another scene.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     plan(scene).save(f"{folder}/path.csv")
+    ...     load_path(f"{folder}/path.csv", scene).shape
+    (3, 3)
     """
     return _array(_core.load_path(os.fspath(path), None if scene is None else scene._core))
 
 
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:
     """Return the JSON Schema of a file format.
+
+    Parameters
+    ----------
+    of : {"scene", "robot", "path", "experiment"}
+
+    Returns
+    -------
+    dict
 
     Examples
     --------

@@ -5,20 +5,21 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import Floats
-from ._model import Scene
+from ._scene import Scene
+from ._values import ByValue
 
 Space: TypeAlias = Literal["attachment", "position"]
 
 
-@dataclass(frozen=True, eq=False)
-class Mesh:
+@dataclass(frozen=True, eq=False, repr=False)
+class Mesh(ByValue):
     """A forbidden region as a closed surface of triangles, oriented outward.
 
     Attributes
@@ -37,14 +38,23 @@ class Mesh:
     volume : float
         m³. Each convex part of a concave body is a closed piece of its own, and where pieces overlap all of them count;
         0 for two cables, whose region is flat and has two sides.
+
+    Examples
+    --------
+    >>> shadows(Scene.load("testdata/scenes/hard1.toml"))["cable 0 / pillar"]
+    Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)
     """
 
     name: str
     kind: str
     culprits: tuple[str, ...]
-    vertices: Floats = field(repr=False)
-    triangles: NDArray[np.int64] = field(repr=False)
+    vertices: Floats
+    triangles: NDArray[np.int64]
     volume: float
+
+    def __repr__(self) -> str:
+        """Say who is kept apart, and the size."""
+        return f"Mesh({self.name!r}, {self.kind}, {len(self.triangles)} triangles, {self.volume:.4g} m³)"
 
 
 def shadows(
@@ -133,11 +143,29 @@ def save_shadows(
     (about seven digits); .html is a page that shows the regions in the scene, and opens offline. Regions share no
     vertices: a reader that merges equal ones joins what touches.
 
+    Parameters
+    ----------
+    path : path
+    scene : Scene
+    space : {"attachment", "position"}, optional
+        This and what follows as in :func:`shadows`.
+    all_regions : bool
+    cables, obstacles : str or sequence of str, optional
+
     Raises
     ------
     FileError
         Another extension, or a file that cannot be written; nothing half-written is left.
     InputError
         As :func:`shadows`.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save_shadows(f"{folder}/shadows.obj", scene, cables="cable 1")
+    ...     open(f"{folder}/shadows.obj").read().count("\\no ")
+    1
     """
     scene._core.save_regions(os.fspath(path), space, bool(all_regions), _names(cables), _names(obstacles))

@@ -8,7 +8,7 @@ import os
 import sys
 import tempfile
 import webbrowser
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path as FilePath
 
 import numpy as np
@@ -16,13 +16,13 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import rows
-from ._model import Interference, Scene
-from ._planning import Path, Result
+from ._results import Path, Result
+from ._scene import Interference, Scene
 
 _INLINE_HEIGHT = 640
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, repr=False)
 class View:
     """One self-contained HTML page; a notebook shows it inline.
 
@@ -30,21 +30,47 @@ class View:
     ----------
     html : str
         The page.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> page = cdpr.show(cdpr.Scene.load("testdata/scenes/hard1.toml"))  # doctest: +SKIP
+    >>> page.save("view.html")  # doctest: +SKIP
     """
 
-    html: str = field(repr=False)
+    html: str
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the page to a file; it opens offline."""
+        """Write the page to a file; it opens offline.
+
+        Parameters
+        ----------
+        path : path
+
+        Raises
+        ------
+        FileError
+            A file that cannot be written; nothing half-written is left.
+        """
         _core.save_text(os.fspath(path), self.html)
 
     def open(self) -> FilePath:
-        """Open the page in a browser tab and return its file, in the folder for temporary files."""
+        """Open the page in a browser tab.
+
+        Returns
+        -------
+        pathlib.Path
+            The file of the page, in the folder for temporary files.
+        """
         handle, name = tempfile.mkstemp(prefix="cdpr-", suffix=".html")
         os.close(handle)
         self.save(name)
         webbrowser.open_new_tab(FilePath(name).as_uri())
         return FilePath(name)
+
+    def __repr__(self) -> str:
+        """Say the size."""
+        return f"View({len(self.html) // 1000} kB)"
 
     def _repr_html_(self) -> str:
         # A frame of its own, so that the page and the notebook cannot touch each other.
@@ -74,7 +100,30 @@ def save_view(
     *,
     interference: Interference = "exact",
 ) -> None:
-    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline."""
+    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline.
+
+    Parameters
+    ----------
+    path : path
+        Of the page.
+    scene : Scene
+    waypoints : array_like (k, 3), Path or Result, optional
+        As in :func:`show`.
+    interference : {"exact", "swept"}
+        How the path is checked for what the page shows in red.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be written; nothing half-written is left.
+
+    Examples
+    --------
+    >>> import cdpr, tempfile
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
+    """
     view(scene, waypoints, interference=interference).save(path)
 
 
@@ -93,6 +142,12 @@ def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     -------
     View
         ``show(...).save("view.html")`` keeps the page.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> page = cdpr.show(scene, cdpr.plan(scene))  # doctest: +SKIP
     """
     shown = view(scene, waypoints, interference=interference)
     if not _in_notebook():

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Floats, numbers, point, rows
-from ._model import Robot, Scene
-from ._planning import Path, path_rows
+from ._pandas import frame
+from ._planning import path_rows
+from ._results import Path
+from ._robot import Robot
+from ._scene import Scene
+from ._values import ByValue
 
 
 def _statics(
@@ -138,13 +143,28 @@ def force_margin(
 ) -> Floats:
     """Radius of the largest ball of forces around the balancing one that the cables can exert, whatever their moment.
 
-    This is the paper's effective force set. It is optimistic: exerting a force may bring a moment along. Parameters are
-    those of `capacity_margin`.
+    This is the paper's effective force set. It is optimistic: exerting a force may bring a moment along.
+
+    Parameters
+    ----------
+    robot : Robot
+        With a mass and tension limits.
+    positions : array_like (n, 3)
+        Positions of the platform's origin, world, m.
+    load, gravity, orientation : array_like, optional
+        As in `capacity_margin`.
+    threads : int, optional
+        Default all cores.
 
     Returns
     -------
     ndarray (n,)
         N; negative where the balancing force itself is out of reach.
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits.
 
     Examples
     --------
@@ -164,7 +184,18 @@ def moment_margin(
     orientation: ArrayLike | None = None,
     threads: int | None = None,
 ) -> Floats:
-    """As `force_margin`, of moments about the platform's origin.
+    """Radius of the largest ball of moments around the balancing one that the cables can exert, whatever their force.
+
+    Parameters
+    ----------
+    robot : Robot
+        With a mass and tension limits.
+    positions : array_like (n, 3)
+        Positions of the platform's origin, about which the moments are, world, m.
+    load, gravity, orientation : array_like, optional
+        As in `capacity_margin`.
+    threads : int, optional
+        Default all cores.
 
     Returns
     -------
@@ -180,8 +211,8 @@ def moment_margin(
     return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), threads)
 
 
-@dataclass(frozen=True, eq=False)
-class AvailableSet:
+@dataclass(frozen=True, eq=False, repr=False)
+class AvailableSet(ByValue):
     """The forces, or the moments, that the cables can exert at a position, as a surface.
 
     Attributes
@@ -196,13 +227,22 @@ class AvailableSet:
         Corners, N (N·m), world axes.
     triangles : ndarray (k, 3) of int64
         Corners of each triangle, counter-clockwise seen from outside, as indices into ``vertices``.
+
+    Examples
+    --------
+    >>> force_set(Robot.load("testdata/robots/paper.toml"), [1, 1, 1])
+    AvailableSet(rank 3, margin 1561, 14 vertices)
     """
 
     rank: int
     balance: Floats
     margin: float
-    vertices: Floats = field(repr=False)
-    triangles: NDArray[np.int64] = field(repr=False)
+    vertices: Floats
+    triangles: NDArray[np.int64]
+
+    def __repr__(self) -> str:
+        """Say rank, margin and size."""
+        return f"AvailableSet(rank {self.rank}, margin {self.margin:.4g}, {len(self.vertices)} vertices)"
 
 
 def force_set(
@@ -217,8 +257,16 @@ def force_set(
 
     Parameters
     ----------
+    robot : Robot
+        With a mass and tension limits.
     position : array_like (3,)
-        Of the platform's origin, world, m. Other parameters are those of `capacity_margin`.
+        Of the platform's origin, world, m.
+    load, gravity, orientation : array_like, optional
+        As in `capacity_margin`.
+
+    Returns
+    -------
+    AvailableSet
 
     Raises
     ------
@@ -242,7 +290,25 @@ def moment_set(
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
 ) -> AvailableSet:
-    """As `force_set`, of moments about the platform's origin, N·m; a point mass has none and is refused.
+    """Set of the moments that the cables can exert at a position, whatever their force.
+
+    Parameters
+    ----------
+    robot : Robot
+        With a mass and tension limits; a point mass has no moments and is refused.
+    position : array_like (3,)
+        Of the platform's origin, about which the moments are, world, m.
+    load, gravity, orientation : array_like, optional
+        As in `capacity_margin`.
+
+    Returns
+    -------
+    AvailableSet
+
+    Raises
+    ------
+    InputError
+        As `force_set`, and for a point mass.
 
     Examples
     --------
@@ -273,13 +339,30 @@ def tension_distribution(
 
     Parameters
     ----------
+    robot : Robot
+        With a mass and tension limits.
+    positions : array_like (n, 3)
+        Positions of the platform's origin, world, m.
+    load : array_like (6,), optional
+        As in `capacity_margin`.
     reference : array_like (m,), optional
-        N; default the middle of each cable's limits. Other parameters are those of `capacity_margin`.
+        N; default the middle of each cable's limits.
+    gravity, orientation : array_like, optional
+        As in `capacity_margin`.
+    characteristic_length : float
+        Length that turns moments into forces, m.
+    threads : int, optional
+        Default all cores.
 
     Returns
     -------
     ndarray (n, m)
         N; rows of NaN where no tensions within the limits balance the loads. They are continuous along a path.
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits, a reference of another size.
 
     Examples
     --------
@@ -294,8 +377,8 @@ def tension_distribution(
     return statics.tensions(rows("positions", positions), wanted, threads)
 
 
-@dataclass(frozen=True, eq=False)
-class Tensions:
+@dataclass(frozen=True, eq=False, repr=False)
+class Tensions(ByValue):
     """Lengths, tensions and margins at even steps along a path.
 
     Attributes
@@ -310,15 +393,42 @@ class Tensions:
         Of each cable, N; rows of NaN where the loads cannot be balanced.
     capacity_margin, force_margin, moment_margin : ndarray (n,)
         N, N, N·m; NaN where they do not exist.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
+    Tensions(21 rows, 8 cables, 1.9799 m)
     """
 
     s: Floats
-    positions: Floats = field(repr=False)
-    lengths: Floats = field(repr=False)
-    tensions: Floats = field(repr=False)
-    capacity_margin: Floats = field(repr=False)
-    force_margin: Floats = field(repr=False)
-    moment_margin: Floats = field(repr=False)
+    positions: Floats
+    lengths: Floats
+    tensions: Floats
+    capacity_margin: Floats
+    force_margin: Floats
+    moment_margin: Floats
+
+    def to_pandas(self) -> Any:
+        """Return the rows as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            ``s``, ``x``, ``y``, ``z`` (m), ``length_0`` and on (m), ``tension_0`` and on (N), ``capacity_margin``,
+            ``force_margin`` (N), ``moment_margin`` (N·m).
+        """
+        columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
+        for name, matrix in (("length", self.lengths), ("tension", self.tensions)):
+            columns |= {f"{name}_{cable}": column for cable, column in enumerate(matrix.T)}
+        for name in ("capacity_margin", "force_margin", "moment_margin"):
+            columns[name] = getattr(self, name)
+        return frame(columns)
+
+    def __repr__(self) -> str:
+        """Say the size."""
+        rows_, cables = self.tensions.shape
+        return f"Tensions({rows_} rows, {cables} cables, {self.s[-1] if rows_ else 0.0:.4f} m)"
 
 
 def tensions_along(
@@ -340,6 +450,15 @@ def tensions_along(
         Distance of the rows, m.
     reference : sequence of float (m,), optional
         As in `tension_distribution`.
+
+    Returns
+    -------
+    Tensions
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits, a step that is not positive, fewer than two waypoints.
 
     Examples
     --------

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import Floats
-from ._model import Scene
+from ._pandas import frame
+from ._scene import Scene
 
 
 class WrenchMap:
@@ -33,6 +34,16 @@ class WrenchMap:
         Share of feasible nodes; their number times the volume of a cell, m³.
     extent : ndarray (2, 3) or None
         Smallest and largest coordinates of feasible nodes, m.
+    positions : ndarray (nx, ny, nz, 3)
+        Of the nodes, m.
+
+    Examples
+    --------
+    >>> found = wrench_map(Scene.load("testdata/scenes/cogiro.toml"), step=1.0)
+    >>> found
+    WrenchMap(13 x 10 x 5 nodes of 1.0 m, 50.0 % feasible)
+    >>> found.positions[found.feasible].shape[1]
+    3
     """
 
     def __init__(self, core: _core.WrenchMap) -> None:
@@ -60,7 +71,18 @@ class WrenchMap:
         return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file: .npz, which NumPy reads as well, or .vti for ParaView."""
+        """Write a file: .npz, which NumPy reads as well, or .vti for ParaView.
+
+        Parameters
+        ----------
+        path : path
+            Its extension says which.
+
+        Raises
+        ------
+        FileError
+            Another extension, or a file that cannot be written.
+        """
         self._core.save(os.fspath(path))
 
     @classmethod
@@ -72,7 +94,20 @@ class WrenchMap:
         force: float | None = None,
         moment: float | None = None,
     ) -> WrenchMap:
-        """Load a .npz file. With ``scene``, a map of another robot, load or demand is refused.
+        """Load a .npz file.
+
+        Parameters
+        ----------
+        path : path
+            As `save` writes it.
+        scene : Scene, optional
+            A map of another robot, load or demand than this scene's is refused.
+        force, moment : float, optional
+            Radii of the required balls instead of the scene's, N and N·m.
+
+        Returns
+        -------
+        WrenchMap
 
         Raises
         ------
@@ -82,6 +117,34 @@ class WrenchMap:
             A file that is no map, or a map of something else.
         """
         return cls(_core.WrenchMap.load(os.fspath(path), None if scene is None else scene._core, force, moment))
+
+    def to_pandas(self) -> Any:
+        """Return the nodes as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            ``x``, ``y``, ``z`` (m), ``margin`` (N); where there are, ``force_margin`` (N), ``moment_margin`` (N·m).
+        """
+        columns = {axis: self.positions[..., k].ravel() for k, axis in enumerate("xyz")}
+        for name in ("margin", "force_margin", "moment_margin"):
+            if (margins := getattr(self, name)) is not None:
+                columns[name] = margins.ravel()
+        return frame(columns)
+
+    def __eq__(self, other: object) -> bool:
+        """Compare by value: margins, grid, and what the margins depend on."""
+        return isinstance(other, WrenchMap) and self._core.to_bytes() == other._core.to_bytes()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @classmethod
+    def _from_bytes(cls, npz: bytes) -> WrenchMap:
+        return cls(_core.WrenchMap.from_bytes(npz))
+
+    def __reduce__(self) -> tuple[Any, tuple[bytes]]:
+        """Pickle by value."""
+        return WrenchMap._from_bytes, (self._core.to_bytes(),)
 
     def __repr__(self) -> str:
         """Say size and share."""
@@ -112,6 +175,17 @@ def wrench_map(
         Force and moment margins as well; they take some twenty times longer.
     threads : int, optional
         Default all cores; the margins do not depend on it.
+
+    Returns
+    -------
+    WrenchMap
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits, a step that is not positive, more nodes than fit into memory.
+    KeyboardInterrupt
+        On Ctrl-C, at once.
 
     Examples
     --------

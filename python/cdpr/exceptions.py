@@ -2,16 +2,51 @@
 
 
 class CdprError(Exception):
-    """Base of all errors of this package."""
+    """Base of all errors of this package.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> try:
+    ...     cdpr.Scene.load("nowhere.toml")
+    ... except cdpr.CdprError as problem:
+    ...     print(type(problem).__name__)
+    FileError
+    """
 
 
 class InputError(CdprError, ValueError):
-    """Bad input: a value, a key, a shape. The message says what was found, where, and what is expected."""
+    """Bad input: a value, a key, a shape. The message says what was found, where, and what is expected.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> cdpr.distance([[0, 0]], [[1, 1, 1]])
+    Traceback (most recent call last):
+    cdpr.exceptions.InputError: a: found an array of shape (1, 2), expected (n, 3)
+    """
 
 
 class FileError(CdprError, OSError):
-    """A file cannot be read or written, or its name has the wrong extension."""
+    """A file cannot be read or written, or its name has the wrong extension.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> cdpr.load_path("path.txt")
+    Traceback (most recent call last):
+    cdpr.exceptions.FileError: path.txt: found the extension .txt, expected .json or .csv
+    """
 
 
 class CdprWarning(UserWarning):
-    """Something about a scene that the user should know."""
+    """Something about a scene that the user should know.
+
+    Examples
+    --------
+    >>> import cdpr, warnings
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     robot = cdpr.import_robot("testdata/caspr/CoGiRo")
+    >>> [warning.category.__name__ for warning in told]
+    ['CdprWarning']
+    """

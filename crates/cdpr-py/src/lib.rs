@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::path_check::min_clearance;
-use cdpr_core::collision::{Checker, Engine, Interference, check_path};
+use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, Polytope, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{
@@ -81,6 +81,11 @@ impl Scene {
         serialized(self.0.spec())
     }
 
+    /// Writes a scene file, the robot in place.
+    fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
+        io::save_table(&path, self.0.spec()).map_err(raised)
+    }
+
     /// Identifies what paths of this scene are planned against.
     fn fingerprint(&self) -> String {
         self.0.fingerprint()
@@ -88,7 +93,7 @@ impl Scene {
 
     /// What is special about the scene.
     fn notes(&self) -> PyResult<Vec<String>> {
-        Ok(cdpr_core::collision::Constraints::new(&self.0).map_err(raised)?.notes)
+        Ok(Constraints::new(&self.0).map_err(raised)?.notes)
     }
 
     /// Whether each row of an (n, 3) array is a valid position.
@@ -128,6 +133,23 @@ impl Scene {
             motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
         })?;
         Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// Whether one straight motion is valid.
+    fn motion_valid(&self, start: [f64; 3], end: [f64; 3], engine: &str, interference: &str) -> PyResult<bool> {
+        Ok(engine_of(self, engine, interference)?.motion_valid(&point(start), &point(end)))
+    }
+
+    /// World-from-platform unit quaternion, w x y z.
+    fn orientation(&self) -> [f64; 4] {
+        let turn = self.0.orientation();
+        [turn.w, turn.i, turn.j, turn.k]
+    }
+
+    /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
+    fn position_box(&self) -> PyResult<([f64; 3], [f64; 3])> {
+        let (min, max) = Constraints::new(&self.0).map_err(raised)?.position_box();
+        Ok((min.into(), max.into()))
     }
 
     /// The signed clearance of each row of an (n, 3) array, m.
@@ -438,6 +460,13 @@ fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
     Ok(serialized(robot.spec()))
 }
 
+/// Writes a robot file of a robot given as JSON text.
+#[pyfunction]
+fn save_robot(path: std::path::PathBuf, text: &str) -> PyResult<()> {
+    let robot = io::robot_from_text(text, Notation::Json, None).map_err(raised)?;
+    io::save_table(&path, robot.spec()).map_err(raised)
+}
+
 /// A robot of another program as JSON text, and what was not carried over.
 #[pyfunction]
 fn import_robot(
@@ -511,7 +540,8 @@ mod _core {
     use super::*;
     #[pymodule_export]
     use super::{
-        Scene, check_robot, import_robot, load_path, load_robot, polytope_distance, save_path, save_text, schema,
+        Scene, check_robot, import_robot, load_path, load_robot, polytope_distance, save_path, save_robot, save_text,
+        schema,
     };
 
     #[pymodule_init]

@@ -7,6 +7,7 @@ use cdpr_core::wrench::{MapIdentity, MapOptions, Statics, WrenchMap, constraint}
 use cdpr_core::{Error, io};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::errors::{interruptible, raised};
 use crate::{Scene, serialized};
@@ -57,6 +58,17 @@ impl Map {
     /// Writes a .npz or .vti file.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
         io::save_wrench_map(&path, &self.0).map_err(raised)
+    }
+
+    /// The bytes of an .npz file.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &io::wrench_map_to_npz(&self.0))
+    }
+
+    /// A map from such bytes.
+    #[staticmethod]
+    fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
+        io::wrench_map_from_npz(bytes).map(Map).map_err(raised)
     }
 
     /// Position of the first node.

@@ -57,6 +57,14 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
     ------
     InputError
         A run that sweeps no step, an unknown measure.
+
+    Examples
+    --------
+    >>> import cdpr, cdpr.figures
+    >>> scenarios = [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}]
+    >>> methods = [{"name": "modified RRT", "sweep": {"step": [0.05, 0.1, 0.2]}}]
+    >>> batch = cdpr.run_batch({"version": 1, "trials": 20, "scenarios": scenarios, "methods": methods})
+    >>> ax = cdpr.figures.step_sweep(batch)
     """
     label, scale = _axis(measure)
     ax = _axes(ax)
@@ -79,13 +87,21 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     ----------
     batch : BatchResult
         Of an experiment that sweeps the repeats, such as experiments/fig8.toml.
-    measure, ax
+    measure, ax : optional
         As in `step_sweep`.
 
     Returns
     -------
     Axes
         The orders stand a little beside each other, so that their confidence intervals can be told apart.
+
+    Examples
+    --------
+    >>> import cdpr, cdpr.figures
+    >>> scenarios = [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}]
+    >>> methods = [{"name": "modified RRT", "sweep": {"post": ["backward", "forward"], "repeats": [1, 2, 3]}}]
+    >>> batch = cdpr.run_batch({"version": 1, "trials": 20, "scenarios": scenarios, "methods": methods})
+    >>> ax = cdpr.figures.repeats(batch)
     """
     label, scale = _axis(measure)
     ax = _axes(ax)

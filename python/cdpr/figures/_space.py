@@ -11,8 +11,10 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import ArrayLike
 
 from .._arrays import Floats, point
-from .._model import Robot, Scene
-from .._planning import Path, Result, path_rows
+from .._robot import Robot
+from .._scene import Scene
+from .._planning import path_rows
+from .._results import Path, Result
 from .._shadows import shadows as shadow_meshes
 from .._wrench import force_set, moment_set
 from ..exceptions import InputError
@@ -111,7 +113,7 @@ def paths(
         Paths by name, m; of a ``Result`` the final path.
     robot : bool
         Whether to draw platform and cables at the start.
-    view, ax
+    view, ax : optional
         As in `scene`.
 
     Returns
@@ -156,7 +158,7 @@ def model(
     scene : Scene
     cable : int
         The cable that is drawn in full, counting from 0.
-    at, view, ax
+    at, view, ax : optional
         As in `scene`.
 
     Returns
@@ -215,7 +217,7 @@ def rewinding(
         The paper's Algorithm 4 or 5.
     step : float
         Distance of the points tried along each segment, m.
-    view, ax
+    view, ax : optional
         As in `scene`.
 
     Returns
@@ -269,9 +271,9 @@ def available_set(
     position : array_like (3,)
         World, m.
     kind : {"force", "moment"}
-    load, gravity, orientation
+    load, gravity, orientation : array_like, optional
         As in `cdpr.capacity_margin`.
-    view, ax
+    view, ax : optional
         As in `scene`.
 
     Returns

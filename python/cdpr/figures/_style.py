@@ -47,7 +47,19 @@ R = TypeVar("R")
 
 
 def style() -> AbstractContextManager[None]:
-    """Matplotlib's settings of these figures, for what is drawn around them: ``with figures.style(): ...``."""
+    """Matplotlib's settings of these figures, for what is drawn around them.
+
+    Returns
+    -------
+    context manager
+
+    Examples
+    --------
+    >>> import cdpr.figures, matplotlib
+    >>> with cdpr.figures.style():
+    ...     matplotlib.rcParams["font.size"]
+    8.0
+    """
     return mpl.rc_context(_PARAMETERS)
 
 

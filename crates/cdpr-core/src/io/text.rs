@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::path::Path;
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
@@ -130,6 +131,29 @@ pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
     let (file, output) = (absolute(file)?, absolute(output)?);
     let near = output.parent().and_then(|folder| pathdiff::diff_paths(&file, folder)).unwrap_or(file);
     Ok(near.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/"))
+}
+
+/// Writes a table of the file formats, such as a scene's or a robot's, in the notation that the extension names.
+///
+/// # Errors
+/// Another extension, or a file that cannot be written; nothing half-written is left.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{io, testing};
+/// # let folder = tempfile::tempdir().unwrap();
+/// # let path = folder.path().join("scene.toml");
+/// let scene = testing::empty();
+/// io::save_table(&path, scene.spec())?;
+/// assert_eq!(io::load_scene(&path)?.spec(), scene.spec());
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn save_table(path: &Path, table: &impl Serialize) -> Result<(), Error> {
+    let text = match Notation::of(path)? {
+        Notation::Toml => toml::to_string(table).expect("tables are finite"),
+        Notation::Json => format!("{:#}\n", serde_json::json!(table)),
+    };
+    write_atomically(path, text.as_bytes())
 }
 
 /// Writes a file whole or not at all: beside it first, then renamed over it.

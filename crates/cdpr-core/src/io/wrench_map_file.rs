@@ -100,6 +100,32 @@ pub fn load_wrench_map(path: &Path, expected: Option<&MapIdentity>) -> Result<Wr
     Ok(map)
 }
 
+/// A map as the bytes of an .npz file, for other processes.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::{Aabb, Point}, io, testing};
+/// use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
+/// # use cdpr_core::collision::batch::BatchOptions;
+/// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
+/// let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.5, 1.5) };
+/// let batch = BatchOptions { threads: None, interrupted: &|| false };
+/// let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.5, projected: false }, &batch)?;
+/// assert_eq!(io::wrench_map_from_npz(&io::wrench_map_to_npz(&map))?, map);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn wrench_map_to_npz(map: &WrenchMap) -> Vec<u8> {
+    npz(map).expect("memory takes what is written")
+}
+
+/// A map from the bytes of an .npz file.
+///
+/// # Errors
+/// Bytes that are no wrench map, or are cut short.
+pub fn wrench_map_from_npz(bytes: &[u8]) -> Result<WrenchMap, Error> {
+    read_npz(Cursor::new(bytes))
+}
+
 /// The margins of a map under their names in files.
 fn named(margins: &Margins) -> impl Iterator<Item = (&'static str, &Vec<f64>)> {
     let projected = [("force_margin", &margins.force), ("moment_margin", &margins.moment)];

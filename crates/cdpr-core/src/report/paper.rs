@@ -1,4 +1,4 @@
-//! What the paper prints, from `experiments/paper.toml`.
+//! What the paper prints, from `paper.toml` beside this file.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -55,7 +55,7 @@ pub(super) struct Claim {
 }
 
 static PAPER: LazyLock<Paper> =
-    LazyLock::new(|| toml::from_str(include_str!("../../../../experiments/paper.toml")).expect("checked by a test"));
+    LazyLock::new(|| toml::from_str(include_str!("paper.toml")).expect("checked by a test"));
 
 /// What the paper prints about the experiment of this name.
 pub(super) fn printed(experiment: &str) -> Option<(&'static Paper, &'static Printed)> {

@@ -1,0 +1,295 @@
+"""What planning and checking find."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+from ._arrays import Floats, Ints
+from ._pandas import frame
+from ._values import ByValue, same
+from ._violation import Violation
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Path(ByValue):
+    """A path of straight segments.
+
+    Attributes
+    ----------
+    waypoints : ndarray (k, 3)
+        Positions of the platform's origin, world, m.
+    cost : float
+        Length, m.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> path = cdpr.refine(scene, cdpr.plan(scene, "modified-rrt"))
+    >>> path
+    Path(2.4352 m, 3 waypoints)
+    >>> path.waypoints.shape
+    (3, 3)
+    """
+
+    waypoints: Floats
+    cost: float
+    _json: str = field(default="", compare=False)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a path file: .json, or .csv for the waypoints alone.
+
+        Parameters
+        ----------
+        path : path
+            Its extension says which.
+
+        Raises
+        ------
+        FileError
+            Another extension, or a file that cannot be written; nothing half-written is left.
+        """
+        _core.save_path(os.fspath(path), self._json)
+
+    def to_pandas(self) -> Any:
+        """Return the waypoints as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            A row a waypoint: ``s``, the way along the path, and ``x``, ``y``, ``z``, world, all in m.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> cdpr.plan(scene).to_pandas().round(3).loc[1].to_dict()
+        {'s': 1.98, 'x': 1.7, 'y': 1.0, 'z': 1.7}
+        """
+        steps = np.linalg.norm(np.diff(self.waypoints, axis=0), axis=1)
+        along = np.concatenate([np.zeros(min(len(self.waypoints), 1)), np.cumsum(steps)])
+        return frame({"s": along, **_axes(self.waypoints)}, "waypoint")
+
+    def __repr__(self) -> str:
+        """Say length and size."""
+        return f"{type(self).__name__}({self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
+
+
+class Milestone(NamedTuple):
+    """A path that was better than those before.
+
+    Attributes
+    ----------
+    seconds : float
+        Time since the search began, s.
+    samples : int
+        Samples drawn by then.
+    cost : float
+        Length of the path, m.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> best = cdpr.plan(scene).history[-1]
+    >>> print(f"{best.cost:.6f}")
+    2.435167
+    """
+
+    seconds: float
+    samples: int
+    cost: float
+
+
+class SearchTree(NamedTuple):
+    """The tree of a planner, or several of them one after the other.
+
+    Attributes
+    ----------
+    states : ndarray (n, 3)
+        Position of each node, world, m.
+    parents : ndarray (n,) of int64
+        Index of each node's parent; a root is its own.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> tree = cdpr.plan(scene, "rrt").tree
+    >>> bool(scene.motions_valid(tree.states[tree.parents], tree.states).all())
+    True
+    """
+
+    states: Floats
+    parents: Ints
+
+    def to_pandas(self) -> Any:
+        """Return the nodes as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            A row a node: ``x``, ``y``, ``z``, world, m, and ``parent``.
+        """
+        return frame({**_axes(self.states), "parent": self.parents}, "node")
+
+    def __eq__(self, other: object) -> bool:
+        """Compare by value."""
+        return isinstance(other, SearchTree) and same(tuple(self), tuple(other))
+
+    def __ne__(self, other: object) -> bool:
+        """Compare by value."""
+        return not self == other
+
+    def __repr__(self) -> str:
+        """Say the size."""
+        return f"SearchTree({_count(len(self.states), 'node')})"
+
+
+def _no_tree() -> SearchTree:
+    return SearchTree(np.empty((0, 3)), np.empty(0, dtype=np.int64))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result(Path):
+    """What planning found.
+
+    Attributes
+    ----------
+    waypoints : ndarray (k, 3)
+        The final path, m; (0, 3) unless solved.
+    cost : float
+        Its length, m; NaN unless solved.
+    status : str
+        "solved", "budget_spent", "start_invalid" or "goal_invalid".
+    raw_waypoints : ndarray (k, 3)
+        The planner's path before rewinding, m.
+    raw_cost : float
+        Its length, m; NaN unless solved.
+    reason : Violation or None
+        Why the start or goal is invalid.
+    min_clearance : dict or None
+        Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
+    stats : dict
+        ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
+    history : tuple of Milestone
+        When the planner's path got better, first to last.
+    tree : SearchTree
+        The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if start
+        or goal is invalid; path files do not hold it.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> cdpr.plan(scene)
+    Result('solved', 2.4352 m, 3 waypoints)
+    >>> cdpr.plan(scene, goal=[1, 1, 1]).reason.kind
+    'platform-obstacle'
+    """
+
+    status: str = ""
+    raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    raw_cost: float = float("nan")
+    reason: Violation | None = None
+    min_clearance: Mapping[str, Any] | None = None
+    stats: Mapping[str, float] = field(default_factory=dict)
+    history: tuple[Milestone, ...] = ()
+    tree: SearchTree = field(default_factory=_no_tree)
+
+    @property
+    def solved(self) -> bool:
+        """Whether a path was found."""
+        return self.status == "solved"
+
+    def history_to_pandas(self) -> Any:
+        """Return when the planner's path got better as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            A row a milestone: ``seconds``, ``samples``, ``cost`` (m).
+        """
+        columns = {name: [getattr(entry, name) for entry in self.history] for name in Milestone._fields}
+        return frame(columns, "milestone")
+
+    def __repr__(self) -> str:
+        """Say what was found, or why nothing was."""
+        if self.solved:
+            return f"Result({self.status!r}, {self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
+        return f"Result({self.status!r}{'' if self.reason is None else f', {self.reason}'})"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Report(ByValue):
+    """What was found about a path.
+
+    Attributes
+    ----------
+    valid : bool
+        Whether nothing is violated.
+    length : float
+        Metres.
+    violations : tuple of Violation
+        In order along the path.
+    min_clearance : dict or None
+        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``.
+    min_wrench_margin : dict or None
+        On scenes with ``[wrench]`` the least margin beyond what is demanded: ``value``, ``unit``, ``measure``, ``segment``,
+        ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
+    tension_range : dict or None
+        On scenes with ``[wrench]`` the least and the greatest tension, ``min`` and ``max``: ``value`` (N), ``cable``,
+        ``segment``, ``at``. None where the loads cannot be balanced everywhere.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> cdpr.check(scene, cdpr.plan(scene))
+    Report(valid, 2.4352 m)
+    """
+
+    valid: bool
+    length: float
+    violations: tuple[Violation, ...]
+    min_clearance: Mapping[str, Any] | None
+    min_wrench_margin: Mapping[str, Any] | None = None
+    tension_range: Mapping[str, Any] | None = None
+
+    def to_pandas(self) -> Any:
+        """Return the violations as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            A row a violation, its attributes as columns; `Violation` says what they are.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+        >>> table = cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).to_pandas()
+        >>> sorted(set(table["kind"]))
+        ['cable-obstacle', 'platform-obstacle']
+        """
+        names = [field.name for field in fields(Violation)]
+        return frame({name: [getattr(entry, name) for entry in self.violations] for name in names}, "violation")
+
+    def __repr__(self) -> str:
+        """Say what was found."""
+        found = "valid" if self.valid else _count(len(self.violations), "violation")
+        return f"Report({found}, {self.length:.4f} m)"
+
+
+def _axes(positions: Floats) -> dict[str, Floats]:
+    return {"x": positions[:, 0], "y": positions[:, 1], "z": positions[:, 2]}
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

@@ -1,0 +1,521 @@
+"""Scenes."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import Floats, point, rows
+from ._robot import Robot
+from ._tables import KEPT, QUERY, Kept, Obstacle, box_table, obstacle_tables, put
+from ._values import Immutable
+from ._violation import Violation, violation_from
+from .exceptions import CdprWarning, InputError
+
+Engine: TypeAlias = Literal["cspace", "gjk"]
+Interference: TypeAlias = Literal["exact", "swept"]
+
+
+class Scene(Immutable):
+    """A robot among obstacles in a workspace, with the question asked of it.
+
+    Parameters
+    ----------
+    robot : Robot
+    obstacles : mapping of str to array_like or mesh
+        Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays. A mesh,
+        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh:
+        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it.
+    workspace : array_like (2, 3)
+        Smallest and largest coordinates that every platform corner must stay within, m.
+    start, goal : array_like (3,), optional
+        Positions of the platform's origin, world, m.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z, held all the way; default no turn.
+    clearance : float, default 0
+        Least distance to keep between whatever must not touch, m.
+    name : str, optional
+        For messages and pictures.
+
+    Raises
+    ------
+    InputError
+        Wrong shapes, numbers that are not finite, an obstacle without volume or with a corner inside its hull, an outlet
+        inside an obstacle.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene
+    Scene('hard1', 8 cables, 1 obstacle)
+    >>> scene.states_valid([[0.3, 1.0, 0.3], [1.0, 1.0, 1.0]])
+    array([ True, False])
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        obstacles: Mapping[str, Obstacle] | None = None,
+        *,
+        workspace: ArrayLike,
+        start: ArrayLike | None = None,
+        goal: ArrayLike | None = None,
+        orientation: ArrayLike | None = None,
+        clearance: float = 0.0,
+        name: str | None = None,
+    ) -> None:
+        """See the class."""
+        query = {"start": start, "goal": goal, "orientation": orientation}
+        parts = [part for label, body in (obstacles or {}).items() for part in obstacle_tables(label, body)]
+        spec: dict[str, Any] = {
+            "version": 1,
+            "clearance": float(clearance),
+            "workspace": box_table(workspace),
+            "robot": robot.to_dict(),
+            "obstacles": parts,
+            "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
+        }
+        if name is not None:
+            spec["name"] = name
+        self._adopt(_from_spec(spec))
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Scene:
+        """Load a scene file.
+
+        Parameters
+        ----------
+        path : path
+            .toml or .json.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        FileError
+            It cannot be read, or its name has another extension.
+        InputError
+            Bad contents; the message names file, key, what was found and what is expected.
+        """
+        scene = cls.__new__(cls)
+        scene._adopt(_core.Scene.load(os.fspath(path)))
+        return scene
+
+    @classmethod
+    def from_dict(cls, spec: Mapping[str, Any]) -> Scene:
+        """Make a scene from the contents of a scene file.
+
+        Parameters
+        ----------
+        spec : mapping
+            As :meth:`to_dict` returns it, the robot in place.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            Names the key, what was found and what is expected.
+        """
+        scene = cls.__new__(cls)
+        scene._adopt(_from_spec(dict(spec)))
+        return scene
+
+    def _adopt(self, core: _core.Scene, level: int = 3) -> None:
+        self._keep(core)
+        for note in core.notes():
+            warnings.warn(note, CdprWarning, stacklevel=level)
+
+    def _keep(self, core: _core.Scene) -> None:
+        self._core = core
+        self._spec: dict[str, Any] = json.loads(core.to_json())
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the contents of a scene file.
+
+        Returns
+        -------
+        dict
+            A copy, the robot in place; :meth:`from_dict` takes it.
+        """
+        copy: dict[str, Any] = json.loads(self._core.to_json())
+        return copy
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a scene file, the robot in place.
+
+        Parameters
+        ----------
+        path : path
+            .toml or .json. A scene without a name has that of its file when it is loaded again.
+
+        Raises
+        ------
+        FileError
+            Another extension, or a file that cannot be written; nothing half-written is left.
+        """
+        self._core.save(os.fspath(path))
+
+    def replace(
+        self,
+        *,
+        robot: Robot | None = None,
+        workspace: ArrayLike | None = None,
+        start: ArrayLike | None | Kept = KEPT,
+        goal: ArrayLike | None | Kept = KEPT,
+        orientation: ArrayLike | str | None | Kept = KEPT,
+        clearance: float | None = None,
+        name: str | None | Kept = KEPT,
+    ) -> Scene:
+        """Return a scene that differs in what is given; this one stays as it is.
+
+        Parameters
+        ----------
+        robot : Robot, optional
+        workspace : array_like (2, 3), optional
+            Smallest and largest coordinates, m.
+        start, goal : array_like (3,) or None, optional
+            Positions of the platform's origin, world, m; None takes them away.
+        orientation : array_like (4,), str or None, optional
+            World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None is the first
+            of those, or no turn.
+        clearance : float, optional
+            Metres.
+        name : str or None, optional
+            None takes it away.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            As the class.
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> wide = scene.replace(clearance=0.02, goal=[1.7, 1.0, 1.0])
+        >>> wide.required_clearance, scene.required_clearance
+        (0.02, 0.0)
+        """
+        spec = self.to_dict()
+        if robot is not None:
+            spec["robot"] = robot.to_dict()
+        if workspace is not None:
+            spec["workspace"] = box_table(workspace)
+        if clearance is not None:
+            spec["clearance"] = float(clearance)
+        put(spec, "name", name, lambda text: text)
+        query = spec.setdefault("query", {})
+        for key, value in (("start", start), ("goal", goal), ("orientation", orientation)):
+            put(query, key, value, QUERY[key])
+        return self._edited(spec)
+
+    __replace__ = replace  # copy.replace of Python 3.13
+
+    def with_obstacle(
+        self,
+        name: str,
+        obstacle: Obstacle,
+        *,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        rpy: ArrayLike = (0.0, 0.0, 0.0),
+    ) -> Scene:
+        """Return a scene with one more obstacle.
+
+        Parameters
+        ----------
+        name : str
+            A new one.
+        obstacle : array_like (k, 3), mesh, or sequence of them
+            As in the class, in its own frame, m.
+        position : array_like (3,)
+            Where its frame stands in the world, m.
+        rpy : array_like (3,)
+            How it is turned there: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            A name that is taken; otherwise as the class.
+
+        Examples
+        --------
+        >>> cube = [[x, y, z] for x in (0, 0.2) for y in (0, 0.2) for z in (0, 0.2)]
+        >>> Scene.load("testdata/scenes/hard1.toml").with_obstacle("crate", cube, position=[1.5, 0.3, 0.0])
+        Scene('hard1', 8 cables, 2 obstacles)
+        """
+        if name in self._names():
+            raise InputError(f"name: found {name!r}, which an obstacle has already, expected a new one")
+        pose = {"position": point("position", position), "rpy": point("rpy", rpy)}
+        spec = self.to_dict()
+        spec.setdefault("obstacles", []).extend({**part, **pose} for part in obstacle_tables(name, obstacle))
+        return self._edited(spec)
+
+    def without(self, *names: str) -> Scene:
+        """Return a scene without some obstacles, nor the contacts with them that it allowed.
+
+        Parameters
+        ----------
+        *names : str
+            Of obstacles.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            A name that no obstacle has; the message says which one comes nearest.
+
+        Examples
+        --------
+        >>> Scene.load("testdata/scenes/hard3.toml").without("north", "south")
+        Scene('hard3', 8 cables, 1 obstacle)
+        """
+        known = self._names()
+        for name in names:
+            if name not in known:
+                raise InputError(f"without: {_unknown(name, known)}")
+        spec = self.to_dict()
+        parts = zip(self._names(), spec.get("obstacles", []), strict=True)
+        spec["obstacles"] = [{**part, "name": name} for name, part in parts if name not in names]
+        spec["ignore"] = [pair for pair in spec.get("ignore", []) if not set(pair) & set(names)]
+        return self._edited(spec)
+
+    def _names(self) -> list[str]:
+        """The obstacle's name, of each part."""
+        return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]
+
+    @classmethod
+    def _edited(cls, spec: dict[str, Any]) -> Scene:
+        scene = cls.__new__(cls)
+        scene._adopt(_from_spec(spec), level=4)
+        return scene
+
+    @property
+    def robot(self) -> Robot:
+        """The robot."""
+        return Robot._of_sound(self._spec["robot"])
+
+    @property
+    def obstacles(self) -> Mapping[str, tuple[Floats, ...]]:
+        """Obstacles by name, read-only: the corners of each convex part, (k, 3), world, m.
+
+        Examples
+        --------
+        >>> corners = Scene.load("testdata/scenes/hard1.toml").obstacles["pillar"][0]
+        >>> corners.min(axis=0), corners.max(axis=0)
+        (array([0.85, 0.85, 0.  ]), array([1.15, 1.15, 1.5 ]))
+        """
+        drawn = json.loads(self._core.bodies())["obstacles"]
+        bodies = {body["name"]: tuple(_read_only(part["vertices"]) for part in body["parts"]) for body in drawn}
+        return MappingProxyType(bodies)
+
+    @property
+    def workspace(self) -> Floats:
+        """Smallest and largest coordinates that every platform corner must stay within, (2, 3), m."""
+        return np.array([self._spec["workspace"][key] for key in ("min", "max")], dtype=np.float64)
+
+    @property
+    def orientation(self) -> Floats:
+        """World-from-platform unit quaternion w x y z, (4,)."""
+        return np.array(self._core.orientation(), dtype=np.float64)
+
+    @property
+    def required_clearance(self) -> float:
+        """Least distance to keep between whatever must not touch, m."""
+        return float(self._spec.get("clearance", 0.0))
+
+    @property
+    def name(self) -> str:
+        """Name, or "scene"."""
+        return str(self._spec.get("name", "scene"))
+
+    @property
+    def start(self) -> Floats | None:
+        """Start of the query, (3,), m, if given."""
+        return self._end("start")
+
+    @property
+    def goal(self) -> Floats | None:
+        """Goal of the query, (3,), m, if given."""
+        return self._end("goal")
+
+    def _end(self, key: str) -> Floats | None:
+        end = self._spec.get("query", {}).get(key)
+        return None if end is None else np.array(end, dtype=np.float64)
+
+    def states_valid(
+        self,
+        points: ArrayLike,
+        *,
+        engine: Engine = "cspace",
+        interference: Interference = "exact",
+        threads: int | None = None,
+    ) -> NDArray[np.bool_]:
+        """Whether the platform may be at each position.
+
+        Parameters
+        ----------
+        points : array_like (n, 3)
+            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+        engine : {"cspace", "gjk"}
+        interference : {"exact", "swept"}
+        threads : int, optional
+            Default all cores; the answers do not depend on it.
+
+        Returns
+        -------
+        ndarray of bool (n,)
+        """
+        return self._core.states_valid(rows("points", points), engine, interference, threads)
+
+    def motions_valid(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        *,
+        engine: Engine = "cspace",
+        interference: Interference = "exact",
+        threads: int | None = None,
+    ) -> NDArray[np.bool_]:
+        """Whether the platform may go straight from each start to its end, at fixed orientation.
+
+        Parameters
+        ----------
+        starts, ends : array_like (n, 3)
+            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+        engine : {"cspace", "gjk"}
+        interference : {"exact", "swept"}
+            "swept" is the paper's stricter rule for pairs of cables.
+        threads : int, optional
+            Default all cores; the answers do not depend on it.
+
+        Returns
+        -------
+        ndarray of bool (n,)
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> scene.motions_valid([[0.3, 1.0, 0.3], [0.3, 1.0, 0.3]], [[1.7, 1.0, 1.7], [0.3, 1.0, 0.8]])
+        array([False,  True])
+        """
+        first, last = rows("starts", starts), rows("ends", ends)
+        if len(first) != len(last):
+            raise InputError(f"ends: found {len(last)} rows, expected {len(first)}, one for each start")
+        return self._core.motions_valid(first, last, engine, interference, threads)
+
+    def clearance(self, points: ArrayLike, *, threads: int | None = None) -> Floats:
+        """Signed clearance of each position: the least gap in the world between what must not touch.
+
+        Parameters
+        ----------
+        points : array_like (n, 3)
+            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+        threads : int, optional
+            Default all cores; the answers do not depend on it.
+
+        Returns
+        -------
+        ndarray of float (n,)
+            Metres: minus a penetration depth where bodies overlap, 0 where cables cross; infinite where there is nothing
+            to keep away from. Cables and what they end on are left out, and so is the workspace.
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
+        array([0.05    , 0.024121])
+        """
+        return self._core.clearance(rows("points", points), threads)
+
+    def explain_motion(
+        self,
+        start: ArrayLike,
+        end: ArrayLike,
+        *,
+        engine: Engine = "cspace",
+        interference: Interference = "exact",
+    ) -> Violation | None:
+        """Why a motion is refused: the condition it breaks first, or None if it is valid.
+
+        Parameters
+        ----------
+        start, end : array_like (3,)
+            Positions of the platform's origin, world, m; equal ones ask about a state.
+        engine : {"cspace", "gjk"}
+        interference : {"exact", "swept"}
+
+        Returns
+        -------
+        Violation or None
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> found = scene.explain_motion([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])
+        >>> found.kind, found.culprits
+        ('cable-obstacle', ('cable 1', 'pillar'))
+        """
+        found = json.loads(self._core.violations(point("start", start), point("end", end), engine, interference))
+        return violation_from(found[0]) if found else None
+
+    @classmethod
+    def _of_sound(cls, text: str) -> Scene:
+        """Make a scene of what has been checked already, without telling its notes again."""
+        scene = cls.__new__(cls)
+        scene._keep(_core.Scene.from_json(text))
+        return scene
+
+    def __reduce__(self) -> tuple[Any, tuple[str]]:
+        """Pickle by value."""
+        return Scene._of_sound, (self._core.to_json(),)
+
+    def __repr__(self) -> str:
+        """Say name and size."""
+        cables = len(self._spec["robot"]["cables"])
+        parts = self._spec.get("obstacles", [])
+        count = len({part.get("name", k) for k, part in enumerate(parts)})
+        return f"Scene({self.name!r}, {cables} cables, {count} obstacle{'' if count == 1 else 's'})"
+
+
+def _from_spec(spec: dict[str, Any]) -> _core.Scene:
+    try:
+        text = json.dumps(spec, allow_nan=False)
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"scene: {problem}") from None
+    return _core.Scene.from_json(text)
+
+
+def _unknown(name: str, known: Sequence[str]) -> str:
+    near = difflib.get_close_matches(name, known, 1)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    return f"found no obstacle {name!r}, expected one of {', '.join(dict.fromkeys(known)) or '(there are none)'}{hint}"
+
+
+def _read_only(corners: ArrayLike) -> Floats:
+    array = np.array(corners, dtype=np.float64)
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,73 @@
+"""What is wrong with a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, repr=False)
+class Violation:
+    """A condition that a motion breaks.
+
+    Attributes
+    ----------
+    at : float
+        Fraction of the motion (of the segment, on a path) at which it begins, 0 to 1.
+    kind : str
+        "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle" or "wrench".
+    culprits : tuple of str
+        Who is involved, by the names of the scene; cables count from 0.
+    margin : float or None
+        Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross.
+    segment : int
+        Which segment of a path, counting from 0.
+    wrench_margin : float or None
+        For the kind "wrench": margin less demand, in ``unit``, where it is least.
+    unit : str or None
+        "N" or "N·m".
+    measure : str or None
+        What it is measured by: "capacity", "force" or "moment".
+    rank : int or None
+        Rank of the wrench matrix there; below 6 some wrenches cannot be had at any tension.
+    at_greatest, at_least : tuple of str
+        Cables at their greatest and least tension there.
+    corner : tuple of float or None
+        Corner of the grid cell for which the grid rule refused, m.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene.explain_motion([0.3, 1, 0.3], [1.7, 1, 1.7])
+    Violation('cable-obstacle', cable 1 / pillar, at 0.2668 of segment 0, margin -0.0750 m)
+    """
+
+    at: float
+    kind: str
+    culprits: tuple[str, ...]
+    margin: float | None
+    segment: int = 0
+    wrench_margin: float | None = None
+    unit: str | None = None
+    measure: str | None = None
+    rank: int | None = None
+    at_greatest: tuple[str, ...] = ()
+    at_least: tuple[str, ...] = ()
+    corner: tuple[float, float, float] | None = None
+
+    def __repr__(self) -> str:
+        """Say what is in whose way, where, and how badly."""
+        parts = [f"{self.kind!r}", " / ".join(self.culprits), f"at {self.at:.4f} of segment {self.segment}"]
+        if self.margin is not None:
+            parts.append(f"margin {self.margin:.4f} m")
+        if self.wrench_margin is not None:
+            parts.append(f"margin {self.wrench_margin:.4f} {self.unit}")
+        return f"Violation({', '.join(part for part in parts if part)})"
+
+
+def violation_from(values: Mapping[str, Any]) -> Violation:
+    """A violation from the core's JSON."""
+    fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
+    return Violation(**fields)

@@ -1,0 +1,392 @@
+"""Planners of OMPL on the checker of this package: ``pip install 'cdpr[ompl]'``.
+
+OMPL (Şucan, Moll and Kavraki, *The Open Motion Planning Library*, IEEE Robotics & Automation Magazine, 2012,
+https://ompl.kavrakilab.org) brings the planners; the scene brings the space of positions and says which states and
+which motions are valid. Motions are judged whole, as everywhere in this package, not by samples along them.
+
+>>> import cdpr, cdpr.ompl
+>>> from ompl import geometric
+>>> scene = cdpr.Scene.load("testdata/scenes/hard3.toml")
+>>> setup = cdpr.ompl.simple_setup(scene)
+>>> setup.setPlanner(geometric.RRTConnect(setup.getSpaceInformation()))
+>>> bool(cdpr.ompl.solve(setup, 10.0))
+True
+>>> path = cdpr.ompl.path(setup)
+>>> cdpr.check(scene, path).valid
+True
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+try:
+    from ompl import base, geometric, util
+except ImportError as problem:
+    raise ImportError("cdpr.ompl needs the bindings of OMPL 2: pip install 'cdpr[ompl]'") from problem
+
+from ._arrays import point
+from ._planning import as_it_is
+from ._results import Path
+from ._scene import Engine, Interference, Scene
+from .exceptions import InputError
+
+__all__ = ["MotionValidator", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
+
+# A motion is cut back by these shares, from the least on, until what is left of it is certainly valid.
+_CUTS = [2.0**-k for k in range(40, -1, -1)]
+
+util.setLogLevel(util.LOG_WARN)  # its default prints every step of every planner
+
+
+class StateSpace(base.RealVectorStateSpace):
+    """The positions at which the platform is inside the workspace of a scene.
+
+    Parameters
+    ----------
+    scene : Scene
+        The bounds are its workspace, less what the platform needs around its origin, world, m.
+
+    Raises
+    ------
+    InputError
+        A workspace that the platform does not fit into.
+
+    Examples
+    --------
+    >>> space = StateSpace(Scene.load("testdata/scenes/hard1.toml"))
+    >>> bounds = space.getBounds()
+    >>> list(bounds.low), list(bounds.high)
+    ([0.075, 0.075, 0.025], [1.925, 1.925, 1.975])
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        """See the class."""
+        super().__init__(3)
+        low, high = scene._core.position_box()
+        bounds = base.RealVectorBounds(3)
+        for axis in range(3):
+            if not low[axis] < high[axis]:
+                raise InputError(f"workspace: found one that the platform does not fit into along {'xyz'[axis]}")
+            bounds.setLow(axis, low[axis])
+            bounds.setHigh(axis, high[axis])
+        self.setBounds(bounds)
+        self.setName("positions")
+
+    def state(self, position: ArrayLike) -> Any:
+        """Return a state at a position.
+
+        Parameters
+        ----------
+        position : array_like (3,)
+            Of the platform's origin, world, m.
+
+        Returns
+        -------
+        ompl.base.State
+            It belongs to the space, which must live as long.
+        """
+        state = self.allocState()
+        state[0], state[1], state[2] = point("position", position)
+        return state
+
+
+class StateValidityChecker(base.StateValidityChecker):
+    """Says at which positions the platform may be.
+
+    Parameters
+    ----------
+    information : ompl.base.SpaceInformation
+        Of a `StateSpace`.
+    scene : Scene
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
+
+    Examples
+    --------
+    >>> information = simple_setup(Scene.load("testdata/scenes/hard1.toml")).getSpaceInformation()
+    >>> states, space = information.getStateValidityChecker(), information.getStateSpace()
+    >>> states.isValid(space.state([0.3, 1.0, 0.3])), states.isValid(space.state([1.0, 1.0, 1.0]))
+    (True, False)
+    """
+
+    def __init__(
+        self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
+    ) -> None:
+        """See the class."""
+        super().__init__(information)
+        self.scene = scene
+        self._choice = engine, interference
+        self._valid = scene._core.motion_valid
+
+    def isValid(self, state: Any) -> bool:
+        """Whether the platform may be there.
+
+        Parameters
+        ----------
+        state : ompl.base.State
+
+        Returns
+        -------
+        bool
+        """
+        position = state[0], state[1], state[2]
+        return self._valid(position, position, *self._choice)
+
+    def clearance(self, state: Any) -> float:
+        """Signed clearance of a state, for planners that ask for it.
+
+        Parameters
+        ----------
+        state : ompl.base.State
+
+        Returns
+        -------
+        float
+            As `Scene.clearance`, m.
+        """
+        return float(self.scene.clearance([[state[0], state[1], state[2]]], threads=1)[0])
+
+
+class MotionValidator(base.MotionValidator):
+    """Says which straight motions are valid, whole: nothing is sampled, and no resolution needs to be chosen.
+
+    Parameters
+    ----------
+    information : ompl.base.SpaceInformation
+        Of a `StateSpace`.
+    scene : Scene
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
+
+    Examples
+    --------
+    >>> information = simple_setup(Scene.load("testdata/scenes/hard1.toml")).getSpaceInformation()
+    >>> motions, space = information.getMotionValidator(), information.getStateSpace()
+    >>> ends = space.state([0.3, 1.0, 0.3]), space.state([1.7, 1.0, 1.7])
+    >>> valid, fraction = motions.checkMotionWithLastValid(*ends, None)
+    >>> valid, round(fraction, 4)
+    (False, 0.2668)
+    """
+
+    def __init__(
+        self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
+    ) -> None:
+        """See the class."""
+        super().__init__(information)
+        self.scene = scene
+        self._choice = engine, interference
+        self._valid = scene._core.motion_valid
+
+    def checkMotion(self, s1: Any, s2: Any) -> bool:
+        """Whether the platform may go straight from one state to another.
+
+        Parameters
+        ----------
+        s1, s2 : ompl.base.State
+
+        Returns
+        -------
+        bool
+        """
+        return self._valid((s1[0], s1[1], s1[2]), (s2[0], s2[1], s2[2]), *self._choice)
+
+    def checkMotionWithLastValid(self, s1: Any, s2: Any, last_valid: Any | None) -> tuple[bool, float]:
+        """Check a motion, and tell how far it is valid if it is not.
+
+        Parameters
+        ----------
+        s1, s2 : ompl.base.State
+            The first one is valid, as OMPL promises.
+        last_valid : ompl.base.State or None
+            Set to the last valid state, unless the motion is valid.
+
+        Returns
+        -------
+        valid : bool
+        fraction : float
+            Share of the motion that is certainly valid, 0 to 1: up to the first violation, less what rounding asks for.
+
+        Notes
+        -----
+        The overload of ``checkMotion`` with ``lastValid``. The bindings of OMPL 2.0.1 do not hand it on to Python,
+        their successors do under this name (https://github.com/ompl/ompl/pull/1442).
+        """
+        if self.checkMotion(s1, s2):
+            return True, 1.0
+        start, end = (np.array([state[0], state[1], state[2]]) for state in (s1, s2))
+        engine, interference = self._choice
+        found = self.scene.explain_motion(start, end, engine=engine, interference=interference)
+        first = 0.0 if found is None else found.at
+        fractions = (first * (1.0 - cut) for cut in [0.0, *_CUTS])
+        fraction = next((f for f in fractions if self._valid_up_to(start, end, f)), 0.0)
+        if last_valid is not None:
+            last_valid[0], last_valid[1], last_valid[2] = (start + fraction * (end - start)).tolist()
+        return False, fraction
+
+    def _valid_up_to(self, start: Any, end: Any, fraction: float) -> bool:
+        return self._valid(start.tolist(), (start + fraction * (end - start)).tolist(), *self._choice)
+
+
+def simple_setup(
+    scene: Scene,
+    *,
+    start: ArrayLike | None = None,
+    goal: ArrayLike | None = None,
+    engine: Engine = "cspace",
+    interference: Interference = "exact",
+) -> Any:
+    """Return OMPL's ``SimpleSetup`` of a scene: space, validity, start and goal; a planner is all that it lacks.
+
+    Parameters
+    ----------
+    scene : Scene
+    start, goal : array_like (3,), optional
+        Instead of the scene's, m.
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
+
+    Returns
+    -------
+    ompl.geometric.SimpleSetup
+        Without a planner of its own OMPL takes RRT-Connect, or another one for other objectives than length.
+
+    Raises
+    ------
+    InputError
+        A scene without start or goal where none is given; a workspace that the platform does not fit into.
+
+    Examples
+    --------
+    >>> setup = simple_setup(Scene.load("testdata/scenes/hard1.toml"))
+    >>> setup.setPlanner(geometric.BITstar(setup.getSpaceInformation()))
+    >>> solve(setup, 0.2).asString()
+    'Exact solution'
+    """
+    first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
+    space = StateSpace(scene)
+    information = base.SpaceInformation(space)
+    information.setStateValidityChecker(
+        StateValidityChecker(information, scene, engine=engine, interference=interference)
+    )
+    information.setMotionValidator(MotionValidator(information, scene, engine=engine, interference=interference))
+    setup = geometric.SimpleSetup(information)
+    setup.setStartAndGoalStates(space.state(first), space.state(last))
+    return setup
+
+
+def _end(key: str, given: ArrayLike | None, own: ArrayLike | None) -> tuple[float, float, float]:
+    end = own if given is None else given
+    if end is None:
+        raise InputError(f"query.{key}: found none, expected a position")
+    return point(key, end)
+
+
+def solve(setup: Any, seconds: float = 1.0) -> Any:
+    """Run the planner, as ``setup.solve(seconds)`` does, but end on Ctrl-C whatever the planner.
+
+    Parameters
+    ----------
+    setup : ompl.geometric.SimpleSetup
+        As :func:`simple_setup` makes it.
+    seconds : float
+        Time after which the search ends, s; planners that optimise use all of it.
+
+    Returns
+    -------
+    ompl.base.PlannerStatus
+        True where there is a path; it may be one that ends beside the goal, which :func:`path` refuses.
+
+    Raises
+    ------
+    InputError
+        A time that is not positive.
+    KeyboardInterrupt
+        On Ctrl-C; what was found by then stays in ``setup``.
+
+    Notes
+    -----
+    A planner that searches with threads, as PRM does, must not get a termination condition written in Python: the
+    bindings do not release the interpreter, so both sides would wait forever. Those of OMPL are safe, and `solve` uses
+    one. An exception amid PRM would end the process, so here Ctrl-C ends the search first and is raised afterwards.
+
+    Examples
+    --------
+    >>> setup = simple_setup(Scene.load("testdata/scenes/hard1.toml"))
+    >>> setup.setPlanner(geometric.PRM(setup.getSpaceInformation()))
+    >>> solve(setup, 10.0).asString()
+    'Exact solution'
+    """
+    if not seconds > 0.0:
+        raise InputError(f"seconds: found {seconds!r}, expected a positive number")
+    until = base.timedPlannerTerminationCondition(float(seconds))
+    with _ctrl_c_after(until.terminate):
+        return setup.solve(until)
+
+
+@contextmanager
+def _ctrl_c_after(stop: Any) -> Iterator[None]:
+    """Let Ctrl-C stop what is done, and be raised only then; other threads than the main one get no signals."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    caught = []
+
+    def remember(number: int, frame: object) -> None:
+        caught.append(number)
+        stop()
+
+    previous = signal.signal(signal.SIGINT, remember)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, previous)
+    if caught:
+        raise KeyboardInterrupt
+
+
+def path(setup: Any) -> Path:
+    """Return the path that the planner found.
+
+    Parameters
+    ----------
+    setup : ompl.geometric.SimpleSetup
+        As :func:`simple_setup` makes it, solved.
+
+    Returns
+    -------
+    Path
+        ``waypoints`` (k, 3), world, m, and ``cost``, its length, m, for `check`, `rewind`, `refine`, `show`, and to
+        save. It has been checked once more, whole.
+
+    Raises
+    ------
+    InputError
+        No path from start to goal, or a setup that is not of :func:`simple_setup`.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> setup = simple_setup(scene)
+    >>> bool(solve(setup, 10.0))
+    True
+    >>> cdpr.refine(scene, path(setup)).cost < 3.0
+    True
+    """
+    motions = setup.getSpaceInformation().getMotionValidator()
+    if not isinstance(motions, MotionValidator):
+        raise InputError(f"setup: found a {type(motions).__name__}, expected a setup with a cdpr.ompl.MotionValidator")
+    if not setup.haveExactSolutionPath():
+        raise InputError("setup: found no path from start to goal, expected a solved one")
+    states = setup.getSolutionPath().getStates()
+    engine, interference = motions._choice
+    waypoints = np.array([[state[0], state[1], state[2]] for state in states])
+    return as_it_is(motions.scene, waypoints, engine, interference)

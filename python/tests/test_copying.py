@@ -1,0 +1,169 @@
+"""Reprs, equality, hashing, pickling and copying of everything that the package hands out."""
+
+import copy
+import multiprocessing
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+from conftest import TESTDATA
+
+import cdpr
+
+EXPERIMENT = {
+    "version": 1,
+    "trials": 3,
+    "scenarios": [{"name": "pillar", "scene": str(TESTDATA / "scenes/hard1.toml")}],
+    "methods": [{"name": "RRT", "planner": "rrt"}],
+}
+# What each one says of itself; the whole of it, so that it stays short.
+REPRS = {
+    "Robot": "Robot('paper', 8 cables)",
+    "Scene": "Scene('hard1', 8 cables, 1 obstacle)",
+    "Path": "Path(2.4352 m, 3 waypoints)",
+    "Result": "Result('solved', 2.4352 m, 3 waypoints)",
+    "Report": "Report(9 violations, 1.9799 m)",
+    "Violation": "Violation('cable-obstacle', cable 1 / pillar, at 0.2668 of segment 0, margin -0.0750 m)",
+    "Milestone": "Milestone(seconds=0.5, samples=3, cost=2.5)",
+    "SearchTree": "SearchTree(2 nodes)",
+    "Mesh": "Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)",
+    "AvailableSet": "AvailableSet(rank 3, margin 1561, 14 vertices)",
+    "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
+    "Distance": "2.0",
+    "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
+    "BatchResult": "BatchResult('experiment', 3 rows)",
+    "View": "View(1 kB)",
+}
+
+
+def make(name):
+    """An object of each kind; the same every time."""
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    empty = cdpr.Scene.load(TESTDATA / "scenes/empty.toml")
+    along = [[0.3, 1, 0.3], [0.3, 1, 0.5]]
+    match name:
+        case "Robot":
+            return scene.robot
+        case "Scene":
+            return scene
+        case "Path":
+            return cdpr.refine(scene, cdpr.plan(scene))
+        case "Result":
+            return cdpr.plan(scene)
+        case "Report":
+            return cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
+        case "Violation":
+            return cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).violations[0]
+        case "Milestone":
+            return cdpr.Milestone(0.5, 3, 2.5)
+        case "SearchTree":
+            return cdpr.SearchTree(np.eye(2, 3), np.array([0, 0]))
+        case "Mesh":
+            return cdpr.shadows(scene)["cable 0 / pillar"]
+        case "AvailableSet":
+            return cdpr.force_set(empty.robot, [1, 1, 1])
+        case "Tensions":
+            return cdpr.tensions_along(empty, along, step=0.1)
+        case "Distance":
+            return cdpr.distance([[0, 0, 0]], [[0, 0, 2]])
+        case "WrenchMap":
+            return cdpr.wrench_map(empty, step=0.9)
+        case "BatchResult":
+            return cdpr.run_batch(EXPERIMENT)
+        case "View":
+            return cdpr.View("x" * 1000)
+    raise KeyError(name)
+
+
+# Times differ from run to run.
+MEASURED = ("Result", "BatchResult")
+
+
+def test_every_class_that_people_meet_is_here():
+    classes = {name for name in cdpr.__all__ if isinstance(getattr(cdpr, name), type)}
+    assert classes - {"CdprError", "CdprWarning", "FileError", "InputError"} == set(REPRS)
+
+
+@pytest.mark.parametrize("name", REPRS)
+def test_each_says_in_short_what_it_is(name):
+    assert repr(make(name)) == REPRS[name] and len(REPRS[name]) < 100
+
+
+@pytest.mark.parametrize("name", REPRS)
+def test_each_is_equal_by_value_and_to_nothing_else(name):
+    one, other = make(name), make(name)
+    assert (one == one) is True and (one != one) is False
+    if name not in MEASURED:
+        assert (one == other) is True and (one != other) is False
+    for stranger in (None, 5, "text", object(), make("Milestone" if name != "Milestone" else "Distance")):
+        assert (one == stranger) is False and (one != stranger) is True
+    if name in ("Robot", "Scene", "Violation", "Milestone", "Distance", "View"):
+        assert hash(one) == hash(other) and len({one, other}) == 1
+    else:
+        with pytest.raises(TypeError, match="unhashable"):
+            hash(one)
+
+
+@pytest.mark.parametrize("name", REPRS)
+def test_each_survives_pickling_and_copying(name):
+    one = make(name)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # a copy has nothing new to tell
+        copies = [pickle.loads(pickle.dumps(one, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        copies += [copy.copy(one), copy.deepcopy(one), copy.deepcopy([one])[0]]
+    for again in copies:
+        assert type(again) is type(one) and again == one and repr(again) == repr(one)
+
+
+def test_arrays_go_out_of_band():
+    result = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/hard1.toml"))
+    buffers = []
+    text = pickle.dumps(result, 5, buffer_callback=buffers.append)
+    assert len(buffers) >= 3 and pickle.loads(text, buffers=buffers) == result
+
+
+def test_small_differences_are_seen():
+    scene, result = make("Scene"), make("Result")
+    assert scene.replace(clearance=1e-9) != scene and scene.replace(name="other") != scene
+    assert scene.replace(clearance=0.0) == scene.replace(clearance=-0.0)
+    assert hash(scene.replace(clearance=0.0)) == hash(scene.replace(clearance=-0.0))
+    assert cdpr.Path(np.zeros((2, 3)), 0.0) != cdpr.Path(np.zeros((3, 3)), 0.0)
+    assert cdpr.Path(np.zeros((2, 3)), 0.0) != result
+    unsolved = [cdpr.Result(np.empty((0, 3)), float("nan"), status="budget_spent") for _ in range(2)]
+    assert unsolved[0] == unsolved[1]  # NaN beside NaN
+    tree = make("SearchTree")
+    assert tree != cdpr.SearchTree(tree.states, np.array([0, 1])) and tree != tuple(tree)
+
+
+def test_copies_of_what_never_changes_are_itself():
+    scene = make("Scene")
+    assert copy.copy(scene) is scene and copy.deepcopy(scene) is scene and copy.deepcopy(scene.robot) == scene.robot
+
+
+def work(scene, path):
+    """In another process: check a path, and hand back all kinds of things."""
+    report, result = cdpr.check(scene, path), cdpr.plan(scene, "modified-rrt", seed=4)
+    return scene, report, result, cdpr.shadows(scene), make("WrenchMap")
+
+
+def test_processes_that_share_nothing_get_and_give_them():
+    scene, path = make("Scene"), make("Path")
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        again, report, result, shadows, map_ = pool.apply(work, (scene, path))
+    assert again == scene and report == cdpr.check(scene, path) and shadows == cdpr.shadows(scene)
+    assert (result.waypoints == cdpr.plan(scene, "modified-rrt", seed=4).waypoints).all()
+    assert map_ == make("WrenchMap")
+
+
+@pytest.mark.parametrize(
+    ("what", "shown"),
+    [
+        (lambda scene: cdpr.plan(scene, max_samples=0), "Result('budget_spent')"),
+        (lambda scene: cdpr.plan(scene, goal=[9, 1, 0.5]), "Result('goal_invalid', Violation('workspace', platform,"),
+        (lambda scene: cdpr.check(scene, cdpr.plan(scene)), "Report(valid, 2.4352 m)"),
+        (lambda scene: cdpr.plan(scene, "modified-rrt").tree, "SearchTree("),
+    ],
+)
+def test_what_is_not_there_is_said_too(what, shown):
+    assert repr(what(make("Scene"))).startswith(shown)

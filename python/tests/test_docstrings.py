@@ -1,0 +1,78 @@
+"""Docstrings of everything public, in NumPy's style; the examples in them are run as doctests."""
+
+import dataclasses
+import importlib
+import inspect
+
+import pytest
+from numpydoc.docscrape import NumpyDocString
+from numpydoc.validate import validate
+
+import cdpr
+
+# What is not asked of ours, and why.
+LEFT_OUT = {
+    "GL02",  # closing quotes of one-line docstrings
+    "ES01",  # a summary that says it all needs no second one
+    "SA01",  # See Also: links stand in the text
+    "PR07",  # `scene : Scene` says it all
+    "RT03",  # and so does `Returns: Scene`
+    "SS05",  # "Collision-free paths" is a summary, too
+}
+MODULES = ["cdpr", "cdpr.ompl", "cdpr.figures", "cdpr.exceptions"]
+ERRORS = ["CdprError", "InputError", "FileError", "CdprWarning"]
+
+
+def public():
+    """Names of functions, classes and their own methods and properties."""
+    for place in MODULES:
+        module = importlib.import_module(place)
+        names = getattr(module, "__all__", ERRORS)
+        for name in names:
+            thing = getattr(module, name)
+            if inspect.isfunction(thing) or inspect.isclass(thing):
+                yield f"{place}.{name}"
+            if inspect.isclass(thing) and issubclass(thing, tuple):
+                own = [key for key in vars(thing) if key not in getattr(thing, "_fields", ())]
+            else:
+                own = list(vars(thing)) if inspect.isclass(thing) else []
+            for key in own:
+                member = inspect.getattr_static(thing, key)
+                if not key.startswith("_") and isinstance(member, (property, classmethod, staticmethod, type(public))):
+                    yield f"{place}.{name}.{key}"
+
+
+NAMES = sorted(set(public()))
+
+
+def test_all_of_the_package_is_looked_at():
+    some = {"cdpr.plan", "cdpr.Scene.without", "cdpr.ompl.MotionValidator.checkMotion"}
+    assert len(NAMES) > 80 and some <= set(NAMES)
+
+
+def described(thing):
+    """Attributes that a class's docstring lists."""
+    sections = NumpyDocString(inspect.getdoc(thing))
+    return [name.strip() for entry in sections["Attributes"] for name in entry.name.split(",")]
+
+
+def results():
+    """Classes that functions make, not people: their attributes are what matters."""
+    classes = (getattr(cdpr, name) for name in cdpr.__all__)
+    return [thing for thing in classes if inspect.isclass(thing) and described(thing)]
+
+
+@pytest.mark.parametrize("thing", results(), ids=lambda thing: thing.__name__)
+def test_results_describe_every_attribute(thing):
+    fields = dataclasses.fields(thing) if dataclasses.is_dataclass(thing) else ()
+    own = getattr(thing, "_fields", [field.name for field in fields if not field.name.startswith("_")])
+    assert described(thing) == list(own or described(thing)) and len(results()) == 13
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_docstrings_are_in_numpys_style(name):
+    found = validate(name)
+    left_out = LEFT_OUT | (set() if name.rpartition(".")[0] in MODULES else {"EX01"})  # methods may go without examples
+    if name in [f"cdpr.{thing.__name__}" for thing in results()]:
+        left_out |= {"PR01"}  # those who make them pass the attributes
+    assert [problem for problem in found["errors"] if problem[0] not in left_out] == []
