@@ -50,6 +50,7 @@ def plan(
     extend_step: float | None = None,
     goal_bias: float | None = None,
     near_radius: float | None = None,
+    orientation: ArrayLike | str | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
     on_improvement: Callable[[float, float, Floats], object] | None = None,
@@ -93,6 +94,9 @@ def plan(
     near_radius : float, optional
         Radius of the ball that "rrt-star" looks at around a new node, m; default
         min(γ (ln n / n)^(1/3), step) for n nodes.
+    orientation : array_like (4,) or str, optional
+        World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, instead of the
+        scene's. Where neither says one, that with the shortest path is taken.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     on_improvement : callable, optional
@@ -118,6 +122,8 @@ def plan(
     >>> result = plan(scene, "modified-rrt", seed=3)
     >>> result.solved, result.cost <= result.raw_cost
     (True, True)
+    >>> plan(Scene.load("testdata/scenes/plank.toml")).orientation_name
+    'along'
     """
     settings = {
         "max_samples": None if max_samples is None else _whole("max_samples", max_samples),
@@ -129,7 +135,8 @@ def plan(
         "goal_bias": _finite("goal_bias", goal_bias),
         "near_radius": _finite("near_radius", near_radius),
     }
-    text, tree = scene._core.plan(
+    asked = scene if orientation is None else scene.replace(orientation=orientation)
+    text, tree = asked._core.plan(
         planner,
         engine,
         interference,
@@ -148,6 +155,8 @@ def plan(
         waypoints=_array(found["waypoints"]),
         cost=_number(found["cost"]),
         status=found["status"],
+        orientation=np.array(found["orientation"], dtype=np.float64),
+        orientation_name=found["orientation_name"],
         raw_waypoints=_array(found["raw_waypoints"]),
         raw_cost=_number(found["raw_cost"]),
         reason=None if found["reason"] is None else violation_from(found["reason"]),
@@ -169,6 +178,19 @@ def _finite(name: str, value: float | None) -> float | None:
     if value is not None and not math.isfinite(value):
         raise InputError(f"{name}: found {value!r}, expected a finite number")
     return None if value is None else float(value)
+
+
+def core_for(scene: Scene, waypoints: ArrayLike | Path) -> _core.Scene:
+    """The scene at the orientation of the path."""
+    if not isinstance(waypoints, Path) or waypoints.orientation is None:
+        return scene._core
+    return scene._core.for_path_at(waypoints.orientation.tolist()) or scene._core
+
+
+def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
+    """The scene at the orientation of the path, as :func:`core_for`."""
+    same = core_for(scene, waypoints) is scene._core
+    return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
@@ -278,9 +300,10 @@ def _shortened(
     engine: Engine,
     interference: Interference,
 ) -> Path:
-    text = scene._core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
+    core = core_for(scene, waypoints)
+    text = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
     found = json.loads(text)
-    return Path(waypoints=_array(found["waypoints"]), cost=found["cost"], _json=text)
+    return Path(_array(found["waypoints"]), found["cost"], text, np.array(found["orientation"], dtype=np.float64))
 
 
 def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:
@@ -339,13 +362,14 @@ def check(
     >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
     False
     """
-    found = json.loads(scene._core.check(path_rows("waypoints", waypoints), engine, interference))
+    core = core_for(scene, waypoints)
+    found = json.loads(core.check(path_rows("waypoints", waypoints), engine, interference))
     violations = tuple(violation_from(values) for values in found["violations"])
     return Report(**{**found, "violations": violations})
 
 
-def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Floats:
-    """Load the waypoints of a path file.
+def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
+    """Load a path file.
 
     Parameters
     ----------
@@ -356,8 +380,8 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Float
 
     Returns
     -------
-    ndarray (k, 3)
-        Positions of the platform's origin, world, m.
+    Path
+        It stands for its waypoints wherever an array (k, 3) is expected.
 
     Raises
     ------
@@ -372,10 +396,14 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Float
     >>> scene = Scene.load("testdata/scenes/hard1.toml")
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     plan(scene).save(f"{folder}/path.csv")
-    ...     load_path(f"{folder}/path.csv", scene).shape
-    (3, 3)
+    ...     load_path(f"{folder}/path.csv", scene)
+    Path(2.4352 m, 3 waypoints)
     """
-    return _array(_core.load_path(os.fspath(path), None if scene is None else scene._core))
+    rows_of_file, turn = _core.load_path(os.fspath(path), None if scene is None else scene._core)
+    waypoints = _array(rows_of_file)
+    cost = float(np.linalg.norm(np.diff(waypoints, axis=0), axis=1).sum())
+    said = {"version": 1, "waypoints": rows_of_file, "cost": cost} | ({} if turn is None else {"orientation": turn})
+    return Path(waypoints, cost, json.dumps(said), None if turn is None else np.array(turn, dtype=np.float64))
 
 
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:

@@ -26,6 +26,9 @@ class Path(ByValue):
         Positions of the platform's origin, world, m.
     cost : float
         Length, m.
+    orientation : ndarray (4,) or None
+        World-from-platform unit quaternion w x y z, held all the way; None is as in the scene. A scene that leaves the
+        orientation open is checked, shown and measured at that of the path.
 
     Examples
     --------
@@ -41,6 +44,11 @@ class Path(ByValue):
     waypoints: Floats
     cost: float
     _json: str = field(default="", compare=False)
+    orientation: Floats | None = None
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        """Return the waypoints, (k, 3), m."""
+        return np.array(self.waypoints, dtype=dtype, copy=copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a path file: .json, or .csv for the waypoints alone.
@@ -166,6 +174,10 @@ class Result(Path):
         The final path, m; (0, 3) unless solved.
     cost : float
         Its length, m; NaN unless solved.
+    orientation : ndarray (4,)
+        World-from-platform unit quaternion w x y z, held all the way.
+    orientation_name : str or None
+        Its name, if the scene has one for it.
     status : str
         "solved", "budget_spent", "start_invalid" or "goal_invalid".
     raw_waypoints : ndarray (k, 3)
@@ -195,6 +207,7 @@ class Result(Path):
     """
 
     status: str = ""
+    orientation_name: str | None = None
     raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
     raw_cost: float = float("nan")
     reason: Violation | None = None

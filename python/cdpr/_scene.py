@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, point, rows
+from ._arrays import Floats, numbers, point, rows
 from ._robot import Robot
 from ._tables import KEPT, QUERY, Kept, Obstacle, box_table, obstacle_tables, put
 from ._values import Immutable
@@ -39,8 +39,11 @@ class Scene(Immutable):
         Smallest and largest coordinates that every platform corner must stay within, m.
     start, goal : array_like (3,), optional
         Positions of the platform's origin, world, m.
-    orientation : array_like (4,), optional
-        World-from-platform unit quaternion w x y z, held all the way; default no turn.
+    orientation : array_like (4,) or str, optional
+        World-from-platform unit quaternion w x y z, held all the way, or the name of one of `orientations`. Without it
+        planning takes the one of those with the shortest path, and everything else the first; without any, no turn.
+    orientations : mapping of str to array_like (4,), optional
+        Named orientations.
     clearance : float, default 0
         Least distance to keep between whatever must not touch, m.
     name : str, optional
@@ -69,7 +72,8 @@ class Scene(Immutable):
         workspace: ArrayLike,
         start: ArrayLike | None = None,
         goal: ArrayLike | None = None,
-        orientation: ArrayLike | None = None,
+        orientation: ArrayLike | str | None = None,
+        orientations: Mapping[str, ArrayLike] | None = None,
         clearance: float = 0.0,
         name: str | None = None,
     ) -> None:
@@ -86,6 +90,8 @@ class Scene(Immutable):
         }
         if name is not None:
             spec["name"] = name
+        named = (orientations or {}).items()
+        spec["orientations"] = [{"name": key, "quaternion": numbers(key, value, 4)} for key, value in named]
         self._adopt(_from_spec(spec))
 
     @classmethod
@@ -339,8 +345,20 @@ class Scene(Immutable):
 
     @property
     def orientation(self) -> Floats:
-        """World-from-platform unit quaternion w x y z, (4,)."""
+        """World-from-platform unit quaternion w x y z, (4,): the query's, else the first of `orientations`."""
         return np.array(self._core.orientation(), dtype=np.float64)
+
+    @property
+    def orientations(self) -> Mapping[str, Floats]:
+        """Named orientations, read-only: world-from-platform unit quaternions w x y z, (4,).
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/plank.toml")
+        >>> list(scene.orientations), scene.replace(orientation="along").orientation
+        (['across', 'along'], array([1., 0., 0., 0.]))
+        """
+        return MappingProxyType({name: _read_only(turn) for name, turn in self._core.orientations()})
 
     @property
     def required_clearance(self) -> float:

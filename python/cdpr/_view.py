@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import rows
+from ._planning import core_for
 from ._results import Path, Result
 from ._scene import Interference, Scene
 
@@ -90,7 +91,8 @@ def view(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     status = None if result is None else result.status
     planner = None if result is None else str(json.loads(result._json)["planner"])
     tree = None if result is None else (np.ascontiguousarray(result.tree[0]), np.ascontiguousarray(result.tree[1]))
-    return View(scene._core.page(status, array, cost, raw, raw_cost, planner, tree, interference))
+    core = scene._core if waypoints is None else core_for(scene, waypoints)
+    return View(core.page(status, array, cost, raw, raw_cost, planner, tree, interference))
 
 
 def save_view(

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arrays import Floats, numbers, point, rows
 from ._pandas import frame
-from ._planning import path_rows
+from ._planning import core_for, path_rows
 from ._results import Path
 from ._robot import Robot
 from ._scene import Scene
@@ -469,7 +469,8 @@ def tensions_along(
     """
     count = len(scene.robot.outlets)
     wanted = None if reference is None else numbers("reference", reference, count)
-    found = json.loads(scene._core.tensions_along(path_rows("waypoints", waypoints), float(step), wanted))
+    core = core_for(scene, waypoints)
+    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), float(step), wanted))
 
     def column(key: str) -> Floats:
         return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)

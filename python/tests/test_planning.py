@@ -142,7 +142,7 @@ def test_path_files_round_trip_and_belong_to_their_scene(hard1, empty, tmp_path)
     result = cdpr.plan(hard1)
     for name in ("path.json", "path.csv"):
         result.save(tmp_path / name)
-        assert (cdpr.load_path(tmp_path / name, hard1) == result.waypoints).all()
+        assert (cdpr.load_path(tmp_path / name, hard1).waypoints == result.waypoints).all()
     assert json.loads((tmp_path / "path.json").read_text())["status"] == "solved"
     with pytest.raises(cdpr.InputError, match="another scene"):
         cdpr.load_path(tmp_path / "path.json", empty)

@@ -505,25 +505,10 @@ fn a_new_scene_around_ones_own_robot_and_mesh_plans() {
     assert!(status(&made) == 2 && stderr(&made).contains("nowhere.toml") && !folder.path().join("x.toml").exists());
 }
 
-/// A plank that passes the slot of a wall lengthwise only.
-const SLOT: &str = r#"
-version = 1
-orientations = [{ name = "across", rpy = [0, 0, 1.5707963267948966] }, { name = "along" }]
-workspace = { min = [0, 0, 0], max = [2, 2, 2] }
-query = { start = [0.45, 1, 0.5], goal = [1.55, 1, 0.5] }
-obstacles = [
-    { name = "left", box = [0.1, 0.75, 2], position = [1, 0.375, 1] },
-    { name = "right", box = [0.1, 0.75, 2], position = [1, 1.625, 1] },
-]
-[robot]
-platform = [{ box = [0.8, 0.05, 0.05] }]
-cables = [{ outlet = [0, 1, 2], attachment = [-0.4, 0, 0.025] }, { outlet = [2, 1, 2], attachment = [0.4, 0, 0.025] }]
-"#;
-
 #[test]
 fn every_command_takes_an_orientation_and_plan_chooses_one() {
     let folder = folder();
-    std::fs::write(folder.path().join("slot.toml"), SLOT).unwrap();
+    std::fs::copy(testdata("scenes/plank.toml"), folder.path().join("slot.toml")).unwrap();
     let run = |arguments: &[&str]| cdpr_in(folder.path(), arguments);
     let found = run(&["plan", "slot.toml", "-o", "path.json", "--html", "view.html"]);
     assert!(stdout(&found).contains("at \"along\"") && stdout(&found).contains("solved: 1.1 m"), "{}", stdout(&found));
@@ -534,7 +519,7 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
     assert_eq!(status(&run(&["check", "slot.toml", "path.json"])), 0);
     let refused = run(&["check", "slot.toml", "path.json", "--orientation", "across"]);
     assert!(
-        status(&refused) == 2 && stderr(&refused).contains("path.json: orientation: found [1.0"),
+        status(&refused) == 2 && stderr(&refused).contains("path.json: orientation: found a path at [1.0"),
         "{}",
         stderr(&refused)
     );

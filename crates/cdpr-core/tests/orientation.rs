@@ -158,7 +158,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     // Not at another one that the scene was told.
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
     let refused = scene_of_path(&across, &loaded).unwrap_err().to_string();
-    assert!(refused.contains("orientation: found [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
+    assert!(refused.contains("orientation: found a path at [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
     // Another scene stays another scene.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);

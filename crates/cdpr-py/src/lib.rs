@@ -12,12 +12,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
-use cdpr_core::geometry::{Point, Polytope, Vector, distance};
+use cdpr_core::geometry::{Point, Polytope, Rotation, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{
-    PlanOptions, PlanResult, Post, check, engine_for, lower_bound, plan_heard, shorten_path, trace_rewinding,
+    PlanOptions, Post, check, engine_for, lower_bound, plan_choosing, plan_heard, shorten_path, trace_rewinding,
 };
-use cdpr_core::planning::{PlannerOptions, PlannerSettings, SearchTree};
+use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::wrench as core_wrench;
@@ -91,6 +91,17 @@ impl Scene {
         self.0.fingerprint()
     }
 
+    /// Names and quaternions of the scene's orientations.
+    fn orientations(&self) -> Vec<(String, [f64; 4])> {
+        self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
+    }
+
+    /// The scene for a path that holds at this orientation; none if it is the scene itself.
+    fn for_path_at(&self, orientation: [f64; 4]) -> PyResult<Option<Scene>> {
+        let scene = self.0.for_path_at(orientation).map_err(raised)?;
+        Ok((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)))
+    }
+
     /// What is special about the scene.
     fn notes(&self) -> PyResult<Vec<String>> {
         Ok(Constraints::new(&self.0).map_err(raised)?.notes)
@@ -142,8 +153,7 @@ impl Scene {
 
     /// World-from-platform unit quaternion, w x y z.
     fn orientation(&self) -> [f64; 4] {
-        let turn = self.0.orientation();
-        [turn.w, turn.i, turn.j, turn.k]
+        quaternion(self.0.orientation())
     }
 
     /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
@@ -236,12 +246,26 @@ impl Scene {
             repeats,
             budget: budget.map(seconds).transpose()?,
         };
-        let checker = engine_of(self, engine, interference)?;
-        let found = planned(py, &*checker, &self.0, &options, on_improvement.as_ref())?;
+        let (scene, checker, found) = match &self.0.choices()[..] {
+            [_] => {
+                let checker = engine_of(self, engine, interference)?;
+                let search = |stop: &dyn Fn() -> bool, tell: &Listener<Point>| {
+                    plan_heard(&*checker, &self.0, &options, stop, tell)
+                };
+                let found = heard(py, on_improvement.as_ref(), search)?;
+                (self.0.clone(), checker, found)
+            }
+            _ => {
+                let search =
+                    |stop: &dyn Fn() -> bool, tell: &Listener<Point>| plan_choosing(&self.0, &options, stop, tell);
+                let planned = heard(py, on_improvement.as_ref(), search)?;
+                (planned.scene, planned.engine.into(), planned.result)
+            }
+        };
         let nearest = min_clearance(&*checker, &found.waypoints);
-        let measures = core_wrench::measures(&self.0).map_err(raised)?;
+        let measures = core_wrench::measures(&scene).map_err(raised)?;
         let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
-        let json = io::plan_json(&self.0, &options, &found, nearest.as_ref(), wrench.as_ref());
+        let json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
@@ -400,14 +424,12 @@ fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
     Ok(SearchTree { states, parents })
 }
 
-/// Plans; a Ctrl-C that comes when there is a path ends the search with it.
-fn planned(
+/// Runs a search that tells of better paths; a Ctrl-C that comes when there is a path ends the search with it.
+fn heard<T: Send>(
     py: Python<'_>,
-    checker: &dyn Checker,
-    scene: &cdpr_core::Scene,
-    options: &PlanOptions,
     on_improvement: Option<&Py<PyAny>>,
-) -> PyResult<PlanResult> {
+    search: impl FnOnce(&dyn Fn() -> bool, &Listener<Point>) -> Result<T, Error> + Send,
+) -> PyResult<T> {
     let failure: Mutex<Option<PyErr>> = Mutex::default();
     let failed = || failure.lock().unwrap_or_else(PoisonError::into_inner);
     let tell = |seconds: f64, cost: f64, path: &[Point]| {
@@ -418,9 +440,8 @@ fn planned(
         });
         *failed() = told.err();
     };
-    let (found, signal) = interruptible_with_rest(py, |interrupted| {
-        plan_heard(checker, scene, options, &|| interrupted() || failed().is_some(), &tell)
-    });
+    let (found, signal) =
+        interruptible_with_rest(py, |interrupted| search(&|| interrupted() || failed().is_some(), &tell));
     let stopped = |error: &PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
     match (failed().take(), signal) {
         (Some(error), _) => Err(error),
@@ -439,6 +460,10 @@ fn region_options(
     obstacles: Vec<String>,
 ) -> PyResult<RegionOptions> {
     Ok(RegionOptions { space: space.map(named).transpose()?, all, cables, obstacles })
+}
+
+fn quaternion(turn: &Rotation) -> [f64; 4] {
+    [turn.w, turn.i, turn.j, turn.k]
 }
 
 fn faces(body: &Polytope) -> Value {
@@ -502,12 +527,16 @@ fn polytope_distance(
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
-/// The waypoints of a path file as rows; refused if it says it belongs to another scene.
+/// Waypoints and orientation.
+type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>);
+
+/// The waypoints of a path file as rows, and its orientation; refused if it says it belongs to another scene.
 #[pyfunction]
-fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<Vec<[f64; 3]>> {
+fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<LoadedPath> {
     let loaded = io::load_waypoints(&path).map_err(raised)?;
     scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| raised(e.in_file(&path)))).transpose()?;
-    Ok(loaded.waypoints.into_iter().map(Into::into).collect())
+    let orientation = loaded.file.and_then(|file| file.orientation);
+    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation))
 }
 
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from .._arrays import Floats, point
 from .._robot import Robot
 from .._scene import Scene
-from .._planning import path_rows
+from .._planning import path_rows, scene_for
 from .._results import Path, Result
 from .._shadows import shadows as shadow_meshes
 from .._wrench import force_set, moment_set
@@ -80,6 +80,7 @@ def scene(
     >>> ax = cdpr.figures.scene(hard1, cdpr.plan(hard1), shadows="cable 1")
     >>> ax.figure.savefig("/dev/null", format="svg")
     """
+    scene = scene if path is None else scene_for(scene, path)
     stage, bodies = _stage_of(scene, ax, view)
     if shadows is not False:
         _add_shadows(stage, scene, bodies, None if shadows is True else shadows)
@@ -231,7 +232,7 @@ def rewinding(
     >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> ax = cdpr.figures.rewinding(hard1, cdpr.plan(hard1, seed=1, post="none"))
     """
-    before = _way("waypoints", waypoints)
+    before, scene = _way("waypoints", waypoints), scene_for(scene, waypoints)
     after, starts, ends, valid = scene._core.rewind_tries(before, float(step), direction)
     stage, bodies = _stage_of(scene, ax, view)
     refused = [np.array(pair) for pair, good in zip(zip(starts, ends, strict=True), valid, strict=True) if not good]
@@ -419,7 +420,7 @@ def _position(scene: Scene, at: ArrayLike | None) -> Floats:
 
 def _rotation(scene: Scene) -> Floats:
     """World-from-platform rotation matrix."""
-    w, x, y, z = scene._spec.get("query", {}).get("orientation") or (1.0, 0.0, 0.0, 0.0)
+    w, x, y, z = scene.orientation
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],

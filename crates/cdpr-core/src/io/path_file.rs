@@ -12,7 +12,6 @@ use crate::error::Error;
 use crate::geometry::{Point, Rotation};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
-use crate::numerics::SAME_TURN;
 use crate::plan::{PlanOptions, PlanResult};
 use crate::wrench::PathWrench;
 
@@ -211,18 +210,7 @@ pub fn scene_of_path(scene: &Scene, path: &LoadedPath) -> Result<Scene, Error> {
 }
 
 fn scene_of(scene: &Scene, file: &PathFile) -> Result<Scene, Error> {
-    let own = match file.orientation {
-        Some(orientation) if !scene.orientation_is_fixed() => scene.turned(orientation.into())?,
-        _ => scene.clone(),
-    };
-    if let Some(found) = file.orientation {
-        let turn = body::unit_quaternion("orientation", found)?;
-        if turn.angle_to(own.orientation()) > SAME_TURN {
-            let expected = quaternion(own.orientation());
-            let problem = format!("found {found:?}, but the scene is at {expected:?}; choose its with --orientation");
-            return Err(Error::invalid("orientation", problem));
-        }
-    }
+    let own = file.orientation.map_or(Ok(scene.clone()), |orientation| scene.for_path_at(orientation))?;
     match &file.scene {
         Some(id) if id.fingerprint != own.fingerprint() => Err(another_scene(&own, id)),
         _ => Ok(own),

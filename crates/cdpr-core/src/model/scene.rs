@@ -193,6 +193,23 @@ impl Scene {
         Ok(scene)
     }
 
+    /// The scene for a path that holds at this orientation: turned to it where the scene leaves that open.
+    ///
+    /// # Errors
+    /// The scene says another orientation itself.
+    pub fn for_path_at(&self, quaternion: [f64; 4]) -> Result<Scene, Error> {
+        let turn = body::unit_quaternion("orientation", quaternion)?;
+        if turn.angle_to(&self.orientation) <= SAME_TURN {
+            return Ok(self.clone());
+        }
+        if !self.orientation_is_fixed() {
+            return self.turned(quaternion.into());
+        }
+        let own = &self.orientation;
+        let expected = format!("but the scene is at {:?}", [own.w, own.i, own.j, own.k]);
+        Err(Error::invalid("orientation", format!("found a path at {quaternion:?}, {expected}; turn the scene to it")))
+    }
+
     /// The scene at each orientation that a plan may choose from: all named ones if the query says none, else its own.
     pub fn choices(&self) -> Vec<Scene> {
         if self.orientation_is_fixed() || self.orientations.is_empty() {

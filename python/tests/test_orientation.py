@@ -1,0 +1,73 @@
+"""Orientations: named in scenes, chosen by planning, kept by paths."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import cdpr
+
+TESTDATA = Path(__file__).parents[2] / "testdata"
+LEVEL = [1.0, 0.0, 0.0, 0.0]
+ACROSS = [np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
+
+
+@pytest.fixture
+def plank() -> cdpr.Scene:
+    return cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
+
+
+def test_planning_chooses_and_everything_else_follows_the_path(plank: cdpr.Scene, tmp_path: Path) -> None:
+    result = cdpr.plan(plank)
+    assert result.solved and result.orientation_name == "along" and result.orientation.tolist() == LEVEL
+    assert np.allclose(plank.orientation, ACROSS)  # the first, where nothing says another one
+    assert cdpr.check(plank, result).valid
+    assert not cdpr.check(plank, result.waypoints).valid  # bare positions are taken at the scene's
+    assert cdpr.refine(plank, result).orientation.tolist() == LEVEL
+    assert '"orientation":[1.0,0.0,0.0,0.0]' in cdpr._view.view(plank, result).html
+    result.save(tmp_path / "path.json")
+    loaded = cdpr.load_path(tmp_path / "path.json", plank)
+    assert cdpr.check(plank, loaded).valid and np.array_equal(np.asarray(loaded), result.waypoints)
+
+
+def test_figures_show_the_orientation_of_the_path(plank: cdpr.Scene) -> None:
+    figures = pytest.importorskip("cdpr.figures")
+    drawn = figures.scene(plank, cdpr.plan(plank))
+    told = figures.scene(plank.replace(orientation="along"), cdpr.plan(plank))
+    across = figures.scene(plank)
+    corners = [sorted(line.get_gid() or "" for line in ax.get_children()) for ax in (drawn, told)]
+    assert corners[0] == corners[1]
+    ends = [_ends_of(ax, "cable 1") for ax in (drawn, told, across)]
+    assert np.array_equal(ends[0], ends[1]) and not np.array_equal(ends[0], ends[2])
+
+
+def _ends_of(ax: Any, name: str) -> Any:
+    return np.concatenate([np.asarray(line.get_data_3d()).ravel() for line in ax.lines if line.get_gid() == name])
+
+
+def test_planning_can_be_told(plank: cdpr.Scene) -> None:
+    assert cdpr.plan(plank, orientation="across", max_samples=200).status != "solved"
+    assert cdpr.plan(plank, orientation=[-1.0, 0.0, 0.0, 0.0]).orientation_name == "along"
+    fixed = plank.replace(orientation="across")
+    with pytest.raises(cdpr.InputError, match="found a path at"):
+        cdpr.check(fixed, cdpr.plan(plank))
+    with pytest.raises(cdpr.InputError, match='did you mean "along"'):
+        cdpr.plan(plank, orientation="alon")
+
+
+def test_better_paths_are_told_over_all_orientations(plank: cdpr.Scene) -> None:
+    wide = plank.without("left", "right").replace(goal=[1.55, 1.1, 0.9])
+    heard: list[float] = []
+    result = cdpr.plan(wide, on_improvement=lambda seconds, cost, path: heard.append(cost))
+    assert heard[-1] == pytest.approx(result.cost) and heard == sorted(heard, reverse=True)
+
+
+def test_scenes_are_made_with_orientations(plank: cdpr.Scene) -> None:
+    turns = {"across": ACROSS, "along": LEVEL}
+    workspace = plank.workspace
+    made = cdpr.Scene(plank.robot, dict(plank.obstacles), workspace=workspace, orientations=turns, orientation="along")
+    assert list(made.orientations) == ["across", "along"] and made.orientation.tolist() == LEVEL
+    assert cdpr.Scene.from_dict(made.to_dict()) == made
+    with pytest.raises(cdpr.InputError, match="length 1"):
+        cdpr.Scene(plank.robot, workspace=workspace, orientations={"a": [1, 1, 0, 0]})
