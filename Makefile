@@ -4,9 +4,11 @@ VENV := .venv
 BIN := $(VENV)/bin
 WHEELS := target/wheels
 
-.PHONY: test lint rust-test release-test verify wheel python-test package-test demo figures bench viewer browser clean
+SITE := target/site
 
-test: lint rust-test release-test python-test
+.PHONY: test lint rust-test release-test verify program wheel python-test package-test docs workflows packages deny demo figures bench viewer browser clean
+
+test: lint rust-test release-test python-test docs workflows
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -14,9 +16,12 @@ lint:
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 
-# Unit, property and integration tests and the examples in the documentation.
+# Unit, property and integration tests and the examples in the documentation; then once more what rests on the kernels,
+# by the portable ones, as on a machine without AVX2.
 rust-test:
 	cargo test --workspace --locked
+	CDPR_PORTABLE=1 cargo test --workspace --locked --test cases --test cspace --test engines_agree \
+		--test wrench_margins --test wrench_oracle --test wrench_certify
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
@@ -29,9 +34,9 @@ verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test wrench_oracle -- --nocapture
 
-$(VENV)/ready: requirements-dev.txt
+$(VENV)/ready: requirements-dev.txt requirements-docs.txt
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -r requirements-docs.txt
 	touch $@
 
 # The wheel as people install it, in an environment of its own.
@@ -47,7 +52,11 @@ browser:
 		{ [ "$$(id -u)" = 0 ] && [ -e /etc/debian_version ] && apt-get update -q && apt-get install -qy chromium; } || \
 		echo "no Chromium: install the package chromium or Google Chrome, or name its program in CDPR_CHROMIUM"
 
-python-test: wheel browser
+# The program as the tests have it, target/debug/cdpr: nothing to do after them.
+program:
+	cargo test --workspace --locked --no-run --quiet
+
+python-test: wheel browser program
 	$(BIN)/python -m mypy python/cdpr
 	$(BIN)/python -m mypy.stubtest cdpr --mypy-config-file pyproject.toml --allowlist python/stubtest-allowlist.txt
 	$(BIN)/python -m pytest python/tests
@@ -57,6 +66,25 @@ python-test: wheel browser
 # the source archive is built there from nothing, which takes some minutes.
 package-test: wheel
 	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
+
+# The documentation as a site, in target/site/index.html; warnings are errors.
+docs: wheel program
+	CDPR=target/debug/cdpr $(BIN)/python -m sphinx -W --keep-going -q -j auto -d target/doctrees docs $(SITE)
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+	rm -rf $(SITE)/rust && cp -r target/doc $(SITE)/rust
+
+# What CI runs elsewhere, checked against GitHub's schema, offline.
+workflows: $(VENV)/ready
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+
+# The crates as they would be published: each packed, unpacked and built on its own.
+packages:
+	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-cli
+
+# Licences, sources, doubled crates and known holes of all that is built in; compiles cargo-deny the first time.
+deny:
+	cargo deny --version >/dev/null 2>&1 || cargo install --locked cargo-deny@0.20.2
+	cargo deny --workspace check
 
 # Plan the paper's scene; writes path.json and view.html.
 demo:

@@ -33,3 +33,8 @@ pub mod wrench;
 pub use choice::Choice;
 pub use error::{Error, ErrorClass};
 pub use model::{Robot, Scene};
+
+/// The examples of the crate's page are tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -39,6 +39,8 @@ fn the_kernel_gives_the_margins_of_the_definition() {
         let required = Required::balls(rng.random_range(0.0..60.0), rng.random_range(0.0..6.0)).unwrap();
         let margin = CapacityMargin::new(statics, required).unwrap();
         let portable = margin.clone().portable();
+        assert!(portable.is_portable());
+        assert!(margin.is_portable() || std::env::var_os("CDPR_PORTABLE").is_none()); // `make rust-test` runs it both ways
         for _ in 0..10 {
             let positions: [Point; 4] = std::array::from_fn(|_| {
                 Point::from(std::array::from_fn(|_| f64::from(rng.random_range(-20..21)) * 0.1))

@@ -221,8 +221,11 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// The best that this machine has.
+    /// The best that this machine has; the portable one where the environment has `CDPR_PORTABLE`, for tests.
     pub fn best() -> Self {
+        if std::env::var_os("CDPR_PORTABLE").is_some() {
+            return Kernel::Portable;
+        }
         #[cfg(target_arch = "x86_64")]
         if let Some(v3) = pulp::x86::V3::try_new() {
             return Kernel::Avx2(v3);

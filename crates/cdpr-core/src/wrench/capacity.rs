@@ -54,6 +54,11 @@ impl CapacityMargin {
         self
     }
 
+    /// Whether it runs without SIMD instructions.
+    pub fn is_portable(&self) -> bool {
+        matches!(self.kernel, Kernel::Portable)
+    }
+
     /// The robot.
     pub fn statics(&self) -> &Statics {
         &self.statics

@@ -1,0 +1,135 @@
+"""Every code block of the documentation runs, page by page, and prints what the page says.
+
+A page's blocks run from top to bottom in one folder, which holds testdata and experiments, and in one Python namespace:
+
+- `python` is executed; `sh` runs with `cdpr` on the path and must end with status 0.
+- `toml` must be a good file. If its first line is a comment that names one, it becomes that file; what is part of a scene
+  is tried in the scene that `cdpr new` writes.
+- `text` is what the block before it printed, but for times.
+
+What cannot run here stands behind `<!-- skip: next "why" -->`; SKIPPED counts these, page by page.
+"""
+
+import contextlib
+import io
+import os
+import re
+import shutil
+import subprocess
+import tomllib
+import unittest
+from collections import Counter
+from pathlib import Path
+
+import jsonschema
+import pytest
+from conftest import ROOT, TESTDATA
+from sybil import Sybil
+from sybil.evaluators.python import PythonEvaluator
+from sybil.parsers.markdown import CodeBlockParser, SkipParser
+
+import cdpr
+
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted((ROOT / "crates").glob("*/README.md"))]
+NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
+SKIPPED = {
+    "README.md": 3,
+    "crates/cdpr-cli/README.md": 1,
+    "docs/figures.md": 1,
+    "docs/ompl.md": 1,
+    "docs/planners.md": 1,
+    "docs/reproduction.md": 1,
+    "docs/tutorial.md": 1,
+    "docs/wrench.md": 1,
+}
+# Rust is tested by cargo, directives by building the site.
+ELSEWHERE = re.compile(r"rust|\{.*\}.*")
+FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)
+TIME = re.compile(r"\d[\d.]* (ms|s|µs)\b")
+RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")
+
+
+def program() -> Path:
+    """The program as the tests of Rust built it, or the one that CDPR names."""
+    found = ROOT / os.environ.get("CDPR", "target/debug/cdpr")
+    assert found.exists(), f"no {found}: build it by `make program`"
+    return found
+
+
+class Page:
+    """Runs the blocks of a page in `folder`."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.printed = ""
+        self.python_block = PythonEvaluator()
+        for name in ("testdata", "experiments"):
+            shutil.copytree(ROOT / name, folder / name)
+        (folder / "bin").mkdir()
+        (folder / "bin/cdpr").symlink_to(program())
+        self.environment = os.environ | {"PATH": f"{folder / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+
+    def evaluators(self):
+        return {"python": self.python, "sh": self.shell, "toml": self.toml, "text": self.text}
+
+    def python(self, example):
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.python_block(example)
+        self.printed = out.getvalue()
+
+    def shell(self, example):
+        script = RUN_BY_CARGO.sub("cdpr ", example.parsed)
+        done = subprocess.run(
+            ["bash", "-euo", "pipefail", "-c", script],
+            env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        )  # fmt: skip
+        assert done.returncode == 0, f"status {done.returncode} of\n{script}\n{done.stdout}"
+        self.printed = done.stdout
+
+    def toml(self, example):
+        text = str(example.parsed)
+        data = tomllib.loads(text)
+        if named := re.match(r"# (\S+\.toml)\n", text):
+            (self.folder / named[1]).write_text(text)
+            self.good_file(named[1], data)
+        else:
+            whole = tomllib.loads((self.folder / "starter.toml").read_text()) if "version" not in data else {}
+            cdpr.Scene.from_dict(whole | data)
+
+    def good_file(self, name, data):
+        if "cables" in data:
+            cdpr.Robot.load(name)
+        elif "trials" in data:
+            jsonschema.validate(data, cdpr.schema("experiment"))
+        else:
+            cdpr.Scene.load(name)
+
+    def text(self, example):
+        assert TIME.sub("TIME", self.printed.strip()) == TIME.sub("TIME", example.parsed.strip())
+
+
+@pytest.fixture
+def page(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return Page(tmp_path)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_page_does_what_it_says(name, page):
+    subprocess.run([page.folder / "bin/cdpr", "new", "starter.toml"], check=True, capture_output=True)
+    parsers = [CodeBlockParser(language, evaluator) for language, evaluator in page.evaluators().items()]
+    skipped = []
+    for example in Sybil([*parsers, SkipParser()]).parse(ROOT / name).examples():
+        try:
+            example.evaluate()
+        except unittest.SkipTest as why:
+            skipped.append(str(why))
+    assert len(skipped) == SKIPPED.get(name, 0), skipped
+    assert "" not in skipped
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_block_of_a_page_is_left_out(name):
+    kinds = Counter(FENCE.findall((ROOT / name).read_text()))
+    others = [kind for kind in kinds if kind not in ("python", "sh", "toml", "text") and not ELSEWHERE.fullmatch(kind)]
+    assert not others
