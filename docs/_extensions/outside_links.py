@@ -1,7 +1,7 @@
 """Pages are plain Markdown that reads well beside the code; its links are turned here into those of the site.
 
 A page that consists of an `{include}` of a file outside of docs stands for that file. Links to it lead to the page, links
-to other files become downloads, and links to folders, which a site does not have, plain text.
+to other files become downloads, and links to folders and pages that the site does not have, plain text.
 """
 
 import os
@@ -22,15 +22,15 @@ def stand_ins(source: Path) -> dict[Path, Path]:
     return pages
 
 
-def rebase(text: str, folder: Path, page: Path, pages: dict[Path, Path]) -> str:
+def rebase(text: str, folder: Path, page: Path, source: Path, pages: dict[Path, Path]) -> str:
     """`text`, written for `folder`, with links as they must be on `page`."""
 
     def link(found: re.Match[str]) -> str:
         picture, words, target, anchor = found.groups()
         path = (folder / target).resolve()
-        if path.is_dir():
-            return words
         path = pages.get(path, path)
+        if path.is_dir() or (path.suffix == ".md" and source not in path.parents):
+            return words
         return f"{picture}[{words}]({os.path.relpath(path, page.parent)}{anchor or ''})"
 
     pieces = FENCED.split(text)
@@ -45,11 +45,11 @@ def setup(app):
         return source / f"{docname}.md"
 
     def on_read(app, docname, content):
-        content[0] = rebase(content[0], page(docname).parent, page(docname), pages)
+        content[0] = rebase(content[0], page(docname).parent, page(docname), source, pages)
 
     def on_include(app, path, docname, content):
         file = (source / path).resolve()  # MyST's docname lacks the folder
-        content[0] = rebase(content[0], file.parent, pages[file], pages)
+        content[0] = rebase(content[0], file.parent, pages[file], source, pages)
 
     app.connect("source-read", on_read)
     app.connect("include-read", on_include)
