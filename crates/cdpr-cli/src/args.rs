@@ -91,7 +91,7 @@ pub enum Command {
     /// Make a robot file from a robot of another program.
     ///
     /// CASPR: one of the two XML files of a model, or their folder; --cable-set chooses one of its sets of cables. Gazebo
-    /// (https://github.com/oKermorgant/cdpr): its YAML file. What is not carried over is listed. Where the source says
+    /// (oKermorgant/cdpr on GitHub): its YAML file. What is not carried over is listed. Where the source says
     /// nothing of the platform's shape, it is the hull of the attachments, unless --platform gives a mesh.
     #[command(after_help = "Examples:
   cdpr import CoGiRo_cables.xml -o cogiro.toml
