@@ -176,10 +176,10 @@ class Result(Path):
         Its length, m; NaN unless solved.
     orientation : ndarray (4,)
         World-from-platform unit quaternion w x y z, held all the way.
-    orientation_name : str or None
-        Its name, if the scene has one for it.
     status : str
         "solved", "budget_spent", "start_invalid" or "goal_invalid".
+    orientation_name : str or None
+        Name of the orientation, if the scene has one for it.
     raw_waypoints : ndarray (k, 3)
         The planner's path before rewinding, m.
     raw_cost : float
