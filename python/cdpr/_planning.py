@@ -182,9 +182,8 @@ def _finite(name: str, value: float | None) -> float | None:
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path) -> _core.Scene:
     """The scene at the orientation of the path."""
-    if not isinstance(waypoints, Path) or waypoints.orientation is None:
-        return scene._core
-    return scene._core.for_path_at(waypoints.orientation.tolist()) or scene._core
+    turn = waypoints.orientation if isinstance(waypoints, Path) else None
+    return scene._core.for_path_at(None if turn is None else turn.tolist()) or scene._core
 
 
 def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:

@@ -27,8 +27,8 @@ class Path(ByValue):
     cost : float
         Length, m.
     orientation : ndarray (4,) or None
-        World-from-platform unit quaternion w x y z, held all the way; None is as in the scene. A scene that leaves the
-        orientation open is checked, shown and measured at that of the path.
+        World-from-platform unit quaternion w x y z, held all the way; None is as in the scene. A scene that says no
+        orientation is turned to that of the path.
 
     Examples
     --------

@@ -41,7 +41,8 @@ class Scene(Immutable):
         Positions of the platform's origin, world, m.
     orientation : array_like (4,) or str, optional
         World-from-platform unit quaternion w x y z, held all the way, or the name of one of `orientations`. Without it
-        planning takes the one of those with the shortest path, and everything else the first; without any, no turn.
+        planning takes the one of those with the shortest path, paths are checked at their own, and everything else
+        takes the first, with a `CdprWarning`; without any, no turn.
     orientations : mapping of str to array_like (4,), optional
         Named orientations.
     clearance : float, default 0

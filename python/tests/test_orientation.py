@@ -15,7 +15,8 @@ ACROSS = [np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
 
 @pytest.fixture
 def plank() -> cdpr.Scene:
-    return cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
+    with pytest.warns(cdpr.CdprWarning, match='but for planning it is taken at "across"'):
+        return cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
 
 
 def test_planning_chooses_and_everything_else_follows_the_path(plank: cdpr.Scene, tmp_path: Path) -> None:
@@ -23,7 +24,9 @@ def test_planning_chooses_and_everything_else_follows_the_path(plank: cdpr.Scene
     assert result.solved and result.orientation_name == "along" and result.orientation.tolist() == LEVEL
     assert np.allclose(plank.orientation, ACROSS)  # the first, where nothing says another one
     assert cdpr.check(plank, result).valid
-    assert not cdpr.check(plank, result.waypoints).valid  # bare positions are taken at the scene's
+    with pytest.raises(cdpr.InputError, match="which names across, along; choose one"):
+        cdpr.check(plank, result.waypoints)  # bare positions do not say
+    assert cdpr.check(plank.replace(orientation="along"), result.waypoints).valid
     assert cdpr.refine(plank, result).orientation.tolist() == LEVEL
     assert '"orientation":[1.0,0.0,0.0,0.0]' in cdpr._view.view(plank, result).html
     result.save(tmp_path / "path.json")

@@ -179,7 +179,7 @@ pub struct SceneArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub scene: PathBuf,
     /// How the platform is turned: one of the scene's orientations by name, or a unit quaternion W,X,Y,Z. Otherwise as the
-    /// scene says; if it names several, `plan` takes the one with the shortest path, `check` and others that of the path.
+    /// scene says; if it names several, `plan` takes the one with the shortest path, what reads a path that of the path.
     #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
     pub orientation: Option<OrientationSource>,
     /// How to print the result.

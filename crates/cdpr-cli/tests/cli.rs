@@ -524,6 +524,8 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
         stderr(&refused)
     );
     std::fs::write(folder.path().join("path.csv"), "x,y,z\n0.45,1,0.5\n1.55,1,0.5\n").unwrap();
+    let refused = run(&["check", "slot.toml", "path.csv"]);
+    assert!(status(&refused) == 2 && stderr(&refused).contains("choose one: --orientation"), "{}", stderr(&refused));
     for (orientation, expected) in [("across", 1), ("along", 0), ("1,0,0,0", 0), ("-0.707106781,0,0,-0.707106781", 1)] {
         let checked = run(&["check", "slot.toml", "path.csv", "--orientation", orientation]);
         assert_eq!(status(&checked), expected, "{orientation}: {}", stderr(&checked));

@@ -2,9 +2,9 @@
 
 mod support;
 
-use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::collision::{Checker, Constraints, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
-use cdpr_core::io::{load_waypoints, plan_json, save_path, scene_of_path};
+use cdpr_core::io::{load_waypoints, plan_json, save_path, scene_of_path, waypoints_from_text};
 use cdpr_core::model::{BodySpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan, plan_choosing};
 use cdpr_core::planning::Status;
@@ -159,6 +159,12 @@ fn a_path_is_checked_at_its_own_orientation() {
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
     let refused = scene_of_path(&across, &loaded).unwrap_err().to_string();
     assert!(refused.contains("orientation: found a path at [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
+    // Bare positions say none, and a scene that leaves it open is no answer.
+    let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
+    let refused = scene_of_path(&scene, &bare).unwrap_err().to_string();
+    assert!(refused.contains("which names across, along, askew; choose one"), "{refused}");
+    assert!(scene_of_path(&across, &bare).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
+    assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
     // Another scene stays another scene.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);

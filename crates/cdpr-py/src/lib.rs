@@ -96,8 +96,8 @@ impl Scene {
         self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
     }
 
-    /// The scene for a path that holds at this orientation; none if it is the scene itself.
-    fn for_path_at(&self, orientation: [f64; 4]) -> PyResult<Option<Scene>> {
+    /// The scene for a path that holds at this orientation, if it says one; none if it is the scene itself.
+    fn for_path_at(&self, orientation: Option<[f64; 4]>) -> PyResult<Option<Scene>> {
         let scene = self.0.for_path_at(orientation).map_err(raised)?;
         Ok((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)))
     }

@@ -153,6 +153,10 @@ impl Scenario {
     fn new(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
         named(&spec.name)?;
         let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
+        if scene.orientation_is_open() {
+            let expected = "expected query.orientation: all methods plan at the same one";
+            return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
+        }
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
         let random = random.transpose().map_err(|e| e.under("random"))?;
         Ok(Scenario { name: spec.name.clone(), scene, random })

@@ -158,6 +158,14 @@ impl Constraint {
     }
 }
 
+/// What is to be said where a scene names several orientations and says none.
+fn open_orientation(scene: &Scene) -> Option<String> {
+    let name = scene.orientation_name().filter(|_| scene.orientation_is_open())?;
+    Some(format!(
+        "the scene names several orientations and says none: but for planning it is taken at \"{name}\", the first"
+    ))
+}
+
 impl Constraints {
     /// The constraints of a scene at its orientation.
     ///
@@ -172,7 +180,7 @@ impl Constraints {
             platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
             obstacles: obstacle_bodies(scene),
             list: Vec::new(),
-            notes: scene.notes().to_vec(),
+            notes: scene.notes().iter().cloned().chain(open_orientation(scene)).collect(),
         };
         constraints.workspace(scene);
         constraints.cable_lengths(scene);

@@ -206,12 +206,8 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
 /// # Errors
 /// A path that says it was planned for another scene or at another orientation.
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath) -> Result<Scene, Error> {
-    path.file.as_ref().map_or(Ok(scene.clone()), |file| scene_of(scene, file))
-}
-
-fn scene_of(scene: &Scene, file: &PathFile) -> Result<Scene, Error> {
-    let own = file.orientation.map_or(Ok(scene.clone()), |orientation| scene.for_path_at(orientation))?;
-    match &file.scene {
+    let own = scene.for_path_at(path.file.as_ref().and_then(|file| file.orientation))?;
+    match path.file.as_ref().and_then(|file| file.scene.as_ref()) {
         Some(id) if id.fingerprint != own.fingerprint() => Err(another_scene(&own, id)),
         _ => Ok(own),
     }

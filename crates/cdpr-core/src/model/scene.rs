@@ -193,26 +193,45 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The scene for a path that holds at this orientation: turned to it where the scene leaves that open.
+    /// Whether the scene names several orientations and says none.
+    pub fn orientation_is_open(&self) -> bool {
+        !self.orientation_is_fixed() && !self.orientations.is_empty()
+    }
+
+    /// The scene for a path that holds at this orientation, if it says one: turned to it where the scene says none.
     ///
     /// # Errors
-    /// The scene says another orientation itself.
-    pub fn for_path_at(&self, quaternion: [f64; 4]) -> Result<Scene, Error> {
+    /// The scene says another orientation itself, or neither says one where the scene names several.
+    pub fn for_path_at(&self, quaternion: Option<[f64; 4]>) -> Result<Scene, Error> {
+        let Some(quaternion) = quaternion else { return self.for_bare_path() };
         let turn = body::unit_quaternion("orientation", quaternion)?;
-        if turn.angle_to(&self.orientation) <= SAME_TURN {
-            return Ok(self.clone());
-        }
         if !self.orientation_is_fixed() {
             return self.turned(quaternion.into());
+        }
+        if turn.angle_to(&self.orientation) <= SAME_TURN {
+            return Ok(self.clone());
         }
         let own = &self.orientation;
         let expected = format!("but the scene is at {:?}", [own.w, own.i, own.j, own.k]);
         Err(Error::invalid("orientation", format!("found a path at {quaternion:?}, {expected}; turn the scene to it")))
     }
 
+    fn for_bare_path(&self) -> Result<Scene, Error> {
+        if !self.orientation_is_open() {
+            return Ok(self.clone());
+        }
+        let names: Vec<&str> = self.orientations.iter().map(|(name, _)| name.as_str()).collect();
+        let problem = format!(
+            "found none, neither with the path nor in the scene, which names {}; choose one: --orientation NAME, or \
+             scene.replace(orientation=NAME) in Python",
+            names.join(", ")
+        );
+        Err(Error::invalid("orientation", problem))
+    }
+
     /// The scene at each orientation that a plan may choose from: all named ones if the query says none, else its own.
     pub fn choices(&self) -> Vec<Scene> {
-        if self.orientation_is_fixed() || self.orientations.is_empty() {
+        if !self.orientation_is_open() {
             return vec![self.clone()];
         }
         let names = self.orientations.iter().map(|(name, _)| OrientationSource::Named(name.clone()));

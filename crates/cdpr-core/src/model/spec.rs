@@ -29,8 +29,8 @@ pub struct SceneSpec {
     pub ignore: Vec<[String; 2]>,
     /// The box that every platform vertex must stay in.
     pub workspace: WorkspaceSpec,
-    /// Named ways to turn the platform. Where the query says none, planning takes the one with the shortest path, and
-    /// everything else the first.
+    /// Named ways to turn the platform. Where the query says none, planning takes the one with the shortest path, what
+    /// reads a path that of the path, and everything else the first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub orientations: Vec<OrientationSpec>,
     /// The robot: a table, or the path of a robot file relative to the scene file.
