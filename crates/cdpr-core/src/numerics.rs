@@ -200,6 +200,27 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 /// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
 pub const SCALE_STEPS: usize = 100;
 
+/// Largest text file that is read (scenes, robots, paths, experiments, what a run left), bytes.
+pub const MOST_TEXT_BYTES: u64 = 50_000_000;
+
+/// Most cables of a robot.
+pub const MOST_CABLES: usize = 256;
+
+/// Most cables of a robot whose wrenches a scene asks for: facets of the available set grow with the fifth power.
+pub const MOST_WRENCH_CABLES: usize = 24;
+
+/// Most convex parts of a platform or of all obstacles of a scene: every two of them are looked at for a seam.
+pub const MOST_BODIES: usize = 10_000;
+
+/// Most corners of one convex body: sorting out the faces of a hull takes time with their square.
+pub const MOST_CORNERS: usize = 1_000;
+
+/// Most rows of an experiment for each trial: scenarios by methods, each variant of a sweep counted.
+pub const MOST_ROWS_PER_TRIAL: usize = 10_000;
+
+/// Most trials of an experiment.
+pub const MOST_TRIALS: usize = 1_000_000_000;
+
 /// Largest file of another program's robot that is read, bytes; the largest known has 0.1 MB.
 pub const MOST_XML_BYTES: u64 = 1_000_000;
 

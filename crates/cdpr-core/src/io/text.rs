@@ -1,6 +1,7 @@
 //! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
 
 use std::ffi::OsStr;
+use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
@@ -9,6 +10,7 @@ use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
+use crate::numerics::MOST_TEXT_BYTES;
 
 /// How many files of a folder are looked at for a name like that of a missing one.
 const MANY_FILES: usize = 10_000;
@@ -41,9 +43,12 @@ pub(super) fn shown(extension: Option<&str>) -> String {
     extension.map_or("(none)".to_string(), |e| format!(".{e}"))
 }
 
-/// The whole file as text.
+/// The whole file as text, up to [`MOST_TEXT_BYTES`].
+///
+/// # Errors
+/// A file that cannot be read, is larger, no ordinary file, or no text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
-    std::fs::read_to_string(path).map_err(|e| unreadable(path, &e))
+    read_at_most(path, MOST_TEXT_BYTES)
 }
 
 /// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
@@ -70,22 +75,33 @@ pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
 
 /// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
 pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
-    let unreadable = |e: std::io::Error| unreadable(path, &e);
     let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    open(path)?.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(path, &e))?;
     if bytes.len() as u64 > most {
         return Err(Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000)));
     }
     Ok(bytes)
 }
 
+/// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
+/// let the program wait for ever, and a device may have no end.
+pub(super) fn open(path: &Path) -> Result<File, Error> {
+    let kind = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?.file_type();
+    if kind.is_dir() {
+        return Err(Error::file(path, "is a folder, expected a file"));
+    }
+    if !kind.is_file() {
+        return Err(Error::file(path, "is no ordinary file (a pipe or a device), expected one"));
+    }
+    File::open(path).map_err(|e| unreadable(path, &e))
+}
+
 /// Parses text; errors name the key path, what was found, what was expected, and the line.
 pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, Error> {
     match notation {
         Notation::Toml => {
-            let line_of =
-                |e: &toml::de::Error| e.span().map(|s| 1 + text[..s.start.min(text.len())].matches('\n').count());
+            let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
+            let line_of = |e: &toml::de::Error| e.span().map(|s| 1 + lines_before(s.start));
             let whole = |e: toml::de::Error| Error::invalid("", at_line(e.message(), line_of(&e)));
             let parser = toml::Deserializer::parse(text).map_err(whole)?;
             serde_path_to_error::deserialize(parser).map_err(|e| {

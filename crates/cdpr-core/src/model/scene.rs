@@ -10,7 +10,7 @@ use super::spec::{
 use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
-use crate::numerics::{ON_SURFACE, SAME_TURN};
+use crate::numerics::{MOST_BODIES, ON_SURFACE, SAME_TURN};
 
 /// The name that stands for the platform in messages and in `ignore`.
 pub const PLATFORM: &str = "platform";
@@ -78,6 +78,7 @@ impl Scene {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
         let workspace = workspace(&spec)?;
+        body::at_most("obstacles", spec.obstacles.len(), MOST_BODIES)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
         let seams = obstacle_seams(&obstacles);
         outlets_outside(&robot, &obstacles, &seams)?;
