@@ -15,8 +15,8 @@ pub use readers::{READERS, Reader, inputs, reader};
 /// Memory that reading a file may take in all, bytes.
 pub const MEMORY: usize = 1 << 30;
 
-/// Time that reading a file of up to 1 MB may take.
-pub const TIME: Duration = Duration::from_secs(10);
+/// Time that reading a file of up to 1 MB may take: 10 s, and patience for a machine that has other things to do.
+pub const TIME: Duration = Duration::from_secs(60);
 
 /// Allocator that fails beyond a limit.
 pub type Memory = cap::Cap<std::alloc::System>;

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::{self, ImportOptions};
-use cdpr_core::plan::{check, engine_for};
+use cdpr_core::wrench::measures;
 use cdpr_core::{Error, Scene, report, testing};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -96,7 +96,8 @@ fn scene(name: &str, bytes: &[u8]) {
     accepted(io::load_scene(&folder.path(name))).iter().for_each(ask);
 }
 
-/// Asks both engines for the motion of a scene's query, or for one across its workspace.
+/// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the start.
+/// How long a motion is certified depends on more than the size of a file.
 fn ask(scene: &Scene) {
     serde_json::to_string(scene.spec()).expect("a scene can be written");
     let bodies = scene.robot().parts().len() + scene.obstacles().iter().map(|o| o.parts.len()).sum::<usize>();
@@ -104,17 +105,16 @@ fn ask(scene: &Scene) {
         return;
     }
     let [from, to] = [scene.start().unwrap_or(scene.workspace().min), scene.goal().unwrap_or(scene.workspace().max)];
-    for engine in [Engine::Gjk, Engine::Cspace] {
-        if let Some(engine) = accepted(engine_for(scene, engine, Interference::Exact)) {
-            checked(scene, &*engine, &[from, from + 0.5 * (to - from), to]);
-        }
+    let waypoints = [from, from + 0.5 * (to - from), to];
+    accepted(GjkEngine::new(scene, Interference::Exact)).iter().for_each(|engine| checked(engine, &waypoints));
+    accepted(CspaceEngine::new(scene, Interference::Exact)).iter().for_each(|engine| checked(engine, &waypoints));
+    for measure in accepted(measures(scene)).iter().flatten() {
+        measure.limit(&from);
     }
 }
 
-fn checked(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) {
-    if let Some(report) = accepted(check(scene, engine, waypoints)) {
-        serde_json::to_string(&report).expect("a report can be written");
-    }
+fn checked(engine: &dyn Validity, waypoints: &[Point]) {
+    serde_json::to_string(&check_path(engine, waypoints)).expect("a report can be written");
 }
 
 fn robot(bytes: &[u8]) {
@@ -123,15 +123,15 @@ fn robot(bytes: &[u8]) {
 }
 
 fn path(name: &str, bytes: &[u8]) {
-    static HARD1: LazyLock<(Scene, Box<dyn Checker>)> = LazyLock::new(|| {
+    static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
         let scene = testing::hard1();
-        let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).expect("an engine");
+        let engine = CspaceEngine::new(&scene, Interference::Exact).expect("an engine");
         (scene, engine)
     });
     let folder = Folder::new().with(name, bytes);
     if let Some(loaded) = accepted(io::load_waypoints(&folder.path(name), None)) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
-        checked(&HARD1.0, &*HARD1.1, &loaded.waypoints[..count]);
+        checked(&HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
         io::save_path(&again, &io::path_json(&HARD1.0, &loaded.waypoints)).expect("a path can be written");
         assert_eq!(io::load_waypoints(&again, None).expect("what was written").waypoints, loaded.waypoints);
