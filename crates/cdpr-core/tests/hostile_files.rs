@@ -11,6 +11,9 @@ use cdpr_core::io::{
 };
 use cdpr_core::numerics::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_TEXT_BYTES};
 
+/// A refusal takes some seconds at most; a machine that has other things to do gets a minute.
+const PATIENCE: Duration = Duration::from_secs(60);
+
 type Reader = fn(&Path) -> Result<(), Error>;
 
 /// Every reader of a file, by the name that the file must have in its folder.
@@ -48,7 +51,7 @@ fn refusals(make: impl Fn(&Path)) -> Vec<(&'static str, String)> {
         let (done, waits) = std::sync::mpsc::channel();
         let own = path.clone();
         std::thread::spawn(move || done.send(reader(&own)));
-        let answer = waits.recv_timeout(Duration::from_secs(20)).unwrap_or_else(|_| panic!("{name} hangs"));
+        let answer = waits.recv_timeout(PATIENCE).unwrap_or_else(|_| panic!("{name} hangs"));
         let message = answer.expect_err(name).to_string();
         assert!(message.contains(folder.path().to_str().unwrap()), "{name}: no file in: {message}");
         (name, message)
@@ -109,7 +112,8 @@ fn a_scene_that_names_a_device_is_refused() {
 #[test]
 fn bytes_that_are_no_text_are_refused_by_every_reader() {
     for bytes in [&b"\xff\xfe\x00\x01"[..], b"\xc3", b"version = 1 # \xf0\x9f", &[0; 1000], &[b'\xff'; 1000]] {
-        refusals(|path| fs::write(path, bytes).unwrap());
+        let rows = |path: &Path| path.ends_with("trials.csv"); // its head may be any text
+        refusals(|path| fs::write(path, [if rows(path) { b"a\n" } else { &b""[..] }, bytes].concat()).unwrap());
     }
 }
 
@@ -117,20 +121,20 @@ fn bytes_that_are_no_text_are_refused_by_every_reader() {
 fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
     let sparse = |path: &Path| fs::File::create(path).unwrap().set_len(10_000_000_000).unwrap(); // takes no room
     for (name, message) in refusals(sparse) {
-        if !["map.npz", "trials.csv"].contains(&name) {
+        if name != "map.npz" {
             assert!(message.contains(" MB, expected at most"), "{name}: {message}");
         }
     }
 }
 
-/// The message of refusing a scene with this text, and that it comes within ten seconds.
+/// The message of refusing a scene with this text; it must not take long, even where other tests run.
 fn refusal(name: &str, text: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
     let begun = Instant::now();
     let message = load_scene(&path).unwrap_err().to_string();
-    assert!(begun.elapsed() < Duration::from_secs(10), "{:?}", begun.elapsed());
+    assert!(begun.elapsed() < PATIENCE, "{:?}", begun.elapsed());
     message
 }
 

@@ -97,7 +97,7 @@ impl BatchFolder {
         if !path.exists() {
             return Ok(0); // no trial is done yet
         }
-        let file = text::open(&path)?;
+        let file = text::open_table(&path)?;
         let variants = self.run.layout.groups[group].methods.len();
         let (mut reader, mut line) = (BufReader::new(file), Vec::new());
         let (mut lines, mut at, mut complete) = (0, 0, 0);
@@ -131,7 +131,7 @@ impl BatchFolder {
         let open = |group: usize| -> Result<Box<dyn Read>, Error> {
             let path = self.path.join(ROWS).join(file_name(group));
             match path.exists() {
-                true => Ok(Box::new(BufReader::new(text::open(&path)?))),
+                true => Ok(Box::new(BufReader::new(text::open_table(&path)?))),
                 false => Ok(Box::new(std::io::empty())), // no trial is done yet
             }
         };
@@ -195,7 +195,7 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
 fn copy_lines(from: &Path, to: &Path, count: usize) -> Result<(), Error> {
     let unreadable = |e: std::io::Error| Error::file(from, format!("cannot be read: {e}"));
     let unwritable = |e: std::io::Error| Error::file(to, format!("cannot be written: {e}"));
-    let mut reader = BufReader::new(text::open(from)?);
+    let mut reader = BufReader::new(text::open_table(from)?);
     let mut writer = BufWriter::new(OpenOptions::new().append(true).create(true).open(to).map_err(unwritable)?);
     let mut line = Vec::new();
     for _ in 0..count {

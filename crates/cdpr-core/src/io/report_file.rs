@@ -37,7 +37,7 @@ pub fn load_study(folder: &Path) -> Result<Study, Error> {
 }
 
 fn costs(path: &Path) -> Result<Costs, Error> {
-    let file = text::open(path)?;
+    let file = text::open_table(path)?;
     let mut costs = Costs::new();
     for row in csv::Reader::from_reader(BufReader::new(file)).deserialize() {
         let TrialRow { scenario, method, trial, status, raw_cost, cost } =

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
-use crate::numerics::MOST_TEXT_BYTES;
+use crate::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 
 /// How many files of a folder are looked at for a name like that of a missing one.
 const MANY_FILES: usize = 10_000;
@@ -78,7 +78,7 @@ pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Erro
     let mut bytes = Vec::new();
     open(path)?.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(path, &e))?;
     if bytes.len() as u64 > most {
-        return Err(Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000)));
+        return Err(too_large(path, most));
     }
     Ok(bytes)
 }
@@ -94,6 +94,19 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
         return Err(Error::file(path, "is no ordinary file (a pipe or a device), expected one"));
     }
     File::open(path).map_err(|e| unreadable(path, &e))
+}
+
+/// Opens a table that is read row by row; one beyond any use is refused, since a row may be as long as the file.
+pub(super) fn open_table(path: &Path) -> Result<File, Error> {
+    let file = open(path)?;
+    if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
+        return Err(too_large(path, MOST_TABLE_BYTES));
+    }
+    Ok(file)
+}
+
+fn too_large(path: &Path, most: u64) -> Error {
+    Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000))
 }
 
 /// Parses text; errors name the key path, what was found, what was expected, and the line.
