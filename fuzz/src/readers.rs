@@ -129,12 +129,12 @@ fn path(name: &str, bytes: &[u8]) {
         (scene, engine)
     });
     let folder = Folder::new().with(name, bytes);
-    if let Some(loaded) = accepted(io::load_waypoints(&folder.path(name), None)) {
+    if let Some(loaded) = accepted(io::load_waypoints(&folder.path(name))) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
         checked(&HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
         io::save_path(&again, &io::path_json(&HARD1.0, &loaded.waypoints)).expect("a path can be written");
-        assert_eq!(io::load_waypoints(&again, None).expect("what was written").waypoints, loaded.waypoints);
+        assert_eq!(io::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
     }
 }
 

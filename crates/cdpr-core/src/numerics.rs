@@ -216,6 +216,9 @@ pub const MOST_WRENCH_CABLES: usize = 24;
 /// Most convex parts of a platform or of all obstacles of a scene: every two of them are looked at for a seam.
 pub const MOST_BODIES: usize = 10_000;
 
+/// Most orientations of a scene: planning may try each.
+pub const MOST_ORIENTATIONS: usize = 1_000;
+
 /// Most corners of one convex body: sorting out the faces of a hull takes time with their square.
 pub const MOST_CORNERS: usize = 1_000;
 

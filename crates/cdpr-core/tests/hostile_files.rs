@@ -21,8 +21,8 @@ const READERS: [(&str, Reader); 14] = [
     ("scene.toml", |path| load_scene(path).map(drop)),
     ("scene.json", |path| load_scene(path).map(drop)),
     ("robot.toml", |path| load_robot(path).map(drop)),
-    ("path.json", |path| load_waypoints(path, None).map(drop)),
-    ("path.csv", |path| load_waypoints(path, None).map(drop)),
+    ("path.json", |path| load_waypoints(path).map(drop)),
+    ("path.csv", |path| load_waypoints(path).map(drop)),
     ("experiment.toml", |path| load_experiment(path).map(drop)),
     ("robot.xml", |path| {
         let options = ImportOptions { bodies: Some(path.to_path_buf()), ..ImportOptions::default() };
