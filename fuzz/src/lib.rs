@@ -1,8 +1,8 @@
 //! Every reader of cdpr, fed with bytes as a file's contents.
 //!
 //! What a reader refuses must be refused with words; what it accepts must be of use: scenes answer a motion, paths are
-//! checked, meshes become obstacles, runs become reports. Panics, inputs that take longer than [`TIME`] and ones that take
-//! more memory than [`MEMORY`] are defects.
+//! checked, meshes become obstacles, runs become reports. Panics, inputs that take longer than [`TIME`] and ones that
+//! take more memory than [`MEMORY`] are defects.
 
 mod readers;
 

@@ -50,7 +50,7 @@ pub fn reader(name: &str) -> Reader {
     *READERS.iter().find(|reader| reader.name == name).unwrap_or_else(|| panic!("no reader is called {name}"))
 }
 
-/// Inputs of this package: `seeds`, sound files, and `regressions`, ones that were defects once; a folder for each reader.
+/// Inputs of this package, a folder for each reader: `seeds` are sound files, `regressions` were defects once.
 pub fn inputs(kind: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(kind)
 }
@@ -96,8 +96,8 @@ fn scene(name: &str, bytes: &[u8]) {
     accepted(io::load_scene(&folder.path(name))).iter().for_each(ask);
 }
 
-/// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the start.
-/// How long a motion is certified depends on more than the size of a file.
+/// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the
+/// start. How long a motion is certified depends on more than the size of a file.
 fn ask(scene: &Scene) {
     serde_json::to_string(scene.spec()).expect("a scene can be written");
     let bodies = scene.robot().parts().len() + scene.obstacles().iter().map(|o| o.parts.len()).sum::<usize>();

@@ -1,5 +1,5 @@
-//! A short fuzz without instrumentation: seeds with a few changes, the same ones every time. `CDPR_FUZZ_CASES=N` makes N
-//! times as many. A failure is shrunk to the fewest changes, and kept as a file.
+//! A short fuzz without instrumentation: seeds with a few changes, the same ones every time. `CDPR_FUZZ_CASES=N` makes
+//! N times as many. A failure is shrunk to the fewest changes, and kept as a file.
 
 use std::fs;
 
@@ -12,8 +12,12 @@ use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 #[global_allocator]
 static ALLOCATOR: Memory = Memory::new(std::alloc::System, MEMORY);
 
-/// Cases of each reader: about four seconds.
+/// Cases of each reader: some seconds.
 const CASES: u32 = 1500;
+
+/// Cases where what is accepted takes long to use: meshes are decomposed, plots drawn.
+const FEW_CASES: u32 = 300;
+const SLOW: [&str; 5] = ["mesh_stl", "mesh_obj", "parts_json", "summary_json", "trials_csv"];
 
 /// Numbers that nobody types.
 const NUMBERS: [&str; 18] = [
@@ -145,7 +149,7 @@ fn fuzz(name: &str) {
     let seeds: Vec<Vec<u8>> = paths.iter().map(|path| fs::read(path).unwrap()).collect();
     let times: u32 = std::env::var("CDPR_FUZZ_CASES").map_or(1, |times| times.parse().unwrap());
     let config = Config {
-        cases: CASES * times,
+        cases: times * if SLOW.contains(&name) { FEW_CASES } else { CASES },
         rng_seed: RngSeed::Fixed(1),
         failure_persistence: None,
         max_shrink_time: 60_000,

@@ -1,4 +1,4 @@
-//! Sound files, and inputs that were defects once, go through their readers; of the sound ones every reader accepts all.
+//! Sound files, and inputs that were defects once, go through their readers.
 
 use std::fs;
 use std::path::PathBuf;

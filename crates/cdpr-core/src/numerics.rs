@@ -200,8 +200,8 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 /// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
 pub const SCALE_STEPS: usize = 100;
 
-/// Largest text file that is read whole (scenes, robots, paths, experiments, what a run is), bytes: parsing TOML takes fifty
-/// times as much memory.
+/// Largest text file that is read whole (scenes, robots, paths, experiments, what a run is), bytes: parsing TOML takes
+/// fifty times as much memory.
 pub const MOST_TEXT_BYTES: u64 = 16_000_000;
 
 /// Largest table of a run that is read row by row, bytes.
@@ -266,8 +266,8 @@ pub const MOST_PARTS_IN_ALL: usize = 5_000;
 /// Steps after which a part counts as one that reaches too far: some tenths of a second.
 pub const MOST_REACH_STEPS: usize = 300_000;
 
-/// The same for all parts of a piece together, for each part that it may be cut into: some seconds for the worst of meshes,
-/// whose parts then count as reaching as far as they are wide.
+/// The same for all parts of a piece together, for each part that it may be cut into: some seconds for the worst of
+/// meshes, whose parts then count as reaching as far as they are wide.
 pub const REACH_STEPS_PER_PART: usize = 4_000;
 
 /// Share of the tolerance beyond which a part counts as one that reaches too far: to tell just below from just above would
