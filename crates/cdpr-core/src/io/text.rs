@@ -67,20 +67,35 @@ fn near_file(path: &Path) -> Option<String> {
     nearest_name(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_string)
 }
 
+/// All of a stream as text, up to [`MOST_TEXT_BYTES`]; `name` stands for it in messages.
+///
+/// # Errors
+/// A stream that cannot be read, holds more, or no text in UTF-8.
+pub fn read_stream(stream: impl Read, name: &Path) -> Result<String, Error> {
+    text_of(bytes_of(stream, name, MOST_TEXT_BYTES)?, name)
+}
+
 /// The whole file as text, refused if it is larger than `most` bytes.
 pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
-    let bytes = read_bytes_at_most(path, most)?;
-    String::from_utf8(bytes).map_err(|_| Error::file(path, "is no text in UTF-8"))
+    text_of(read_bytes_at_most(path, most)?, path)
 }
 
 /// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
 pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    bytes_of(open(path)?, path, most)
+}
+
+fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
-    open(path)?.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(path, &e))?;
+    stream.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(name, &e))?;
     if bytes.len() as u64 > most {
-        return Err(too_large(path, most));
+        return Err(too_large(name, most));
     }
     Ok(bytes)
+}
+
+fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
+    String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))
 }
 
 /// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
