@@ -6,7 +6,8 @@ WHEELS := target/wheels
 
 SITE := target/site
 
-.PHONY: test lint rust-test release-test verify program wheel python-test package-test docs workflows packages deny demo figures bench viewer browser clean
+.PHONY: test lint rust-test release-test verify fuzz program wheel python-test package-test docs workflows packages \
+	deny demo figures bench viewer browser clean
 
 test: lint rust-test release-test python-test docs workflows
 
@@ -33,6 +34,25 @@ release-test:
 verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test wrench_oracle -- --nocapture
+
+# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. What was learnt
+# stays in target/fuzz, so that the next run goes on from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
+FUZZ_SECONDS ?= 600
+FUZZ_READERS ?= $(notdir $(wildcard fuzz/seeds/*))
+FUZZ_HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+FUZZ_FLAGS := -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \
+	-Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table \
+	-Cllvm-args=-sanitizer-coverage-trace-compares --cfg fuzzing
+
+fuzz:
+	RUSTFLAGS="$(FUZZ_FLAGS)" cargo build --locked --profile fuzz -p cdpr-fuzz --features libfuzzer \
+		--target $(FUZZ_HOST) --target-dir target/fuzzing
+	@set -e; for reader in $(FUZZ_READERS); do \
+		mkdir -p target/fuzz/$$reader fuzz/regressions/$$reader; echo "== $$reader"; \
+		CDPR_FUZZ=$$reader target/fuzzing/$(FUZZ_HOST)/fuzz/fuzz_reader -max_total_time=$(FUZZ_SECONDS) -timeout=10 \
+			-rss_limit_mb=2048 -max_len=100000 -dict=fuzz/dictionary.txt -artifact_prefix=target/fuzz/$$reader- \
+			-print_final_stats=1 target/fuzz/$$reader fuzz/seeds/$$reader fuzz/regressions/$$reader; \
+	done
 
 $(VENV)/ready: requirements-dev.txt requirements-docs.txt
 	$(PYTHON) -m venv $(VENV)

@@ -1,6 +1,5 @@
 //! Reading: scenes, paths and experiments from files, or from standard input where `-` stands for the file.
 
-use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
@@ -69,9 +68,7 @@ pub fn experiment(path: &Path) -> Result<Experiment, Error> {
 
 fn from_standard<T>(parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
     let name = Path::new(STANDARD_INPUT);
-    let mut text = String::new();
-    let read = std::io::stdin().read_to_string(&mut text);
-    read.map_err(|e| Error::file(name, format!("cannot be read: {e}")))?;
+    let text = io::text::read_stream(std::io::stdin(), name)?;
     parse(&text).map_err(|e| e.in_file(name))
 }
 

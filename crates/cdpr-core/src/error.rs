@@ -91,10 +91,15 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// Longest name that a slip is looked for in: comparing takes time and memory with the square.
+const LONGEST_NAME: usize = 100;
+
 /// The known name nearest to `found`, if one is near enough to be a slip of the keyboard.
 pub(crate) fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = found.chars().take(LONGEST_NAME + 1).count();
     known
         .into_iter()
+        .filter(|name| length <= LONGEST_NAME && name.len() <= LONGEST_NAME)
         .map(|name| (strsim::damerau_levenshtein(found, name), name))
         .filter(|(distance, name)| *distance <= 2.max(name.chars().count() / 3))
         .min()

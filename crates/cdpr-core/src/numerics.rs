@@ -200,6 +200,34 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 /// Planes after which the search for a largest scale gives up; each is a facet that the one before had missed.
 pub const SCALE_STEPS: usize = 100;
 
+/// Largest text file that is read whole (scenes, robots, paths, experiments, what a run is), bytes: parsing TOML takes
+/// fifty times as much memory.
+pub const MOST_TEXT_BYTES: u64 = 16_000_000;
+
+/// Largest table of a run that is read row by row, bytes.
+pub const MOST_TABLE_BYTES: u64 = 1_000_000_000;
+
+/// Most cables of a robot.
+pub const MOST_CABLES: usize = 256;
+
+/// Most cables of a robot whose wrenches a scene asks for: facets of the available set grow with the fifth power.
+pub const MOST_WRENCH_CABLES: usize = 24;
+
+/// Most convex parts of a platform or of all obstacles of a scene: every two of them are looked at for a seam.
+pub const MOST_BODIES: usize = 10_000;
+
+/// Most orientations of a scene: planning may try each.
+pub const MOST_ORIENTATIONS: usize = 1_000;
+
+/// Most corners of one convex body: sorting out the faces of a hull takes time with their square.
+pub const MOST_CORNERS: usize = 1_000;
+
+/// Most rows of an experiment for each trial: scenarios by methods, each variant of a sweep counted.
+pub const MOST_ROWS_PER_TRIAL: usize = 5_000;
+
+/// Most trials of an experiment.
+pub const MOST_TRIALS: usize = 1_000_000_000;
+
 /// Largest file of another program's robot that is read, bytes; the largest known has 0.1 MB.
 pub const MOST_XML_BYTES: u64 = 1_000_000;
 
@@ -237,6 +265,10 @@ pub const MOST_PARTS_IN_ALL: usize = 5_000;
 
 /// Steps after which a part counts as one that reaches too far: some tenths of a second.
 pub const MOST_REACH_STEPS: usize = 300_000;
+
+/// The same for all parts of a piece together, for each part that it may be cut into: some seconds for the worst of
+/// meshes, whose parts then count as reaching as far as they are wide.
+pub const REACH_STEPS_PER_PART: usize = 4_000;
 
 /// Share of the tolerance beyond which a part counts as one that reaches too far: to tell just below from just above would
 /// take most of the time.

@@ -12,6 +12,7 @@ use crate::choice::Choice;
 use crate::error::{Error, nearest_name};
 use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
+use crate::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use crate::plan::{PlanOptions, Post, Processing};
 use crate::planning::{Planner, PlannerOptions};
 use crate::postprocess::RewindOptions;
@@ -112,13 +113,13 @@ impl Experiment {
         if spec.version != FORMAT_VERSION {
             return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
         }
-        if spec.trials == 0 {
-            return Err(Error::invalid("trials", "found 0, expected at least 1"));
+        if !(1..=MOST_TRIALS).contains(&spec.trials) {
+            let problem = format!("found {}, expected at least 1 and at most {MOST_TRIALS}", spec.trials);
+            return Err(Error::invalid("trials", problem));
         }
         let confidence = spec.confidence.unwrap_or(CONFIDENCE);
-        if !(confidence > 0.0 && confidence < 1.0) {
-            return Err(Error::invalid("confidence", format!("found {confidence}, expected a number between 0 and 1")));
-        }
+        sound_confidence(confidence)?;
+        few_rows(&spec)?;
         let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
         unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
@@ -146,6 +147,49 @@ impl Experiment {
             spec.scene = SceneSource::Inline(Box::new(scenario.scene.spec().clone()));
         }
         Ok(Experiment { name, seed, trials, scenarios, methods, layout, fingerprint, portable })
+    }
+}
+
+/// Checks the level of confidence intervals.
+fn sound_confidence(confidence: f64) -> Result<(), Error> {
+    if confidence > 0.0 && confidence < 1.0 {
+        return Ok(());
+    }
+    Err(Error::invalid("confidence", format!("found {confidence}, expected a number between 0 and 1")))
+}
+
+/// Refuses more combinations of scenarios, methods and what is swept than tables can hold, before any is made.
+fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
+    let variants = |method: &MethodSpec| {
+        let sweep = method.sweep.clone().unwrap_or_default();
+        let counts = [sweep.step.len(), sweep.post.len(), sweep.repeats.len()];
+        counts.into_iter().map(|count| count.max(1)).fold(1, usize::saturating_mul)
+    };
+    let methods = spec.methods.iter().map(variants).fold(0, usize::saturating_add);
+    let scenarios = spec.scenarios.len();
+    if methods.saturating_mul(scenarios) <= MOST_ROWS_PER_TRIAL {
+        return Ok(());
+    }
+    let problem = format!(
+        "found {methods}, variants of sweeps counted, in {scenarios} scenarios; expected at most {MOST_ROWS_PER_TRIAL} \
+         pairs of method and scenario"
+    );
+    Err(Error::invalid("methods", problem))
+}
+
+impl Layout {
+    /// Checks a layout from a file: a sound confidence, and for each group its methods and, if any, where they stand in
+    /// a sweep.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        sound_confidence(self.confidence)?;
+        for (k, Group { methods, sweep, .. }) in self.groups.iter().enumerate() {
+            if methods.is_empty() || !(sweep.is_empty() || sweep.len() == methods.len()) {
+                let problem = format!("found {} methods and {} places in a sweep", methods.len(), sweep.len());
+                let expected = "expected at least one method, and as many places or none";
+                return Err(Error::invalid(format!("groups[{k}]"), format!("{problem}, {expected}")));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::spec::{BodySpec, WorkspaceSpec};
 use crate::model::{Scene, SceneSpec, body};
+use crate::numerics::MOST_BODIES;
 use crate::plan::engine_for;
 
 /// What is drawn into a scene, by default the paper's prisms: 0.1 to 0.3 m wide, square, 0.5 to 1.5 m high, on the
@@ -207,6 +208,8 @@ impl RandomScenes {
 }
 
 fn check_sizes(spec: &RandomScenesSpec, region: &Aabb) -> Result<(), Error> {
+    body::at_most("count", spec.count, MOST_BODIES)?;
+    body::at_most("count_up_to", spec.count_up_to.unwrap_or(0), MOST_BODIES)?;
     let size = region.max - region.min;
     let depth = spec.depth.unwrap_or(spec.width);
     let across = if spec.turned { spec.width[1].hypot(depth[1]) } else { 0.0 };

@@ -14,7 +14,7 @@ use super::surface::Piece;
 use super::{Aabb, Facet, HalfSpace, Point, Polytope, Vector, convex_mesh};
 use crate::numerics::{
     EXACT_VOLUME, FACE_SHARE, GAP_TOLERANCE, MOST_CONVEX_CORNERS, MOST_PART_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER,
-    ON_SURFACE, PARALLEL, SHEET, SPREAD_NORMALS, UNDECIDED,
+    ON_SURFACE, PARALLEL, REACH_STEPS_PER_PART, SHEET, SPREAD_NORMALS, UNDECIDED,
 };
 
 /// Convex parts of a piece.
@@ -27,13 +27,13 @@ pub struct ConvexParts {
 }
 
 /// Parts of a piece that reach at most `tolerance` metres beyond it (but some [`SHEET`]), unless that takes more than
-/// `most` parts.
+/// `most` parts, or more time to prove than [`REACH_STEPS_PER_PART`] allow.
 pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize) -> ConvexParts {
     if let Some(body) = convex(piece) {
         return ConvexParts { bodies: vec![body], reach: 0.0 };
     }
     let tolerance = tolerance.max(4.0 * SHEET);
-    let cutter = Cutter::new(piece);
+    let cutter = Cutter::new(piece, most.saturating_mul(REACH_STEPS_PER_PART));
     let mut open = VecDeque::from([cutter.whole()]);
     let mut parts = ConvexParts { bodies: Vec::new(), reach: 0.0 };
     while let Some(cell) = open.pop_front() {
@@ -95,10 +95,12 @@ struct Cutter<'a> {
     plane_of: Vec<usize>,
     /// Height up to which a point counts as on a plane, m.
     on_plane: f64,
+    /// Steps that proofs of reach may still take, all together.
+    steps: std::cell::Cell<usize>,
 }
 
 impl<'a> Cutter<'a> {
-    fn new(piece: &'a Piece) -> Self {
+    fn new(piece: &'a Piece, steps: usize) -> Self {
         let points: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
         let aabb = Aabb::around(&points);
         let extent = (aabb.max - aabb.min).amax();
@@ -116,7 +118,7 @@ impl<'a> Cutter<'a> {
                 planes.len() - 1
             }));
         }
-        Cutter { piece, aabb, planes, plane_of, on_plane: 1e-9 * extent }
+        Cutter { piece, aabb, planes, plane_of, on_plane: 1e-9 * extent, steps: steps.into() }
     }
 
     fn whole(&self) -> Cell {
@@ -169,9 +171,12 @@ impl<'a> Cutter<'a> {
             if top.bound <= tolerance {
                 return Reach::Within(top.bound.max(0.0));
             }
-            if (reach > UNDECIDED * tolerance && (step > 100 || top.bound < 1.2 * reach)) || step > MOST_REACH_STEPS {
+            let left = self.steps.get();
+            let undecided = reach > UNDECIDED * tolerance && (step > 100 || top.bound < 1.2 * reach);
+            if undecided || step > MOST_REACH_STEPS || left == 0 {
                 return Reach::Beyond(place);
             }
+            self.steps.set(left - 1);
             open.extend(halves(&top.corners).map(|t| self.measured(t)));
         }
         unreachable!("the loop has no end")

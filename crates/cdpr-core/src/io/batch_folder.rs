@@ -7,7 +7,7 @@
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
+use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -94,7 +94,10 @@ impl BatchFolder {
     fn recover(&self, group: usize) -> Result<usize, Error> {
         let path = self.path.join(ROWS).join(file_name(group));
         let problem = |e: std::io::Error| Error::file(&path, format!("cannot be read: {e}"));
-        let Ok(file) = File::open(&path) else { return Ok(0) };
+        if !path.exists() {
+            return Ok(0); // no trial is done yet
+        }
+        let file = text::open_table(&path)?;
         let variants = self.run.layout.groups[group].methods.len();
         let (mut reader, mut line) = (BufReader::new(file), Vec::new());
         let (mut lines, mut at, mut complete) = (0, 0, 0);
@@ -127,10 +130,9 @@ impl BatchFolder {
     fn write_tables(&self) -> Result<(), Error> {
         let open = |group: usize| -> Result<Box<dyn Read>, Error> {
             let path = self.path.join(ROWS).join(file_name(group));
-            match File::open(&path) {
-                Ok(file) => Ok(Box::new(BufReader::new(file))),
-                Err(e) if e.kind() == ErrorKind::NotFound => Ok(Box::new(std::io::empty())), // no trial is done yet
-                Err(e) => Err(Error::file(&path, format!("cannot be read: {e}"))),
+            match path.exists() {
+                true => Ok(Box::new(BufReader::new(text::open_table(&path)?))),
+                false => Ok(Box::new(std::io::empty())), // no trial is done yet
             }
         };
         let [trials, timings, history] = ["trials.csv", "timings.csv", "history.csv"].map(|name| self.path.join(name));
@@ -191,9 +193,17 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
 }
 
 fn copy_lines(from: &Path, to: &Path, count: usize) -> Result<(), Error> {
-    let text = text::read(from)?;
-    let lines: String = text.split_inclusive('\n').take(count).collect();
-    write_at_end(to, lines.as_bytes())
+    let unreadable = |e: std::io::Error| Error::file(from, format!("cannot be read: {e}"));
+    let unwritable = |e: std::io::Error| Error::file(to, format!("cannot be written: {e}"));
+    let mut reader = BufReader::new(text::open_table(from)?);
+    let mut writer = BufWriter::new(OpenOptions::new().append(true).create(true).open(to).map_err(unwritable)?);
+    let mut line = Vec::new();
+    for _ in 0..count {
+        line.clear();
+        reader.read_until(b'\n', &mut line).map_err(unreadable)?;
+        writer.write_all(&line).map_err(unwritable)?;
+    }
+    writer.flush().map_err(unwritable)
 }
 
 fn run_file(folder: &Path) -> Result<RunFile, Error> {
@@ -201,7 +211,9 @@ fn run_file(folder: &Path) -> Result<RunFile, Error> {
     if !path.is_file() {
         return Err(Error::file(folder, format!("found no {RUN_FILE}, expected the folder of a run")));
     }
-    text::parse(&text::read(&path)?, text::Notation::Json).map_err(|e| e.in_file(&path))
+    let run: RunFile = text::parse(&text::read(&path)?, text::Notation::Json).map_err(|e| e.in_file(&path))?;
+    run.check().map_err(|e| e.in_file(&path))?;
+    Ok(run)
 }
 
 /// Whether a folder holds nothing but what a run that was killed before it began may have left: a folder of rows

@@ -13,6 +13,7 @@ use crate::batch::run::{Row, RunOptions, run};
 use crate::batch::{Experiment, Layout, Summary};
 use crate::error::Error;
 use crate::model::spec::FORMAT_VERSION;
+use crate::numerics::MOST_TRIALS;
 
 /// What a folder says about its run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,6 +41,20 @@ impl RunFile {
             end_trial: trials.end,
             layout: experiment.layout.clone(),
         })
+    }
+
+    /// Checks what a file says: a range of trials that an experiment can have, and groups of some methods.
+    pub fn check(&self) -> Result<(), Error> {
+        let RunFile { version, first_trial, end_trial, layout, .. } = self;
+        if *version != FORMAT_VERSION {
+            return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
+        }
+        if !(first_trial < end_trial && *end_trial <= MOST_TRIALS) {
+            let problem =
+                format!("found {end_trial}, expected more than first_trial, {first_trial}, at most {MOST_TRIALS}");
+            return Err(Error::invalid("end_trial", problem));
+        }
+        layout.check().map_err(|e| e.under("layout"))
     }
 
     pub fn trials(&self) -> Range<usize> {

@@ -168,7 +168,7 @@ struct Kept {
 
 /// Identifies a decomposition: the mesh, what was asked, and the way it is done.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
-    const METHOD: &str = "convex parts 1";
+    const METHOD: &str = "convex parts 2";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
     hex(&[asked.as_bytes(), bytes])
 }
@@ -186,7 +186,8 @@ fn sum(parts: &Parts) -> String {
 /// Parts kept beside a file; none if there are none, or not these, or they were changed.
 fn kept_parts(path: &Path, key: &str) -> Option<Parts> {
     let kept: Kept = serde_json::from_slice(&read_bytes_at_most(path, MOST_MESH_BYTES).ok()?).ok()?;
-    (kept.key == key && kept.sum == sum(&kept.parts)).then_some(kept.parts)
+    let parts = kept.parts;
+    (kept.key == key && kept.sum == sum(&parts) && !parts.parts.is_empty()).then_some(parts)
 }
 
 /// Keeps parts beside a file. A folder that cannot be written only costs the time of finding them again.

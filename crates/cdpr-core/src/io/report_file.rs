@@ -1,6 +1,6 @@
 //! Reads what a run left, and writes its report.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::BufReader;
 use std::path::Path;
 
@@ -37,7 +37,7 @@ pub fn load_study(folder: &Path) -> Result<Study, Error> {
 }
 
 fn costs(path: &Path) -> Result<Costs, Error> {
-    let file = File::open(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?;
+    let file = text::open_table(path)?;
     let mut costs = Costs::new();
     for row in csv::Reader::from_reader(BufReader::new(file)).deserialize() {
         let TrialRow { scenario, method, trial, status, raw_cost, cost } =

@@ -1,6 +1,7 @@
 //! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
 
 use std::ffi::OsStr;
+use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
@@ -9,6 +10,7 @@ use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
 use crate::error::{Error, nearest_name};
+use crate::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 
 /// How many files of a folder are looked at for a name like that of a missing one.
 const MANY_FILES: usize = 10_000;
@@ -41,9 +43,12 @@ pub(super) fn shown(extension: Option<&str>) -> String {
     extension.map_or("(none)".to_string(), |e| format!(".{e}"))
 }
 
-/// The whole file as text.
+/// The whole file as text, up to [`MOST_TEXT_BYTES`].
+///
+/// # Errors
+/// A file that cannot be read, is larger, no ordinary file, or no text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
-    std::fs::read_to_string(path).map_err(|e| unreadable(path, &e))
+    read_at_most(path, MOST_TEXT_BYTES)
 }
 
 /// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
@@ -62,30 +67,69 @@ fn near_file(path: &Path) -> Option<String> {
     nearest_name(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_string)
 }
 
+/// All of a stream as text, up to [`MOST_TEXT_BYTES`]; `name` stands for it in messages.
+///
+/// # Errors
+/// A stream that cannot be read, holds more, or no text in UTF-8.
+pub fn read_stream(stream: impl Read, name: &Path) -> Result<String, Error> {
+    text_of(bytes_of(stream, name, MOST_TEXT_BYTES)?, name)
+}
+
 /// The whole file as text, refused if it is larger than `most` bytes.
 pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
-    let bytes = read_bytes_at_most(path, most)?;
-    String::from_utf8(bytes).map_err(|_| Error::file(path, "is no text in UTF-8"))
+    text_of(read_bytes_at_most(path, most)?, path)
 }
 
 /// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
 pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
-    let unreadable = |e: std::io::Error| unreadable(path, &e);
+    bytes_of(open(path)?, path, most)
+}
+
+fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    stream.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(name, &e))?;
     if bytes.len() as u64 > most {
-        return Err(Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000)));
+        return Err(too_large(name, most));
     }
     Ok(bytes)
+}
+
+fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
+    String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))
+}
+
+/// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
+/// let the program wait for ever, and a device may have no end.
+pub(super) fn open(path: &Path) -> Result<File, Error> {
+    let kind = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?.file_type();
+    if kind.is_dir() {
+        return Err(Error::file(path, "is a folder, expected a file"));
+    }
+    if !kind.is_file() {
+        return Err(Error::file(path, "is no ordinary file (a pipe or a device), expected one"));
+    }
+    File::open(path).map_err(|e| unreadable(path, &e))
+}
+
+/// Opens a table that is read row by row; one beyond any use is refused, since a row may be as long as the file.
+pub(super) fn open_table(path: &Path) -> Result<File, Error> {
+    let file = open(path)?;
+    if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
+        return Err(too_large(path, MOST_TABLE_BYTES));
+    }
+    Ok(file)
+}
+
+fn too_large(path: &Path, most: u64) -> Error {
+    Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000))
 }
 
 /// Parses text; errors name the key path, what was found, what was expected, and the line.
 pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, Error> {
     match notation {
         Notation::Toml => {
-            let line_of =
-                |e: &toml::de::Error| e.span().map(|s| 1 + text[..s.start.min(text.len())].matches('\n').count());
+            let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
+            let line_of = |e: &toml::de::Error| e.span().map(|s| 1 + lines_before(s.start));
             let whole = |e: toml::de::Error| Error::invalid("", at_line(e.message(), line_of(&e)));
             let parser = toml::Deserializer::parse(text).map_err(whole)?;
             serde_path_to_error::deserialize(parser).map_err(|e| {

@@ -4,7 +4,6 @@
 //! order; `origin`, float64 (3,), m; `step`, float64 (), m; `metadata`, JSON text, unicode (). In a .vti file (VTK
 //! ImageData, XML) the same margins are point data, with the grid in double precision.
 
-use std::fs::File;
 use std::io::{self, BufReader, Cursor, Read, Seek, Write};
 use std::path::Path;
 
@@ -13,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use super::text::{shown, write_atomically};
+use super::text::{open, shown, write_atomically};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::MAP_NODES;
@@ -94,7 +93,7 @@ pub fn load_wrench_map(path: &Path, expected: Option<&MapIdentity>) -> Result<Wr
     if MapFormat::of(path)? == MapFormat::Vti {
         return Err(Error::file(path, "found a .vti file, which is for ParaView only; expected an .npz file"));
     }
-    let file = File::open(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?;
+    let file = open(path)?;
     let map = read_npz(BufReader::new(file)).map_err(|e| e.in_file(path))?;
     expected.map_or(Ok(()), |identity| identity.expect(map.identity())).map_err(|e| e.in_file(path))?;
     Ok(map)
@@ -230,7 +229,9 @@ fn read_array<T: npyz::Deserialize>(
     fits: impl Fn(&[u64], usize) -> bool,
 ) -> Result<(Vec<u64>, Vec<T>), Error> {
     let entry = zip.by_name(&npyz::npz::file_name_from_array_name(name));
-    let mut entry = BufReader::new(entry.map_err(|e| unsound(name, format!("cannot be found: {e}")))?);
+    let entry = entry.map_err(|e| unsound(name, format!("cannot be found: {e}")))?;
+    let size = entry.size();
+    let mut entry = BufReader::new(entry);
     let array = NpyFile::new(&mut entry).map_err(|e| unsound(name, e))?;
     let header = array.header();
     let (shape, dtype) = (header.shape().to_vec(), header.dtype());
@@ -240,6 +241,10 @@ fn read_array<T: npyz::Deserialize>(
             name,
             format!("found shape {shape:?}, type {}, {:?} order", dtype.descr(), header.order()),
         ));
+    }
+    let told = dtype.num_bytes().and_then(|bytes| shape.iter().try_fold(bytes as u64, |all, n| all.checked_mul(*n)));
+    if told.is_none_or(|told| told > size) {
+        return Err(unsound(name, format!("found shape {shape:?} in {size} bytes")));
     }
     let elements: Vec<T> = array.into_vec().map_err(|e| unsound(name, e))?;
     match entry.read(&mut [0]) {

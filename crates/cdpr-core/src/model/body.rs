@@ -3,7 +3,7 @@
 use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, Rotation, Vector};
-use crate::numerics::{MAX_COORDINATE, UNIT_QUATERNION};
+use crate::numerics::{MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
 pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
@@ -20,6 +20,14 @@ pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
 pub fn point(place: &str, numbers: [f64; 3]) -> Result<Point, Error> {
     coordinates(place, &numbers)?;
     Ok(Point::from(numbers))
+}
+
+/// Checks that a list is not longer than can be dealt with.
+pub fn at_most(place: &str, count: usize, most: usize) -> Result<(), Error> {
+    if count <= most {
+        return Ok(());
+    }
+    Err(Error::invalid(place, format!("found {count}, expected at most {most}")))
 }
 
 /// Checks a number that must be finite and not negative.
@@ -159,6 +167,7 @@ fn cuboid(place: &str, sides: [f64; 3]) -> Result<Polytope, Error> {
 }
 
 fn from_vertices(place: &str, vertices: &[[f64; 3]]) -> Result<Polytope, Error> {
+    at_most(place, vertices.len(), MOST_CORNERS)?;
     let vertices: Vec<Point> =
         vertices.iter().enumerate().map(|(k, v)| point(&format!("{place}[{k}]"), *v)).collect::<Result<_, _>>()?;
     hull(place, Polytope::from_vertices(&vertices))
@@ -171,6 +180,7 @@ fn upright_prism(place: &str, prism: &PrismSpec) -> Result<Polytope, Error> {
         return Err(Error::invalid(format!("{place}.height"), problem));
     }
     let base = format!("{place}.base");
+    at_most(&base, prism.base.len(), MOST_CORNERS)?;
     let floor: Vec<Point> = prism
         .base
         .iter()

@@ -5,7 +5,7 @@ use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
-use crate::numerics::ON_SURFACE;
+use crate::numerics::{MOST_BODIES, MOST_CABLES, ON_SURFACE};
 
 /// A straight cable from a fixed outlet to the platform.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +48,8 @@ impl TryFrom<RobotSpec> for Robot {
         if spec.cables.is_empty() {
             return Err(Error::invalid("cables", "found none, expected at least one"));
         }
+        body::at_most("cables", spec.cables.len(), MOST_CABLES)?;
+        body::at_most("platform", spec.platform.len(), MOST_BODIES)?;
         if let Some(mass) = spec.mass {
             body::not_negative("mass", mass)?;
         }

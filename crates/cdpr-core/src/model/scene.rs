@@ -1,5 +1,7 @@
 //! A scene that has been checked: robot, obstacles, workspace, and the question asked of them.
 
+use std::collections::BTreeSet;
+
 use sha2::{Digest, Sha256};
 
 use super::body;
@@ -10,7 +12,7 @@ use super::spec::{
 use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
-use crate::numerics::{ON_SURFACE, SAME_TURN};
+use crate::numerics::{MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 
 /// The name that stands for the platform in messages and in `ignore`.
 pub const PLATFORM: &str = "platform";
@@ -49,7 +51,7 @@ pub struct Scene {
     orientation: Rotation,
     orientations: Vec<(String, Rotation)>,
     clearance: f64,
-    ignored: Vec<(Member, Member)>,
+    ignored: BTreeSet<(Member, Member)>,
     start: Option<Point>,
     goal: Option<Point>,
     notes: Vec<String>,
@@ -78,6 +80,7 @@ impl Scene {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
         let workspace = workspace(&spec)?;
+        body::at_most("obstacles", spec.obstacles.len(), MOST_BODIES)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
         let seams = obstacle_seams(&obstacles);
         outlets_outside(&robot, &obstacles, &seams)?;
@@ -87,6 +90,7 @@ impl Scene {
         let query = spec.query.clone().unwrap_or_default();
         let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
+        body::at_most("orientations", spec.orientations.len(), MOST_ORIENTATIONS)?;
         let orientations = orientations(&spec.orientations)?;
         let orientation = match &query.orientation {
             Some(source) => orientation("query.orientation", source, &orientations)?,

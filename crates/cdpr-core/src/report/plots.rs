@@ -19,6 +19,10 @@ const WIDTH: u32 = 900;
 const HEIGHT: u32 = 420;
 /// Height of a row of a box plot, pixels.
 const ROW: u32 = 46;
+/// Largest number on an axis, in its unit: beyond it ticks are no longer apart from each other.
+const LARGEST_DRAWN: f64 = 1e12;
+/// Least width of an axis, as a share of the numbers on it.
+const NARROWEST_DRAWN: f64 = 1e-9;
 /// Boxes in one plot; of longer sweeps every k-th variant is shown.
 const MOST_BOXES: usize = 12;
 /// Colours that people with colour blindness tell apart (Okabe and Ito, 2008).
@@ -46,6 +50,11 @@ enum Kind {
     Curves { x: String, series: Vec<(String, Vec<(f64, f64)>)> },
 }
 
+/// Whether a number can stand on an axis; from a file that was tampered with it may be anything.
+fn drawable(number: &f64) -> bool {
+    number.abs() <= LARGEST_DRAWN
+}
+
 /// Five quantiles and what lies beyond the outer ones.
 #[derive(Debug, Clone)]
 struct BoxOf {
@@ -57,6 +66,7 @@ struct BoxOf {
 impl BoxOf {
     /// Whiskers reach to the last value within 1.5 box lengths of the box (Tukey).
     fn new(name: &str, mut values: Vec<f64>) -> Option<Self> {
+        values.retain(drawable);
         values.sort_unstable_by(f64::total_cmp);
         let [q25, median, q75] = [0.25, 0.5, 0.75].map(|p| quantile(&values, p));
         let reach = 1.5 * (q75 - q25);
@@ -120,7 +130,7 @@ fn curves(title: &str, variants: &[(&MethodSummary, &Swept)]) -> Vec<Plot> {
     let plot = |(name, axis, of): Measured| {
         let mut series: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
         for (method, sweep) in variants {
-            let (Some(x), Some(y)) = (x(sweep), of(method)) else { continue };
+            let (Some(x), Some(y)) = (x(sweep).filter(drawable), of(method).filter(drawable)) else { continue };
             let label = label(sweep);
             match series.iter_mut().find(|(known, _)| *known == label) {
                 Some((_, points)) => points.push((x, y)),
@@ -253,10 +263,11 @@ impl Plot {
     }
 }
 
-/// A range around all of these, never empty.
+/// A range around all of these, never so narrow that ticks on it could not be told apart.
 fn padded(ranges: impl Iterator<Item = Range<f64>>) -> Range<f64> {
     let (low, high) = ranges
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| (low.min(range.start), high.max(range.end)));
     let pad = if high > low { 0.04 * (high - low) } else { 0.5_f64.max(0.1 * low.abs()) };
+    let pad = pad.max(NARROWEST_DRAWN * low.abs().max(high.abs()).max(1.0));
     low - pad..high + pad
 }

@@ -9,7 +9,7 @@ use crate::collision::{Constraints, Kind, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
-use crate::numerics::DEPENDENT;
+use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
 /// Cell size of the grid rule where a scene does not say, m.
 pub const GRID: f64 = 0.05;
@@ -31,9 +31,16 @@ pub struct WrenchConstraint {
 /// What a scene measures wrench feasibility by; empty if it does not ask for it.
 ///
 /// # Errors
-/// A robot without mass or tension limits, a moment required of a point mass.
+/// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
+/// mass.
 pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
     let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
+    let cables = scene.robot().cables().len();
+    if cables > MOST_WRENCH_CABLES {
+        let problem =
+            format!("found {cables}, expected at most {MOST_WRENCH_CABLES} for a demand of wrench feasibility");
+        return Err(Error::invalid("robot.cables", problem));
+    }
     let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
     let required = required(spec)?;
     let capacity = CapacityMargin::new(statics.clone(), required).map_err(|e| e.under("wrench"))?;

@@ -1,0 +1,234 @@
+//! The readers, and what is done with what they accept.
+
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::geometry::Point;
+use cdpr_core::io::{self, ImportOptions};
+use cdpr_core::wrench::measures;
+use cdpr_core::{Error, Scene, report, testing};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use tempfile::TempDir;
+
+/// A reader by its name in the folders of inputs.
+#[derive(Debug, Clone, Copy)]
+pub struct Reader {
+    /// Name.
+    pub name: &'static str,
+    /// Reads bytes as a file, and uses what comes out.
+    pub read: fn(&[u8]),
+}
+
+/// Every reader.
+pub const READERS: [Reader; 17] = [
+    Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
+    Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
+    Reader { name: "robot_toml", read: robot },
+    Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
+    Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
+    Reader { name: "experiment_toml", read: experiment },
+    Reader { name: "caspr_cables", read: |bytes| caspr(bytes, &seed("caspr_bodies/cogiro.xml")) },
+    Reader { name: "caspr_bodies", read: |bytes| caspr(&seed("caspr_cables/cogiro.xml"), bytes) },
+    Reader { name: "gazebo_yaml", read: gazebo },
+    Reader { name: "mesh_stl", read: |bytes| mesh("mesh.stl", bytes) },
+    Reader { name: "mesh_obj", read: |bytes| mesh("mesh.obj", bytes) },
+    Reader { name: "parts_json", read: parts },
+    Reader { name: "wrench_map_npz", read: wrench_map },
+    Reader { name: "run_json", read: |bytes| run(bytes, &seed("rows_csv/rows.csv")) },
+    Reader { name: "rows_csv", read: |bytes| run(&seed("run_json/run.json"), bytes) },
+    Reader { name: "summary_json", read: |bytes| study(bytes, &seed("trials_csv/trials.csv")) },
+    Reader { name: "trials_csv", read: |bytes| study(&seed("summary_json/summary.json"), bytes) },
+];
+
+/// The reader of a name.
+///
+/// # Panics
+/// If there is none.
+pub fn reader(name: &str) -> Reader {
+    *READERS.iter().find(|reader| reader.name == name).unwrap_or_else(|| panic!("no reader is called {name}"))
+}
+
+/// Inputs of this package, a folder for each reader: `seeds` are sound files, `regressions` were defects once.
+pub fn inputs(kind: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(kind)
+}
+
+/// What stands beside a file that is fuzzed, where a reader needs two.
+fn seed(name: &str) -> Vec<u8> {
+    std::fs::read(inputs("seeds").join(name)).expect("a seed")
+}
+
+/// A scene or robot with more than these is only read: no engine is meant for them.
+const MOST_CABLES: usize = 10;
+const MOST_BODIES: usize = 60;
+/// Waypoints of a path that are checked.
+const MOST_WAYPOINTS: usize = 200;
+
+/// A folder of files, gone with the value.
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Folder(tempfile::tempdir().expect("a folder for temporary files"))
+    }
+
+    fn with(self, name: &str, bytes: &[u8]) -> Self {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder can be made");
+        std::fs::write(path, bytes).expect("a file can be written");
+        self
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+}
+
+/// What was accepted; a refusal must have words.
+fn accepted<T>(result: Result<T, Error>) -> Option<T> {
+    result.map_err(|error| assert!(error.to_string().contains(' '), "refused with \"{error}\"")).ok()
+}
+
+fn scene(name: &str, bytes: &[u8]) {
+    let folder = Folder::new().with(name, bytes).with("robot.toml", &seed("robot_toml/paper.toml"));
+    accepted(io::load_scene(&folder.path(name))).iter().for_each(ask);
+}
+
+/// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the
+/// start. How long a motion is certified depends on more than the size of a file.
+fn ask(scene: &Scene) {
+    serde_json::to_string(scene.spec()).expect("a scene can be written");
+    let bodies = scene.robot().parts().len() + scene.obstacles().iter().map(|o| o.parts.len()).sum::<usize>();
+    if scene.robot().cables().len() > MOST_CABLES || bodies > MOST_BODIES {
+        return;
+    }
+    let [from, to] = [scene.start().unwrap_or(scene.workspace().min), scene.goal().unwrap_or(scene.workspace().max)];
+    let waypoints = [from, from + 0.5 * (to - from), to];
+    accepted(GjkEngine::new(scene, Interference::Exact)).iter().for_each(|engine| checked(engine, &waypoints));
+    accepted(CspaceEngine::new(scene, Interference::Exact)).iter().for_each(|engine| checked(engine, &waypoints));
+    for measure in accepted(measures(scene)).iter().flatten() {
+        measure.limit(&from);
+    }
+}
+
+fn checked(engine: &dyn Validity, waypoints: &[Point]) {
+    serde_json::to_string(&check_path(engine, waypoints)).expect("a report can be written");
+}
+
+fn robot(bytes: &[u8]) {
+    let folder = Folder::new().with("robot.toml", bytes);
+    accepted(io::load_robot(&folder.path("robot.toml")));
+}
+
+fn path(name: &str, bytes: &[u8]) {
+    static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
+        let scene = testing::hard1();
+        let engine = CspaceEngine::new(&scene, Interference::Exact).expect("an engine");
+        (scene, engine)
+    });
+    let folder = Folder::new().with(name, bytes);
+    if let Some(loaded) = accepted(io::load_waypoints(&folder.path(name))) {
+        let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
+        checked(&HARD1.1, &loaded.waypoints[..count]);
+        let again = folder.path("again.json");
+        io::save_path(&again, &io::path_json(&HARD1.0, &loaded.waypoints)).expect("a path can be written");
+        assert_eq!(io::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
+    }
+}
+
+fn experiment(bytes: &[u8]) {
+    let folder = Folder::new().with("experiment.toml", bytes).with("scene.toml", &seed("scene_toml/hard1.toml"));
+    if let Some(experiment) = accepted(io::load_experiment(&folder.path("experiment.toml"))) {
+        serde_json::to_string(&experiment.portable).expect("an experiment can be written");
+    }
+}
+
+fn caspr(cables: &[u8], bodies: &[u8]) {
+    imported(&Folder::new().with("model_cables.xml", cables).with("model_bodies.xml", bodies), "model_cables.xml");
+}
+
+fn gazebo(bytes: &[u8]) {
+    imported(&Folder::new().with("robot.yaml", bytes), "robot.yaml");
+}
+
+/// An imported robot can be written and read again.
+fn imported(folder: &Folder, name: &str) {
+    if let Some(imported) = accepted(io::import_robot(&folder.path(name), &ImportOptions::default())) {
+        let robot = folder.path("imported.toml");
+        io::save_imported(&robot, &imported).expect("a robot can be written");
+        let again = io::load_robot(&robot).expect("what was written");
+        assert_eq!(again.spec(), &imported.robot);
+    }
+}
+
+/// A scene around a mesh.
+const AROUND: &str = "version = 1\nworkspace = { min = [0, 0, 0], max = [2, 2, 2] }\nrobot = \"robot.toml\"\n\
+    query = { start = [0.3, 1.0, 0.3], goal = [1.7, 1.0, 1.7] }\n[[obstacles]]\nname = \"mesh\"\nmesh = \"";
+
+fn around(name: &str, bytes: &[u8]) -> Folder {
+    let text = format!("{AROUND}{name}\"\n");
+    Folder::new()
+        .with(name, bytes)
+        .with("robot.toml", &seed("robot_toml/paper.toml"))
+        .with("scene.toml", text.as_bytes())
+}
+
+fn mesh(name: &str, bytes: &[u8]) {
+    let folder = around(name, bytes);
+    accepted(io::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+}
+
+/// Parts kept beside a mesh, with the key and the sum that they would be found by; without these nothing is read.
+fn parts(bytes: &[u8]) {
+    static KEY: LazyLock<String> = LazyLock::new(|| {
+        let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"));
+        io::load_scene(&folder.path("scene.toml")).expect("a sound scene");
+        let mut names = std::fs::read_dir(folder.0.path()).expect("a folder").map(|e| e.expect("a file").file_name());
+        let kept = names.find(|name| name.to_string_lossy().ends_with(".parts.json")).expect("kept parts");
+        let text = std::fs::read_to_string(folder.0.path().join(kept)).expect("a file");
+        let kept: Value = serde_json::from_str(&text).expect("JSON");
+        kept["key"].as_str().expect("a key").to_string()
+    });
+    let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"))
+        .with(&format!("mesh.obj.{}.parts.json", &KEY[..8]), &signed(bytes));
+    accepted(io::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+
+    fn signed(bytes: &[u8]) -> Vec<u8> {
+        #[derive(serde::Serialize, serde::Deserialize)]
+        struct Parts {
+            parts: Vec<Vec<[f64; 3]>>,
+            notes: Vec<String>,
+        }
+        let Ok(parts) = serde_json::from_slice::<Parts>(bytes) else { return bytes.to_vec() };
+        let text = serde_json::to_string(&parts).expect("numbers");
+        let sum: String = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("{{\"key\":\"{}\",\"sum\":\"{sum}\",{}", *KEY, &text[1..]).into_bytes()
+    }
+}
+
+fn wrench_map(bytes: &[u8]) {
+    let folder = Folder::new().with("map.npz", bytes);
+    if let Some(map) = accepted(io::load_wrench_map(&folder.path("map.npz"), None)) {
+        map.summary();
+        for name in ["again.npz", "again.vti"] {
+            io::save_wrench_map(&folder.path(name), &map).expect("a map can be written");
+        }
+    }
+}
+
+/// The folder of a run, which merging reads.
+fn run(about: &[u8], rows: &[u8]) {
+    let folder = Folder::new().with("run/run.json", about).with("run/rows/0000.csv", rows);
+    accepted(io::merge(&[folder.path("run")], &folder.path("merged")));
+}
+
+/// What a run left, which a report is made of.
+fn study(summary: &[u8], trials: &[u8]) {
+    let folder = Folder::new().with("summary.json", summary).with("trials.csv", trials);
+    if let Some(study) = accepted(io::load_study(folder.0.path())) {
+        report::page(&study);
+        report::plots(&study).iter().take(2).for_each(|plot| drop(plot.pixels()));
+    }
+}
