@@ -135,6 +135,8 @@ def plan(
         "goal_bias": _finite("goal_bias", goal_bias),
         "near_radius": _finite("near_radius", near_radius),
     }
+    if not isinstance(scene, Scene):
+        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
     asked = scene if orientation is None else scene.replace(orientation=orientation)
     text, tree = asked._core.plan(
         planner,
@@ -155,7 +157,7 @@ def plan(
         waypoints=_array(found["waypoints"]),
         cost=_number(found["cost"]),
         status=found["status"],
-        orientation=np.array(found["orientation"], dtype=np.float64),
+        orientation=np.array(found["orientation"]),
         orientation_name=found["orientation_name"],
         raw_waypoints=_array(found["raw_waypoints"]),
         raw_cost=_number(found["raw_cost"]),
@@ -182,6 +184,8 @@ def _finite(name: str, value: float | None) -> float | None:
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path) -> _core.Scene:
     """The scene at the orientation of the path."""
+    if not isinstance(scene, Scene):
+        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
     turn = waypoints.orientation if isinstance(waypoints, Path) else None
     return scene._core.for_path_at(None if turn is None else turn.tolist()) or scene._core
 
@@ -302,7 +306,7 @@ def _shortened(
     core = core_for(scene, waypoints)
     text = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
     found = json.loads(text)
-    return Path(_array(found["waypoints"]), found["cost"], text, np.array(found["orientation"], dtype=np.float64))
+    return Path(_array(found["waypoints"]), found["cost"], found["orientation"], _json=text)
 
 
 def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:
@@ -398,11 +402,10 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
     ...     load_path(f"{folder}/path.csv", scene)
     Path(2.4352 m, 3 waypoints)
     """
-    rows_of_file, turn = _core.load_path(os.fspath(path), None if scene is None else scene._core)
+    rows_of_file, turn, text = _core.load_path(os.fspath(path), None if scene is None else scene._core)
     waypoints = _array(rows_of_file)
     cost = float(np.linalg.norm(np.diff(waypoints, axis=0), axis=1).sum())
-    said = {"version": 1, "waypoints": rows_of_file, "cost": cost} | ({} if turn is None else {"orientation": turn})
-    return Path(waypoints, cost, json.dumps(said), None if turn is None else np.array(turn, dtype=np.float64))
+    return Path(waypoints, cost, None if turn is None else np.array(turn), _json=text)
 
 
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -10,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Ints
+from ._arrays import Floats, Ints, numbers, rows
 from ._pandas import frame
 from ._values import ByValue, same
 from ._violation import Violation
@@ -43,8 +44,14 @@ class Path(ByValue):
 
     waypoints: Floats
     cost: float
-    _json: str = field(default="", compare=False)
     orientation: Floats | None = None
+    _json: str = field(default="{}", compare=False, kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Take array_likes."""
+        object.__setattr__(self, "waypoints", rows("waypoints", self.waypoints))
+        if self.orientation is not None:
+            object.__setattr__(self, "orientation", np.array(numbers("orientation", self.orientation, 4)))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         """Return the waypoints, (k, 3), m."""
@@ -63,7 +70,12 @@ class Path(ByValue):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        _core.save_path(os.fspath(path), self._json)
+        said = json.loads(self._json) | {"version": 1, "waypoints": self.waypoints.tolist()}
+        said["cost"] = self.cost if np.isfinite(self.cost) else None
+        if self.orientation is not None:
+            turned = self.orientation.tolist()
+            said |= {"orientation": turned} | ({} if said.get("orientation") == turned else {"orientation_name": None})
+        _core.save_path(os.fspath(path), json.dumps(said))
 
     def to_pandas(self) -> Any:
         """Return the waypoints as a table; it needs pandas.

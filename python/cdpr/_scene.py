@@ -91,6 +91,8 @@ class Scene(Immutable):
         }
         if name is not None:
             spec["name"] = name
+        if not isinstance(orientations or {}, Mapping):
+            raise InputError(f"orientations: found {type(orientations).__name__}, expected a mapping of names")
         named = (orientations or {}).items()
         spec["orientations"] = [{"name": key, "quaternion": numbers(key, value, 4)} for key, value in named]
         self._adopt(_from_spec(spec))
@@ -141,10 +143,11 @@ class Scene(Immutable):
         scene._adopt(_from_spec(dict(spec)))
         return scene
 
-    def _adopt(self, core: _core.Scene, level: int = 3) -> None:
+    def _adopt(self, core: _core.Scene, level: int = 3, told: Sequence[str] = ()) -> None:
         self._keep(core)
         for note in core.notes():
-            warnings.warn(note, CdprWarning, stacklevel=level)
+            if note not in told:
+                warnings.warn(note, CdprWarning, stacklevel=level)
 
     def _keep(self, core: _core.Scene) -> None:
         self._core = core
@@ -314,10 +317,9 @@ class Scene(Immutable):
         """The obstacle's name, of each part."""
         return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]
 
-    @classmethod
-    def _edited(cls, spec: dict[str, Any]) -> Scene:
-        scene = cls.__new__(cls)
-        scene._adopt(_from_spec(spec), level=4)
+    def _edited(self, spec: dict[str, Any]) -> Scene:
+        scene = type(self).__new__(type(self))
+        scene._adopt(_from_spec(spec), level=4, told=self._core.notes())
         return scene
 
     @property

@@ -1,5 +1,6 @@
 """Orientations: named in scenes, chosen by planning, kept by paths."""
 
+import dataclasses
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,39 @@ def test_figures_show_the_orientation_of_the_path(plank: cdpr.Scene) -> None:
     assert corners[0] == corners[1]
     ends = [_ends_of(ax, "cable 1") for ax in (drawn, told, across)]
     assert np.array_equal(ends[0], ends[1]) and not np.array_equal(ends[0], ends[2])
+
+
+def test_what_a_path_is_made_of_is_what_is_saved(plank: cdpr.Scene, tmp_path: Path) -> None:
+    result = cdpr.plan(plank)
+    for changed, expected in [
+        (dataclasses.replace(result, orientation=ACROSS), (result.waypoints, ACROSS)),
+        (cdpr.Path([[0.45, 1, 0.5], [0.6, 1, 0.5]], 0.15, LEVEL), ([[0.45, 1, 0.5], [0.6, 1, 0.5]], LEVEL)),
+    ]:
+        changed.save(tmp_path / "path.json")
+        loaded = cdpr.load_path(tmp_path / "path.json")
+        assert np.array_equal(loaded.waypoints, expected[0]) and np.allclose(loaded.orientation, expected[1])
+        assert cdpr.check(plank, loaded).valid == (expected[1] is LEVEL)
+    result.save(tmp_path / "path.json")
+    cdpr.load_path(tmp_path / "path.json", plank).save(tmp_path / "again.json")
+    with pytest.raises(cdpr.InputError, match="another scene"):
+        cdpr.load_path(tmp_path / "again.json", plank.without("left"))
+    with pytest.raises(cdpr.InputError, match="orientation"):
+        cdpr.Path(result.waypoints, 1.1, [1, 0, 0])
+
+
+def test_the_lower_bound_of_an_open_scene_holds_for_all_orientations(plank: cdpr.Scene) -> None:
+    assert cdpr.lower_bound(plank) <= cdpr.plan(plank).cost
+
+
+def test_several_paths_are_drawn_at_one_orientation(plank: cdpr.Scene) -> None:
+    figures = pytest.importorskip("cdpr.figures")
+    along = cdpr.plan(plank)
+    drawn = figures.paths(plank, {"along": along}, robot=True)
+    told = figures.paths(plank.replace(orientation="along"), {"along": along}, robot=True)
+    assert np.array_equal(_ends_of(drawn, "cable 1"), _ends_of(told, "cable 1"))
+    across = dataclasses.replace(along, orientation=ACROSS)
+    with pytest.raises(cdpr.InputError, match="several orientations"):
+        figures.paths(plank, {"along": along, "across": across})
 
 
 def _ends_of(ax: Any, name: str) -> Any:

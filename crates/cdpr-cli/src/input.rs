@@ -69,7 +69,7 @@ pub fn experiment(path: &Path) -> Result<Experiment, Error> {
 fn from_standard<T>(parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
     let name = Path::new(STANDARD_INPUT);
     let text = io::text::read_stream(std::io::stdin(), name)?;
-    parse(&text).map_err(|e| e.in_file(name))
+    parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.in_file(name))
 }
 
 /// JSON begins with a brace, TOML never does.

@@ -53,8 +53,11 @@ impl Console {
 
     /// Prints a line of the result.
     pub fn result(&self, text: &str) {
-        let _ =
-            if self.taken { writeln!(anstream::stderr(), "{text}") } else { writeln!(anstream::stdout(), "{text}") };
+        if self.taken {
+            let _ = writeln!(anstream::stderr(), "{text}");
+        } else {
+            arrived(writeln!(anstream::stdout(), "{text}"));
+        }
     }
 
     /// Says something that is not part of the result.
@@ -89,7 +92,8 @@ impl Console {
     /// Writes a file, or standard output, and says so; `hint` is what to do with it.
     pub fn write(&self, path: &Path, contents: &[u8], hint: &str) -> Result<(), Error> {
         if is_standard(path) {
-            let _ = std::io::stdout().write_all(contents);
+            let mut out = std::io::stdout();
+            arrived(out.write_all(contents).and_then(|()| out.flush()));
             return Ok(());
         }
         io::write_atomically(path, contents)?;
@@ -101,6 +105,16 @@ impl Console {
     pub fn wrote(&self, path: &Path, hint: &str) {
         let gap = if hint.is_empty() { "" } else { " " };
         self.say(&format!("wrote {}{gap}{hint}", path.display()));
+    }
+}
+
+/// Ends the program where a result was lost; but a reader that has gone away has seen enough.
+fn arrived(written: std::io::Result<()>) {
+    if let Err(error) = written
+        && error.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        Console::new(Talk::Quiet).error(&Error::invalid("standard output", format!("cannot be written: {error}")));
+        std::process::exit(2);
     }
 }
 
@@ -143,8 +157,9 @@ pub fn thousandths(number: f64) -> String {
 /// One line about a scene.
 pub fn scene_line(scene: &Scene) -> String {
     let robot = scene.robot();
+    let turned = scene.orientation_name().map_or(String::new(), |name| format!(", at \"{name}\""));
     format!(
-        "{}: {} with {}, {}",
+        "{}: {} with {}, {}{turned}",
         scene.name(),
         robot.name(),
         count(robot.cables().len(), "cable"),

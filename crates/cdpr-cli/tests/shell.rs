@@ -35,6 +35,19 @@ fn a_dash_is_standard_input_or_output() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_result_that_is_lost_is_no_success() {
+    let hard1 = testdata("scenes/hard1.toml");
+    for arguments in [&["plan", &hard1][..], &["plan", &hard1, "-o", "-"], &["schema"], &["new"]] {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
+        let ended = command.args(arguments).stdout(full).output().unwrap();
+        assert_eq!(ended.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&ended).contains("standard output: cannot be written"), "{}", stderr(&ended));
+    }
+}
+
 #[test]
 fn quiet_says_results_only_and_verbose_says_more() {
     let hard1 = testdata("scenes/hard1.toml");

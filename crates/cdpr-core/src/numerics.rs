@@ -249,7 +249,7 @@ pub const EXACT_VOLUME: f64 = 1e-6;
 pub const FACE_SHARE: f64 = 0.02;
 
 /// Most corners of a convex mesh that is taken as it is; the fast engine sums them with the platform's.
-pub const MOST_CONVEX_CORNERS: usize = 512;
+pub const MOST_CONVEX_CORNERS: usize = MOST_CORNERS;
 
 /// Most corners of a convex part of another mesh; with more it is enclosed in some planes that touch it.
 pub const MOST_PART_CORNERS: usize = 64;

@@ -408,6 +408,58 @@ fn meshes_that_are_not_sound_are_told_with_what_is_wrong() {
     assert!(told(&torus(24, 12)).contains("convex parts, which reach at most"), "{}", told(&torus(24, 12)));
 }
 
+/// Exporters write concave faces as one polygon; a fan of triangles would fill their notches.
+#[test]
+fn concave_polygons_of_obj_files_keep_their_notches() {
+    let c = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (3, 2), (3, 3), (0, 3)];
+    let corner = |z: i32| c.iter().map(move |(x, y)| format!("v {x} {y} {z}\n")).collect::<String>();
+    let around =
+        |from: &str, list: Vec<usize>| list.iter().fold(format!("f{from}"), |line, i| format!("{line} {i}")) + "\n";
+    let n = c.len();
+    let sides: String =
+        (0..n).map(|i| around("", vec![i + 1, (i + 1) % n + 1, (i + 1) % n + 1 + n, i + 1 + n])).collect();
+    let caps = around("", (1..=n).rev().collect()) + &around("", (n + 1..=2 * n).collect());
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("c.obj"), corner(0) + &corner(1) + &sides + &caps).unwrap();
+    let scene = load(folder.path(), "mesh = \"c.obj\"", [9.0, 9.0, 9.0], [-9.0, 9.0, 9.0]).unwrap();
+    let inside = |x: f64, y: f64| {
+        let parts = &scene.obstacles()[0].parts;
+        parts.iter().map(|part| part.depth_of(&Point::new(x, y, 0.5))).fold(f64::NEG_INFINITY, f64::max)
+    };
+    assert!(scene.notes()[0].contains("which fill it exactly"), "{:?}", scene.notes());
+    for (x, y) in [(0.5, 1.5), (2.5, 0.5), (2.5, 2.5), (0.9, 2.9)] {
+        assert!(inside(x, y) > 0.05, "({x}, {y}) is inside: {}", inside(x, y));
+    }
+    for (x, y) in [(2.0, 1.5), (1.1, 1.1), (2.9, 1.9)] {
+        assert!(inside(x, y) < -0.05, "({x}, {y}) is in the notch: {}", inside(x, y));
+    }
+}
+
+/// A ball of many corners stays one part.
+#[test]
+fn a_fine_ball_is_convex() {
+    let (rings, around) = (20, 40);
+    let angle = |k: usize, n: usize| std::f64::consts::PI * k as f64 / n as f64;
+    let at = |i: usize, j: usize| {
+        let (theta, phi) = (angle(i, rings), 2.0 * angle(j % around, around));
+        Point::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos())
+    };
+    let quads = (0..rings).flat_map(|i| (0..around).map(move |j| (i, j)));
+    let pieces = quads.flat_map(|(i, j)| {
+        let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        [[a, b, c], [a, c, d]]
+            .into_iter()
+            .enumerate()
+            .filter(move |(k, _)| (i, *k) != (0, 1) && (i, *k) != (rings - 1, 0))
+    });
+    let corners: Vec<Point> = pieces.flat_map(|(_, t)| t).collect();
+    let triangles = (0..corners.len() / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let folder = tempfile::tempdir().unwrap();
+    write_stl(&folder.path().join("ball.stl"), &TriangleMesh { vertices: corners, triangles });
+    let scene = load(folder.path(), "mesh = \"ball.stl\"", [4.0, 4.0, 4.0], [-4.0, 4.0, 4.0]).unwrap();
+    assert_eq!(scene.obstacles()[0].parts.len(), 1, "{:?}", scene.notes());
+}
+
 #[test]
 fn files_that_are_no_meshes_are_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -184,6 +184,8 @@ fn a_fingerprint_knows_the_turn_and_not_how_it_was_written() {
         assert_eq!(turned.orientation_name(), Some("half"));
     }
     assert_ne!(by_name.fingerprint(), scene.fingerprint());
+    let half = |w: f64, k: f64| scene.turned([w, 0.0, 0.0, k].into()).unwrap().fingerprint();
+    assert!(half(0.0, 1.0) == half(0.0, -1.0) && half(6e-17, 1.0) == half(-6e-17, 1.0));
     let plain = Scene::new(SceneSpec { orientations: Vec::new(), ..plank() }).unwrap();
     let level = scene.turned(OrientationSource::Named("along".to_string())).unwrap();
     assert_eq!(level.fingerprint(), plain.fingerprint());

@@ -98,7 +98,7 @@ impl Scene {
 
     /// The scene for a path that holds at this orientation, if it says one; none if it is the scene itself.
     fn for_path_at(&self, orientation: Option<[f64; 4]>) -> PyResult<Option<Scene>> {
-        let scene = self.0.for_path_at(orientation).map_err(raised)?;
+        let scene = self.0.for_path_at(orientation.map(Into::into)).map_err(raised)?;
         Ok((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)))
     }
 
@@ -271,13 +271,17 @@ impl Scene {
 
     /// A length that no path between two positions falls below, m.
     fn lower_bound(&self, py: Python<'_>, start: Option<[f64; 3]>, goal: Option<[f64; 3]>) -> PyResult<f64> {
-        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
         let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
             let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
             given.map(point).or(own).ok_or_else(missing)
         };
         let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
-        Ok(py.detach(|| lower_bound(&*engine, &start, &goal)))
+        let bound = |scene: &cdpr_core::Scene| {
+            let engine = engine_for(scene, Engine::default(), Interference::default())?;
+            Ok(lower_bound(&*engine, &start, &goal))
+        };
+        let bounds = || self.0.choices().iter().map(bound).collect::<Result<Vec<f64>, Error>>();
+        Ok(py.detach(bounds).map_err(raised)?.into_iter().fold(f64::INFINITY, f64::min))
     }
 
     /// The path made shorter, as JSON.
@@ -527,16 +531,19 @@ fn polytope_distance(
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
-/// Waypoints and orientation.
-type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>);
+/// Waypoints, orientation, and all that the file says as JSON.
+type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String);
 
 /// The waypoints of a path file as rows, and its orientation; refused if it says it belongs to another scene.
 #[pyfunction]
 fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<LoadedPath> {
     let loaded = io::load_waypoints(&path).map_err(raised)?;
-    scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| raised(e.in_file(&path)))).transpose()?;
-    let orientation = loaded.file.and_then(|file| file.orientation);
-    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation))
+    let turned =
+        scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| raised(e.in_file(&path)))).transpose()?;
+    let said = loaded.file.as_ref().and_then(|file| file.orientation);
+    let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
+    let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));
+    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json))
 }
 
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.

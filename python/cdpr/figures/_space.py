@@ -130,6 +130,10 @@ def paths(
     """
     if not paths:
         raise InputError("paths: found none, expected at least one")
+    first, *others = [scene_for(scene, path) for path in paths.values()]
+    if any(not np.allclose(other.orientation, first.orientation) for other in others):
+        raise InputError("paths: found paths at several orientations, expected one")
+    scene = first
     stage, bodies = _stage_of(scene, ax, view)
     if robot:
         _add_robot(stage, bodies, _position(scene, None))

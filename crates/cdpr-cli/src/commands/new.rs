@@ -43,9 +43,9 @@ fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Resul
         start: end(&args.start),
         goal: end(&args.goal),
     };
-    let (spec, scene) =
+    let (spec, scene, solvable) =
         with_sign_of_life(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
-    tell(&scene, out);
+    tell(&scene, solvable, out);
     starter_text(&spec, notation)
 }
 
@@ -59,9 +59,13 @@ fn example(notation: Notation) -> Result<String, Error> {
     }
 }
 
-fn tell(scene: &Scene, out: &Console) {
+fn tell(scene: &Scene, solvable: bool, out: &Console) {
     scene.notes().iter().for_each(|note| out.note(note));
     match (scene.start(), scene.goal()) {
+        (Some(start), Some(goal)) if !solvable => {
+            let ends = format!("from {} to {}", position(&start), position(&goal));
+            out.note(&format!("no path {ends} was found in a short search; cdpr plan says more"));
+        }
         (Some(start), Some(goal)) => {
             out.say(&format!("asks for a path from {} to {}", position(&start), position(&goal)))
         }

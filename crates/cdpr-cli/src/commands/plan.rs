@@ -3,6 +3,7 @@
 use cdpr_core::collision::Checker;
 use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
+use cdpr_core::model::OrientationSource;
 use cdpr_core::plan::{PlanOptions, PlanResult, Planned, Post, lower_bound, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
@@ -98,8 +99,7 @@ fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
 fn question(scene: &Scene, options: &PlanOptions) -> String {
     let end = |given: Option<Point>, own: Option<Point>| given.or(own).map_or("?".to_string(), |p| position(&p));
     let ends = [end(options.start, scene.start()), end(options.goal, scene.goal())];
-    let turned = scene.orientation_name().map_or(String::new(), |name| format!(", at \"{name}\""));
-    format!("{}; from {} to {}{turned}", scene_line(scene), ends[0], ends[1])
+    format!("{}; from {} to {}", scene_line(scene), ends[0], ends[1])
 }
 
 fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
@@ -142,11 +142,21 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
     )
 }
 
+/// An orientation as on the command line.
+fn words(orientation: &OrientationSource) -> String {
+    match orientation {
+        OrientationSource::Named(name) => format!("{name:?}"),
+        OrientationSource::Quaternion(numbers) => numbers.map(|x| x.to_string()).join(","),
+    }
+}
+
 fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
     let scene = args.scene.scene.display();
+    let turned =
+        args.scene.orientation.as_ref().map_or(String::new(), |turn| format!(" --orientation {}", words(turn)));
     match (found.status, &args.output) {
         (Status::Solved, Some(path)) if !is_standard(path) => {
-            out.say(&format!("next: cdpr check {scene} {}", path.display()))
+            out.say(&format!("next: cdpr check {scene} {}{turned}", path.display()))
         }
         (Status::Solved, None) if args.scene.format == Format::Text => {
             out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));

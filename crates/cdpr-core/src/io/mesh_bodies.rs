@@ -168,7 +168,7 @@ struct Kept {
 
 /// Identifies a decomposition: the mesh, what was asked, and the way it is done.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
-    const METHOD: &str = "convex parts 2";
+    const METHOD: &str = "convex parts 3";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
     hex(&[asked.as_bytes(), bytes])
 }

@@ -125,16 +125,35 @@ fn obj(bytes: &[u8]) -> Result<TriangleMesh, Error> {
         let problem = format!("found {words} words, expected at most {}", WORDS_PER_TRIANGLE * MOST_TRIANGLES);
         return Err(Error::invalid("", format!("{problem} ({MOST_TRIANGLES} triangles); thin the mesh out")));
     }
-    let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
+    let options = tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
     let no_materials = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
     let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
         .map_err(|e| Error::invalid("", format!("is no sound OBJ file: {e}")))?;
     let mut whole = TriangleMesh::default();
     for tobj::Model { mesh, .. } in models {
-        let vertices = mesh.positions.chunks_exact(3).map(Point::from_slice).collect();
-        let corner = |i: u32| i as usize;
-        let triangles = mesh.indices.chunks_exact(3).map(|t| [corner(t[0]), corner(t[1]), corner(t[2])]).collect();
+        let vertices: Vec<Point> = mesh.positions.chunks_exact(3).map(Point::from_slice).collect();
+        let mut corners = mesh.indices.iter().map(|i| *i as usize);
+        let triangles_only = vec![3; if mesh.face_arities.is_empty() { mesh.indices.len() / 3 } else { 0 }];
+        let arities = mesh.face_arities.iter().chain(&triangles_only);
+        let polygons = arities.map(|n| corners.by_ref().take(*n as usize).collect::<Vec<usize>>());
+        let triangles = polygons.flat_map(|polygon| triangles_of(&polygon, &vertices)).collect();
         whole.append(&TriangleMesh { vertices, triangles });
     }
     Ok(whole)
+}
+
+/// A polygon, convex or not, as triangles; of one that cuts itself some are missing.
+fn triangles_of(polygon: &[usize], vertices: &[Point]) -> Vec<[usize; 3]> {
+    if let [a, b, c] = polygon {
+        return vec![[*a, *b, *c]];
+    }
+    let Some(places) = polygon.iter().map(|i| vertices.get(*i).map(|p| [p.x, p.y, p.z])).collect::<Option<Vec<_>>>()
+    else {
+        return vec![[usize::MAX; 3]]; // told with the other corners that do not exist
+    };
+    let (mut flat, mut found) = (Vec::new(), Vec::<usize>::new());
+    if earcut::utils3d::project3d_to_2d(&places, places.len(), &mut flat) {
+        earcut::Earcut::new().earcut(flat, &[], &mut found);
+    }
+    found.chunks_exact(3).map(|t| [polygon[t[0]], polygon[t[1]], polygon[t[2]]]).collect()
 }

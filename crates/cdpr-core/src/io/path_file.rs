@@ -10,8 +10,10 @@ use super::text::{self, shown};
 use crate::collision::path_check::PathClearance;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
+use crate::model::OrientationSource::{self, Named};
+use crate::model::Scene;
+use crate::model::body;
 use crate::model::spec::FORMAT_VERSION;
-use crate::model::{Scene, body};
 use crate::plan::{PlanOptions, PlanResult};
 use crate::wrench::PathWrench;
 
@@ -27,6 +29,9 @@ pub struct PathFile {
     /// How the platform is turned all the way, world-from-platform, as a unit quaternion w x y z; none is as in the scene.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<[f64; 4]>,
+    /// Its name in the scene; without a quaternion it says which one holds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation_name: Option<String>,
     /// The scene that the path was planned for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<SceneId>,
@@ -206,7 +211,9 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
 /// # Errors
 /// A path that says it was planned for another scene or at another orientation.
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath) -> Result<Scene, Error> {
-    let own = scene.for_path_at(path.file.as_ref().and_then(|file| file.orientation))?;
+    let said =
+        |file: &PathFile| file.orientation.map(OrientationSource::from).or(file.orientation_name.clone().map(Named));
+    let own = scene.for_path_at(path.file.as_ref().and_then(said))?;
     match path.file.as_ref().and_then(|file| file.scene.as_ref()) {
         Some(id) if id.fingerprint != own.fingerprint() => Err(another_scene(&own, id)),
         _ => Ok(own),

@@ -28,7 +28,7 @@ pub struct Starter {
 
 /// A scene that is to be written to `output`: the box of [`proposal::workspace`], `[wrench]` if the robot has a mass and
 /// tension limits, start and goal as given or by [`proposal::query`]. Returns it as plain data, files named relative to
-/// `output`, and as a scene.
+/// `output`, as a scene, and whether a path of its question was found.
 ///
 /// # Errors
 /// As [`super::load_scene`]; [`Error::interrupted`].
@@ -36,7 +36,7 @@ pub fn starter_scene(
     starter: &Starter,
     output: &Path,
     interrupted: &dyn Fn() -> bool,
-) -> Result<(SceneSpec, Scene), Error> {
+) -> Result<(SceneSpec, Scene, bool), Error> {
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
     let dense = in_place(spec.clone(), folder)?;
@@ -49,11 +49,12 @@ pub fn starter_scene(
     // The meshes are there already, as convex parts.
     let whole = SceneSpec { workspace: spec.workspace.clone(), wrench: spec.wrench.clone(), ..dense.spec().clone() };
     let scene = Scene::new(whole.clone())?;
-    if let Some([start, goal]) = proposal::query(&scene, interrupted)? {
+    let query = proposal::query(&scene, interrupted)?;
+    if let Some([start, goal]) = query {
         spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), orientation: None });
     }
     let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes(dense.notes().to_vec());
-    Ok((spec, scene))
+    Ok((spec, scene, query.is_some()))
 }
 
 /// The scene but for its workspace, wrench and missing ends.

@@ -206,18 +206,18 @@ impl Scene {
     ///
     /// # Errors
     /// The scene says another orientation itself, or neither says one where the scene names several.
-    pub fn for_path_at(&self, quaternion: Option<[f64; 4]>) -> Result<Scene, Error> {
-        let Some(quaternion) = quaternion else { return self.for_bare_path() };
-        let turn = body::unit_quaternion("orientation", quaternion)?;
+    pub fn for_path_at(&self, said: Option<OrientationSource>) -> Result<Scene, Error> {
+        let Some(said) = said else { return self.for_bare_path() };
         if !self.orientation_is_fixed() {
-            return self.turned(quaternion.into());
+            return self.turned(said);
         }
+        let turn = orientation("orientation", &said, &self.orientations)?;
         if turn.angle_to(&self.orientation) <= SAME_TURN {
             return Ok(self.clone());
         }
-        let own = &self.orientation;
-        let expected = format!("but the scene is at {:?}", [own.w, own.i, own.j, own.k]);
-        Err(Error::invalid("orientation", format!("found a path at {quaternion:?}, {expected}; turn the scene to it")))
+        let words = |q: &Rotation| format!("{:?}", [q.w, q.i, q.j, q.k]);
+        let problem = format!("found a path at {}, but the scene is at {}", words(&turn), words(&self.orientation));
+        Err(Error::invalid("orientation", format!("{problem}; turn the scene to it")))
     }
 
     fn for_bare_path(&self) -> Result<Scene, Error> {
@@ -296,8 +296,9 @@ impl Scene {
 
 /// A rotation in digits that do not depend on how it was given.
 fn rounded(rotation: &Rotation) -> [f64; 4] {
-    let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
-    [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (sign * x / SAME_TURN).round() * SAME_TURN + 0.0)
+    let digits = [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (x / SAME_TURN).round() * SAME_TURN);
+    let first = digits.iter().find(|x| **x != 0.0).copied().unwrap_or(1.0);
+    digits.map(|x| first.signum() * x + 0.0) // q and -q are one turn
 }
 
 fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Error> {
