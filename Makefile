@@ -49,7 +49,7 @@ fuzz:
 		--target $(FUZZ_HOST) --target-dir target/fuzzing
 	@set -e; for reader in $(FUZZ_READERS); do \
 		mkdir -p target/fuzz/$$reader fuzz/regressions/$$reader; echo "== $$reader"; \
-		CDPR_FUZZ=$$reader target/fuzzing/$(FUZZ_HOST)/fuzz/fuzz_reader -max_total_time=$(FUZZ_SECONDS) -timeout=10 \
+		CDPR_FUZZ=$$reader target/fuzzing/$(FUZZ_HOST)/fuzz/fuzz_reader -max_total_time=$(FUZZ_SECONDS) -timeout=60 \
 			-rss_limit_mb=2048 -max_len=100000 -dict=fuzz/dictionary.txt -artifact_prefix=target/fuzz/$$reader- \
 			-print_final_stats=1 target/fuzz/$$reader fuzz/seeds/$$reader fuzz/regressions/$$reader; \
 	done
