@@ -36,6 +36,7 @@ SKIPPED = {
     "README.md": 3,
     "crates/cdpr-cli/README.md": 1,
     "docs/figures.md": 1,
+    "docs/fuzzing.md": 1,
     "docs/ompl.md": 1,
     "docs/planners.md": 1,
     "docs/reproduction.md": 1,
