@@ -1,6 +1,7 @@
 //! Shared by the property tests: random bodies and cables, hostile ones included, and slow exact oracles.
 #![allow(dead_code)] // every test file uses its own part of it
 
+pub mod meshes;
 pub mod scenes;
 
 use std::path::Path;

@@ -1,0 +1,125 @@
+//! Meshes that tests make, and their files.
+
+use std::fs;
+use std::path::Path;
+
+use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
+
+/// Faces of a body made by pushing a polygon (counter-clockwise) up from one height to another.
+pub fn prism(base: &[[f64; 2]], from: f64, to: f64, caps: &[[usize; 3]]) -> TriangleMesh {
+    let n = base.len();
+    let vertices = [from, to].iter().flat_map(|z| base.iter().map(|[x, y]| Point::new(*x, *y, *z))).collect();
+    let mut triangles = Vec::new();
+    for &[a, b, c] in caps {
+        triangles.extend([[a, c, b], [a + n, b + n, c + n]]);
+    }
+    for i in 0..n {
+        let j = (i + 1) % n;
+        triangles.extend([[i, j, j + n], [i, j + n, i + n]]);
+    }
+    TriangleMesh { vertices, triangles }
+}
+
+pub fn block(from: [f64; 3], to: [f64; 3]) -> TriangleMesh {
+    let base = [[from[0], from[1]], [to[0], from[1]], [to[0], to[1]], [from[0], to[1]]];
+    prism(&base, from[2], to[2], &[[0, 1, 2], [0, 2, 3]])
+}
+
+pub fn turned(mesh: &TriangleMesh, rotation: &Rotation) -> TriangleMesh {
+    TriangleMesh { vertices: mesh.vertices.iter().map(|v| rotation * v).collect(), ..mesh.clone() }
+}
+
+pub fn joined(parts: &[TriangleMesh]) -> TriangleMesh {
+    let mut whole = TriangleMesh::default();
+    parts.iter().for_each(|part| whole.append(part));
+    whole
+}
+
+pub fn inside_out(mut mesh: TriangleMesh) -> TriangleMesh {
+    mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    mesh
+}
+
+/// A column with a foot, one body: an L pushed 0.3 m along y.
+pub fn angle() -> TriangleMesh {
+    let outline = [[0.85, 0.0], [1.6, 0.0], [1.6, 0.1], [1.15, 0.1], [1.15, 1.5], [0.85, 1.5]];
+    let caps = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+    let upright = Rotation::from_axis_angle(&Vector::x_axis(), std::f64::consts::FRAC_PI_2);
+    let mut mesh = turned(&prism(&outline, 0.0, 0.3, &caps), &upright); // (x, z, -y) -> (x, y, z)
+    mesh.vertices.iter_mut().for_each(|v| v.y += 1.15);
+    mesh
+}
+
+/// A table as a single surface: a plate with four legs that grow out of it.
+pub fn table() -> TriangleMesh {
+    let ([from, to], [low, high]) = ([[-0.6, -0.6], [2.6, 2.6]], [2.2, 2.3]);
+    let width = 0.2;
+    let lines = |k: usize| [from[k], from[k] + width, to[k] - width, to[k]];
+    let (xs, ys) = (lines(0), lines(1));
+    let mut mesh = TriangleMesh::default();
+    let mut quad = |corners: [[f64; 3]; 4]| {
+        let vertices = corners.map(Point::from).to_vec();
+        mesh.append(&TriangleMesh { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] });
+    };
+    let is_leg = |i: usize, j: usize| i != 1 && j != 1;
+    for i in 0..3 {
+        for j in 0..3 {
+            let ([x, u], [y, v]) = ([xs[i], xs[i + 1]], [ys[j], ys[j + 1]]);
+            let bottom = if is_leg(i, j) { 0.0 } else { low };
+            quad([[x, y, high], [u, y, high], [u, v, high], [x, v, high]]);
+            quad([[x, y, bottom], [x, v, bottom], [u, v, bottom], [u, y, bottom]]);
+            let mut side = |a: [f64; 2], b: [f64; 2], outer: bool| {
+                if is_leg(i, j) {
+                    quad([[a[0], a[1], 0.0], [b[0], b[1], 0.0], [b[0], b[1], low], [a[0], a[1], low]]);
+                }
+                if outer {
+                    quad([[a[0], a[1], low], [b[0], b[1], low], [b[0], b[1], high], [a[0], a[1], high]]);
+                }
+            };
+            side([x, y], [u, y], j == 0);
+            side([u, y], [u, v], i == 2);
+            side([u, v], [x, v], j == 2);
+            side([x, v], [x, y], i == 0);
+        }
+    }
+    mesh
+}
+
+pub fn torus(around: usize, across: usize) -> TriangleMesh {
+    let (large, small, middle) = (0.62, 0.1, Vector::new(1.0, 1.0, 1.0));
+    let angle = |k: usize, n: usize| 2.0 * std::f64::consts::PI * k as f64 / n as f64;
+    let vertex = |k: usize| {
+        let (u, v) = (angle(k / across, around), angle(k % across, across));
+        let reach = large + small * v.cos();
+        Point::new(reach * u.cos(), reach * u.sin(), small * v.sin()) + middle
+    };
+    let at = |i: usize, j: usize| (i % around) * across + j % across;
+    let quads = (0..around * across).map(|k| (k / across, k % across));
+    let triangles = quads.flat_map(|(i, j)| {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    TriangleMesh { vertices: (0..around * across).map(vertex).collect(), triangles: triangles.collect() }
+}
+
+/// A closed room: walls 0.2 m thick around a hollow of 3.2 m.
+pub fn room() -> TriangleMesh {
+    joined(&[block([-0.8; 3], [2.8; 3]), inside_out(block([-0.6; 3], [2.6; 3]))])
+}
+
+pub fn write_obj(path: &Path, mesh: &TriangleMesh, scale: f64) {
+    let vertices = mesh.vertices.iter().map(|v| format!("v {} {} {}\n", v.x / scale, v.y / scale, v.z / scale));
+    let faces = mesh.triangles.iter().map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    fs::write(path, vertices.chain(faces).collect::<String>()).unwrap();
+}
+
+pub fn write_stl(path: &Path, mesh: &TriangleMesh) {
+    let single = |p: Point| stl_io::Vertex::new([p.x as f32, p.y as f32, p.z as f32]);
+    let triangle = |t: &[usize; 3]| stl_io::Triangle {
+        normal: stl_io::Vertex::new([0.0; 3]),
+        vertices: t.map(|i| single(mesh.vertices[i])),
+    };
+    let mut bytes = Vec::new();
+    stl_io::write_stl(&mut bytes, mesh.triangles.iter().map(triangle)).unwrap();
+    fs::write(path, bytes).unwrap();
+}
