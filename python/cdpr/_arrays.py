@@ -44,6 +44,28 @@ def numbers(name: str, values: ArrayLike, count: int) -> list[float]:
     return found
 
 
+def number(name: str, value: float) -> float:
+    """One number; texts are none, even where they read like one."""
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError(f"the text {value!r}")
+        return float(value)
+    except (TypeError, ValueError) as problem:
+        raise InputError(f"{name}: found {problem}, expected a number") from None
+
+
+def whole(name: str, value: int) -> int:
+    """A whole number that a seed or a count can be."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
+        raise InputError(f"{name}: found {value!r}, expected a whole number from 0 to 2**64 - 1")
+    return int(value)
+
+
+def thread_count(threads: int | None) -> int | None:
+    """A number of threads; None is as many as there are cores."""
+    return None if threads is None else whole("threads", threads)
+
+
 def _numbers(name: str, values: ArrayLike) -> Floats:
     try:
         array = np.asarray(values)

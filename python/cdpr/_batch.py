@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from . import _core
+from ._arrays import thread_count
 from ._pandas import pandas_or_none
 from ._scene import Scene
 from .exceptions import CdprWarning, InputError
@@ -173,7 +174,7 @@ def run_batch(
     checked = _checked(experiment)
     first, end = _first_and_end(checked, trials)
     if executor is None:
-        rows, failures = checked.run(first, end, threads, progress)
+        rows, failures = checked.run(first, end, thread_count(threads), progress)
     else:
         rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if threads is None else threads)
     for failure in failures:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point, rows
+from ._arrays import Floats, number, point, rows, whole
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Engine, Interference, Scene
 from ._violation import violation_from
@@ -126,8 +126,8 @@ def plan(
     'along'
     """
     settings = {
-        "max_samples": None if max_samples is None else _whole("max_samples", max_samples),
-        "max_nodes": None if max_nodes is None else _whole("max_nodes", max_nodes),
+        "max_samples": None if max_samples is None else whole("max_samples", max_samples),
+        "max_nodes": None if max_nodes is None else whole("max_nodes", max_nodes),
         "keep_going": bool(keep_going),
         "target_cost": _finite("target_cost", target_cost),
         "gap": _finite("gap", gap),
@@ -142,13 +142,13 @@ def plan(
         planner,
         engine,
         interference,
-        _whole("seed", seed),
+        whole("seed", seed),
         None if start is None else point("start", start),
         None if goal is None else point("goal", goal),
-        float(step),
+        number("step", step),
         post,
-        _whole("repeats", repeats),
-        None if budget is None else float(budget),
+        whole("repeats", repeats),
+        None if budget is None else number("budget", budget),
         json.dumps(settings),
         on_improvement,
     )
@@ -170,16 +170,11 @@ def plan(
     )
 
 
-def _whole(name: str, value: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
-        raise InputError(f"{name}: found {value!r}, expected a whole number from 0 to 2**64 - 1")
-    return int(value)
-
-
 def _finite(name: str, value: float | None) -> float | None:
-    if value is not None and not math.isfinite(value):
+    found = None if value is None else number(name, value)
+    if found is not None and not math.isfinite(found):
         raise InputError(f"{name}: found {value!r}, expected a finite number")
-    return None if value is None else float(value)
+    return found
 
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path) -> _core.Scene:
@@ -249,7 +244,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    return _shortened(scene, waypoints, order, float(step), _whole("repeats", repeats), engine, interference)
+    return _shortened(scene, waypoints, order, number("step", step), whole("repeats", repeats), engine, interference)
 
 
 def refine(

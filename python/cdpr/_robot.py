@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point, rows
+from ._arrays import Floats, number, point, rows
 from ._tables import TriangleMesh, body_table
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
@@ -79,7 +79,7 @@ class Robot(Immutable):
         parts = [body_table(f"platform[{k}]", part) for k, part in enumerate(platform)]
         spec: dict[str, Any] = {"platform": parts, "cables": cables}
         if mass is not None:
-            spec["mass"] = float(mass)
+            spec["mass"] = number("mass", mass)
         if center_of_mass is not None:
             spec["center_of_mass"] = point("center_of_mass", center_of_mass)
         if name is not None:

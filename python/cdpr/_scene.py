@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, numbers, point, rows
+from ._arrays import Floats, number, numbers, point, rows, thread_count
 from ._robot import Robot
 from ._tables import KEPT, QUERY, Kept, Obstacle, box_table, obstacle_tables, put
 from ._values import Immutable
@@ -83,9 +83,9 @@ class Scene(Immutable):
         parts = [part for label, body in (obstacles or {}).items() for part in obstacle_tables(label, body)]
         spec: dict[str, Any] = {
             "version": 1,
-            "clearance": float(clearance),
+            "clearance": number("clearance", clearance),
             "workspace": box_table(workspace),
-            "robot": robot.to_dict(),
+            "robot": _robot_table(robot),
             "obstacles": parts,
             "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
         }
@@ -225,11 +225,11 @@ class Scene(Immutable):
         """
         spec = self.to_dict()
         if robot is not None:
-            spec["robot"] = robot.to_dict()
+            spec["robot"] = _robot_table(robot)
         if workspace is not None:
             spec["workspace"] = box_table(workspace)
         if clearance is not None:
-            spec["clearance"] = float(clearance)
+            spec["clearance"] = number("clearance", clearance)
         put(spec, "name", name, lambda text: text)
         query = spec.setdefault("query", {})
         for key, value in (("start", start), ("goal", goal), ("orientation", orientation)):
@@ -410,7 +410,7 @@ class Scene(Immutable):
         -------
         ndarray of bool (n,)
         """
-        return self._core.states_valid(rows("points", points), engine, interference, threads)
+        return self._core.states_valid(rows("points", points), engine, interference, thread_count(threads))
 
     def motions_valid(
         self,
@@ -446,7 +446,7 @@ class Scene(Immutable):
         first, last = rows("starts", starts), rows("ends", ends)
         if len(first) != len(last):
             raise InputError(f"ends: found {len(last)} rows, expected {len(first)}, one for each start")
-        return self._core.motions_valid(first, last, engine, interference, threads)
+        return self._core.motions_valid(first, last, engine, interference, thread_count(threads))
 
     def clearance(self, points: ArrayLike, *, threads: int | None = None) -> Floats:
         """Signed clearance of each position: the least gap in the world between what must not touch.
@@ -470,7 +470,7 @@ class Scene(Immutable):
         >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
         array([0.05    , 0.024121])
         """
-        return self._core.clearance(rows("points", points), threads)
+        return self._core.clearance(rows("points", points), thread_count(threads))
 
     def explain_motion(
         self,
@@ -520,6 +520,13 @@ class Scene(Immutable):
         parts = self._spec.get("obstacles", [])
         count = len({part.get("name", k) for k, part in enumerate(parts)})
         return f"Scene({self.name!r}, {cables} cables, {count} obstacle{'' if count == 1 else 's'})"
+
+
+def _robot_table(robot: Any) -> dict[str, Any]:
+    """The table of a robot."""
+    if not isinstance(robot, Robot):
+        raise InputError(f"robot: found {type(robot).__name__}, expected a Robot")
+    return robot.to_dict()
 
 
 def _from_spec(spec: dict[str, Any]) -> _core.Scene:

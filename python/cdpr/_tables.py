@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
@@ -35,6 +35,8 @@ def obstacle_tables(name: str, obstacle: Obstacle) -> list[dict[str, Any]]:
         single = isinstance(obstacle, TriangleMesh) or np.asarray(obstacle, dtype=np.float64).ndim == 2
     except (TypeError, ValueError):
         single = False
+    if not single and not isinstance(obstacle, Iterable):
+        raise InputError(f"obstacles[{name!r}]: found {type(obstacle).__name__}, expected corners (k, 3), a mesh, or several")
     bodies: list[Any] = [obstacle] if single else list(obstacle)  # type: ignore[arg-type]
     if not bodies:
         raise InputError(f"obstacles[{name!r}]: found no parts, expected at least one array of shape (k, 3)")

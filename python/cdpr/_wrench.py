@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, numbers, point, rows
+from ._arrays import Floats, number, numbers, point, rows, thread_count
 from ._pandas import frame
 from ._planning import core_for, path_rows
 from ._results import Path
@@ -32,7 +32,7 @@ def _statics(
         None if orientation is None else numbers("orientation", orientation, 4),
         None if gravity is None else point("gravity", gravity),
         None if load is None else numbers("load", load, 6),
-        float(characteristic_length),
+        number("characteristic_length", characteristic_length),
     )
 
 
@@ -128,7 +128,7 @@ def capacity_margin(
     """
     corners = None if vertices is None else [tuple(corner) for corner in rows("vertices", vertices, 6).tolist()]
     statics = _statics(robot, orientation, gravity, load, characteristic_length)
-    margins: Floats = statics.capacity_margin(rows("positions", positions), float(force), float(moment), corners, threads)
+    margins: Floats = statics.capacity_margin(rows("positions", positions), number("force", force), number("moment", moment), corners, thread_count(threads))
     return margins
 
 
@@ -172,7 +172,7 @@ def force_margin(
     >>> force_margin(robot, [[0, 0, 2]]).round(1)
     array([589.1])
     """
-    return _statics(robot, orientation, gravity, load).force_margin(rows("positions", positions), threads)
+    return _statics(robot, orientation, gravity, load).force_margin(rows("positions", positions), thread_count(threads))
 
 
 def moment_margin(
@@ -208,7 +208,7 @@ def moment_margin(
     >>> moment_margin(robot, [[0, 0, 2]]).round(1)
     array([5505.6])
     """
-    return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), threads)
+    return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), thread_count(threads))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -374,7 +374,7 @@ def tension_distribution(
     """
     wanted = None if reference is None else numbers("reference", reference, len(robot.outlets))
     statics = _statics(robot, orientation, gravity, load, characteristic_length)
-    return statics.tensions(rows("positions", positions), wanted, threads)
+    return statics.tensions(rows("positions", positions), wanted, thread_count(threads))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -470,7 +470,7 @@ def tensions_along(
     count = len(scene.robot.outlets)
     wanted = None if reference is None else numbers("reference", reference, count)
     core = core_for(scene, waypoints)
-    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), float(step), wanted))
+    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), number("step", step), wanted))
 
     def column(key: str) -> Floats:
         return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import Floats
+from ._arrays import Floats, number, thread_count
 from ._pandas import frame
 from ._scene import Scene
 
@@ -193,4 +193,4 @@ def wrench_map(
     >>> wrench_map(scene, step=1.0).margin.ndim
     3
     """
-    return WrenchMap(_core.WrenchMap.of(scene._core, float(step), force, moment, projected, threads))
+    return WrenchMap(_core.WrenchMap.of(scene._core, number("step", step), force, moment, projected, thread_count(threads)))

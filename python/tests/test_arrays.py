@@ -1,5 +1,6 @@
 """Arrays in, arrays out: layouts, types, shapes, threads."""
 
+import re
 import threading
 import time
 import tracemalloc
@@ -141,3 +142,20 @@ def test_threads_may_share_a_scene(hard1, motions):
     for thread in threads:
         thread.join()
     assert all((result == expected).all() for result in results)
+
+
+def test_what_is_no_number_is_named(hard1):
+    for call, named in [
+        (lambda: cdpr.plan(hard1, step="x"), "step"),
+        (lambda: cdpr.plan(hard1, budget="1"), "budget"),
+        (lambda: cdpr.plan("hard1.toml"), "scene"),
+        (lambda: cdpr.check("hard1.toml", [[0, 0, 0], [1, 1, 1]]), "scene"),
+        (lambda: hard1.replace(clearance="wide"), "clearance"),
+        (lambda: hard1.replace(robot="paper"), "robot"),
+        (lambda: hard1.with_obstacle("crate", None), "obstacles['crate']"),
+        (lambda: hard1.states_valid([[1, 1, 1]], threads=-1), "threads"),
+        (lambda: hard1.states_valid([[1, 1, 1]], threads="2"), "threads"),
+        (lambda: cdpr.Scene(hard1.robot, workspace=hard1.workspace, orientations=["level"]), "orientations"),
+    ]:
+        with pytest.raises(cdpr.InputError, match=re.escape(named)):
+            call()
