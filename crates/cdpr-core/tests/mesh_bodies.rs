@@ -340,7 +340,8 @@ fn a_fine_ball_is_convex() {
     let triangles = (0..corners.len() / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     let folder = tempfile::tempdir().unwrap();
     write_stl(&folder.path().join("ball.stl"), &TriangleMesh { vertices: corners, triangles });
-    let scene = load(folder.path(), "mesh = \"ball.stl\"", [4.0, 4.0, 4.0], [-4.0, 4.0, 4.0]).unwrap();
+    let scene =
+        load(folder.path(), "mesh = \"ball.stl\"\nposition = [5.0, 5.0, 5.0]", [4.0; 3], [-4.0, 4.0, 4.0]).unwrap();
     assert_eq!(scene.obstacles()[0].parts.len(), 1, "{:?}", scene.notes());
 }
 

@@ -1,11 +1,12 @@
 //! The experiment file as plain data; [`super::Experiment`] checks it once.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize, de};
+use serde::{Deserialize, Serialize};
 
 use super::random_scene::RandomScenesSpec;
 use super::statistics::Comparison;
 use crate::model::SceneSpec;
+use crate::model::spec::file_or_inline;
 use crate::planning::PlannerSettings;
 
 /// An experiment: scenarios × methods × trials.
@@ -61,29 +62,7 @@ pub enum SceneSource {
     Inline(Box<SceneSpec>),
 }
 
-impl<'de> Deserialize<'de> for SceneSource {
-    // By hand: an untagged derive would answer a misspelt key with "did not match any variant".
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor;
-        impl<'de> de::Visitor<'de> for Visitor {
-            type Value = SceneSource;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("a scene table or the path of a scene file")
-            }
-
-            fn visit_str<E: de::Error>(self, path: &str) -> Result<SceneSource, E> {
-                Ok(SceneSource::File(path.to_string()))
-            }
-
-            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<SceneSource, A::Error> {
-                let spec = SceneSpec::deserialize(de::value::MapAccessDeserializer::new(map))?;
-                Ok(SceneSource::Inline(Box::new(spec)))
-            }
-        }
-        deserializer.deserialize_any(Visitor)
-    }
-}
+file_or_inline!(SceneSource, Box<SceneSpec>, "a scene table or the path of a scene file");
 
 /// A planner with its options and post-processing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

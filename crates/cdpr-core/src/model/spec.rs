@@ -5,6 +5,35 @@ use crate::choice::choices;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
+/// Reads what is a path or a table. By hand: an untagged derive would answer a misspelt key with "did not match any
+/// variant".
+macro_rules! file_or_inline {
+    ($source:ident, $table:ty, $expecting:literal) => {
+        impl<'de> serde::Deserialize<'de> for $source {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Visitor;
+                impl<'de> serde::de::Visitor<'de> for Visitor {
+                    type Value = $source;
+
+                    fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                        f.write_str($expecting)
+                    }
+
+                    fn visit_str<E: serde::de::Error>(self, path: &str) -> Result<$source, E> {
+                        Ok($source::File(path.to_string()))
+                    }
+
+                    fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<$source, A::Error> {
+                        <$table>::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map($source::Inline)
+                    }
+                }
+                deserializer.deserialize_any(Visitor)
+            }
+        }
+    };
+}
+pub(crate) use file_or_inline;
+
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
 
@@ -66,28 +95,7 @@ pub enum RobotSource {
     Inline(RobotSpec),
 }
 
-impl<'de> Deserialize<'de> for RobotSource {
-    // By hand: an untagged derive would answer a misspelt key with "did not match any variant".
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor;
-        impl<'de> de::Visitor<'de> for Visitor {
-            type Value = RobotSource;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("a robot table or the path of a robot file")
-            }
-
-            fn visit_str<E: de::Error>(self, path: &str) -> Result<RobotSource, E> {
-                Ok(RobotSource::File(path.to_string()))
-            }
-
-            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<RobotSource, A::Error> {
-                RobotSpec::deserialize(de::value::MapAccessDeserializer::new(map)).map(RobotSource::Inline)
-            }
-        }
-        deserializer.deserialize_any(Visitor)
-    }
-}
+file_or_inline!(RobotSource, RobotSpec, "a robot table or the path of a robot file");
 
 /// A cable robot: platform and cables.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -185,28 +193,7 @@ pub enum MeshSource {
     Inline(MeshSpec),
 }
 
-impl<'de> Deserialize<'de> for MeshSource {
-    // By hand, as RobotSource.
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor;
-        impl<'de> de::Visitor<'de> for Visitor {
-            type Value = MeshSource;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("the path of a mesh file (.stl or .obj), or a table of vertices and triangles")
-            }
-
-            fn visit_str<E: de::Error>(self, path: &str) -> Result<MeshSource, E> {
-                Ok(MeshSource::File(path.to_string()))
-            }
-
-            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<MeshSource, A::Error> {
-                MeshSpec::deserialize(de::value::MapAccessDeserializer::new(map)).map(MeshSource::Inline)
-            }
-        }
-        deserializer.deserialize_any(Visitor)
-    }
-}
+file_or_inline!(MeshSource, MeshSpec, "the path of a mesh file (.stl or .obj), or a table of vertices and triangles");
 
 /// A triangle mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -363,7 +350,7 @@ impl From<[f64; 4]> for OrientationSource {
 }
 
 impl<'de> Deserialize<'de> for OrientationSource {
-    // By hand, as RobotSource.
+    // By hand, as files in `file_or_inline`.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Visitor;
         impl<'de> de::Visitor<'de> for Visitor {
