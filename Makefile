@@ -21,19 +21,17 @@ lint:
 # by the portable ones, as on a machine without AVX2.
 rust-test:
 	cargo test --workspace --locked
-	CDPR_PORTABLE=1 cargo test --workspace --locked --test cases --test cspace --test engines_agree \
-		--test wrench_margins --test wrench_oracle --test wrench_certify
+	CDPR_PORTABLE=1 cargo test --workspace --locked --test oracles
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
-	cargo test --release --locked -p cdpr-core --test cases --test geometry_oracle --test engine_oracle \
-		--test engines_agree --test cspace --test wrench_solvers --test wrench_oracle --test wrench_certify
+	cargo test --release --locked -p cdpr-core --test oracles
 
 # Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
 # every disagreement is printed.
 verify:
-	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test engines_agree -- --nocapture
-	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test wrench_oracle -- --nocapture
+	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test oracles -- engines_agree --nocapture
+	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test oracles -- wrench_oracle --nocapture
 
 # Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. What was learnt
 # stays in target/fuzz, so that the next run goes on from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.

@@ -1,14 +1,12 @@
 //! The wrench solvers against planted answers, optimality conditions and each other, on random and degenerate robots.
 
-mod support;
-
+use crate::support::{direction, rng, uniform, vector};
 use cdpr_core::Error;
 use cdpr_core::numerics::BALANCE_RELATIVE;
 use cdpr_core::wrench::linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 use cdpr_core::wrench::tension_qp::{QpMethod, TensionQp};
 use nalgebra::{DVector, Matrix6xX, Vector6};
 use rand::{Rng, RngExt};
-use support::{direction, rng, uniform, vector};
 
 const ROBOTS: u64 = 150;
 

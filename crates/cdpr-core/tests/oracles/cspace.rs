@@ -1,7 +1,7 @@
 //! The cspace engine where planes degenerate, when a scene changes, without SIMD, and in memory.
 
-mod support;
-
+use crate::support::scenes::Kind;
+use crate::support::{direction, rng, uniform};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, Vector};
@@ -10,8 +10,6 @@ use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, hard1, hard3, paper_scene, scene};
 use rand::RngExt;
-use support::scenes::Kind;
-use support::{direction, rng, uniform};
 
 fn engines(scene: &Scene) -> (CspaceEngine, GjkEngine) {
     let cspace = CspaceEngine::new(scene, Interference::Exact).unwrap();
@@ -282,7 +280,7 @@ fn the_same_answers_without_simd() {
     let mut rng = rng(11);
     for case in 0..40 {
         let kind = Kind { clearance: [0.0, 0.05][case % 2], diameter: 0.0, special: true };
-        let scene = support::scenes::scene(&mut rng, kind);
+        let scene = crate::support::scenes::scene(&mut rng, kind);
         let fast = CspaceEngine::new(&scene, Interference::Exact).unwrap();
         let portable = fast.clone().portable();
         let space = TranslationSpace::of(fast.constraints());
@@ -331,10 +329,10 @@ fn a_margin_is_the_depth_of_the_deepest_state() {
     let mut rng = rng(14);
     let mut seen = 0;
     for _ in 0..400 {
-        let scene = support::scenes::scene(&mut rng, Kind::default());
+        let scene = crate::support::scenes::scene(&mut rng, Kind::default());
         let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
         for _ in 0..4 {
-            let p = Point::from(support::vector(&mut rng, 2.0));
+            let p = Point::from(crate::support::vector(&mut rng, 2.0));
             let q = p + direction(&mut rng) * uniform(&mut rng, 0.1, 2.0);
             let at = |k: usize| p + (q - p) * (k as f64 / SAMPLES as f64);
             let states: Vec<_> = (0..=SAMPLES).map(|k| engine.violations(&at(k), &at(k))).collect();

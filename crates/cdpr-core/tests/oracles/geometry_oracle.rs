@@ -1,14 +1,12 @@
 //! GJK with separating axes against clipping, an independent exact method, on the hard shapes: cables metres long and
 //! down to a nanometre thin, touching, nearly parallel to a facet.
 
-mod support;
-
+use crate::support::{body, clipped, direction, rng, rotation, surface_point, triangle, uniform, vector};
 use cdpr_core::geometry::gjk::{nearer_than, overlap, shape_distance};
 use cdpr_core::geometry::separating_axes::{gap_along, separation};
 use cdpr_core::geometry::{ConvexShape, Point, Polytope, Rotation, Swept, Triangle, Vector};
 use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
 use rand::RngExt;
-use support::{body, clipped, direction, rng, rotation, surface_point, triangle, uniform, vector};
 
 #[test]
 fn cables_against_bodies_agree_with_clipping() {

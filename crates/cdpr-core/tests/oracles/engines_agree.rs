@@ -4,8 +4,8 @@
 //!
 //! `CDPR_VERIFY=n` asks for n times as many cases (`make verify`).
 
-mod support;
-
+use crate::support::scenes::{Kind, Oracle, Verdict, scene};
+use crate::support::{direction, rng, uniform};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, Kind as ViolationKind, Validity};
 use cdpr_core::geometry::Point;
@@ -14,8 +14,6 @@ use cdpr_core::planning::{StateSpace, TranslationSpace};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use support::scenes::{Kind, Oracle, Verdict, scene};
-use support::{direction, rng, uniform};
 
 /// How many times the everyday number of cases.
 fn effort() -> u64 {

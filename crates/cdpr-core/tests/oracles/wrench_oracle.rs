@@ -5,8 +5,7 @@
 //! A yes of a program counts by its tensions, which are checked here; a no of a margin by its plane, whose height is
 //! computed afresh. `CDPR_VERIFY=n` asks for n times as many poses (`make verify`).
 
-mod support;
-
+use crate::support::{built_robot, direction, rng, rotation, uniform, vector};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
 use cdpr_core::testing::paper_robot;
@@ -17,7 +16,6 @@ use cdpr_core::wrench::{
 use nalgebra::{Matrix6xX, SVector, Vector3, Vector6};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use support::{built_robot, direction, rng, rotation, uniform, vector};
 
 /// Margins beyond this share of the largest tension must agree in sign with the programs.
 const CLEAR: f64 = 1e-7;

@@ -1,7 +1,6 @@
 //! Margins: the kernel of four positions against the definition, worked examples, robots as built.
 
-mod support;
-
+use crate::support::{point_robot, rng};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::kinematics::{condition, rank, wrench_matrix};
 use cdpr_core::model::Robot;
@@ -10,7 +9,6 @@ use cdpr_core::wrench::{CapacityMargin, Loads, Required, Statics, force_limit, m
 use nalgebra::Vector6;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use support::{point_robot, rng};
 
 fn random_robot(rng: &mut ChaCha8Rng, cables: usize) -> Robot {
     let cables: Vec<_> = (0..cables)
@@ -112,7 +110,7 @@ fn facts_of_the_robots_as_built_hold() {
         ("mpi_simulator", [5.9, 7.5, 4.3], 3.196463026509569, true),
     ];
     for (name, position, expected_condition, closure) in facts {
-        let (robot, position) = (support::built_robot(name), Point::from(position));
+        let (robot, position) = (crate::support::built_robot(name), Point::from(position));
         let w = wrench_matrix(&robot, &Rotation::identity(), &position).unwrap();
         assert_eq!(rank(&w), 6);
         assert!((condition(&w) - expected_condition).abs() < 1e-6 * expected_condition, "{name}: {}", condition(&w));

@@ -1,13 +1,11 @@
 //! Certified motions: what is accepted holds at every point, what dips is refused, the places that are told are right.
 
-mod support;
-
+use crate::support::{built_robot, direction, rng};
 use cdpr_core::Robot;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::wrench::{CapacityMargin, Loads, Measure, Required, Statics, certified, first_failure, least_slack};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use support::{built_robot, direction, rng};
 
 /// Robots as built with a box of positions and balls that leave room.
 fn robots() -> Vec<(Measure, [[f64; 2]; 3])> {

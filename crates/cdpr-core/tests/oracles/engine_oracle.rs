@@ -1,13 +1,11 @@
 //! The gjk engine on whole scenes against slow exact tests that share no code with it, see `support::scenes`.
 
-mod support;
-
+use crate::support::scenes::{Kind, Oracle, Verdict, scene};
+use crate::support::{direction, rng, uniform, vector};
 use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
 use cdpr_core::numerics::GAP_TOLERANCE;
 use rand::RngExt;
-use support::scenes::{Kind, Oracle, Verdict, scene};
-use support::{direction, rng, uniform, vector};
 
 #[test]
 fn states_and_motions_agree_with_exact_tests() {
