@@ -70,12 +70,18 @@ class Path(ByValue):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        said = json.loads(self._json) | {"version": 1, "waypoints": self.waypoints.tolist()}
-        said["cost"] = self.cost if np.isfinite(self.cost) else None
-        if self.orientation is not None:
-            turned = self.orientation.tolist()
-            said |= {"orientation": turned} | ({} if said.get("orientation") == turned else {"orientation_name": None})
-        _core.save_path(os.fspath(path), json.dumps(said))
+        _core.save_path(os.fspath(path), json.dumps(self._said()))
+
+    def _said(self) -> dict[str, Any]:
+        """What the file says: all that is known of the path, but nothing that is known of another one."""
+        known: dict[str, Any] = json.loads(self._json)
+        waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
+        same_turn = known.get("orientation") in (None, turn)
+        if same_turn and known.get("waypoints") == waypoints:
+            return known | {"orientation": turn}
+        kept = {"scene": known["scene"]} if same_turn and "scene" in known else {}
+        cost = self.cost if np.isfinite(self.cost) else None
+        return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
 
     def to_pandas(self) -> Any:
         """Return the waypoints as a table; it needs pandas.

@@ -261,7 +261,8 @@ def simple_setup(
     Raises
     ------
     InputError
-        A scene without start or goal where none is given; a workspace that the platform does not fit into.
+        A scene without start or goal where none is given, or that leaves its orientation open; a workspace that the
+        platform does not fit into.
 
     Examples
     --------
@@ -270,6 +271,7 @@ def simple_setup(
     >>> solve(setup, 0.2).asString()
     'Exact solution'
     """
+    scene._core.for_path_at(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)

@@ -1,6 +1,7 @@
 """Orientations: named in scenes, chosen by planning, kept by paths."""
 
 import dataclasses
+import json
 from pathlib import Path
 from typing import Any
 
@@ -56,12 +57,26 @@ def test_what_a_path_is_made_of_is_what_is_saved(plank: cdpr.Scene, tmp_path: Pa
         loaded = cdpr.load_path(tmp_path / "path.json")
         assert np.array_equal(loaded.waypoints, expected[0]) and np.allclose(loaded.orientation, expected[1])
         assert cdpr.check(plank, loaded).valid == (expected[1] is LEVEL)
+    # What belongs to the waypoints is not told of others.
+    aside = dataclasses.replace(result, waypoints=[[0.45, 1, 0.5], [1.0, 1, 0.9], [1.55, 1, 0.5]])
+    for path, known in [(result, True), (aside, False)]:
+        path.save(tmp_path / "path.json")
+        said = json.loads((tmp_path / "path.json").read_text())
+        assert ("min_clearance" in said) == known and said["scene"]["name"] == "plank"
     result.save(tmp_path / "path.json")
     cdpr.load_path(tmp_path / "path.json", plank).save(tmp_path / "again.json")
     with pytest.raises(cdpr.InputError, match="another scene"):
         cdpr.load_path(tmp_path / "again.json", plank.without("left"))
     with pytest.raises(cdpr.InputError, match="orientation"):
         cdpr.Path(result.waypoints, 1.1, [1, 0, 0])
+
+
+def test_planners_of_others_need_an_orientation(plank: cdpr.Scene) -> None:
+    ompl = pytest.importorskip("cdpr.ompl")
+    with pytest.raises(cdpr.InputError, match="choose one"):
+        ompl.simple_setup(plank)
+    setup = ompl.simple_setup(plank.replace(orientation="along"))
+    assert ompl.solve(setup, 5.0) and ompl.path(setup).orientation.tolist() == LEVEL
 
 
 def test_the_lower_bound_of_an_open_scene_holds_for_all_orientations(plank: cdpr.Scene) -> None:
