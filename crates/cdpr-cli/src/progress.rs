@@ -6,6 +6,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::output::{Console, Talk};
+use cdpr_core::watch::Interrupt;
 
 /// Set by Ctrl-C; long work asks for it.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -36,7 +37,7 @@ fn shown(out: &Console, bar: ProgressBar) -> ProgressBar {
 
 /// Runs work that may take long. After half a second a line on standard error, if that is a terminal, says what is
 /// being done and for how long; the work asks its argument whether to stop.
-pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&dyn Fn() -> bool) -> T) -> T {
+pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&Interrupt) -> T) -> T {
     let style = ProgressStyle::with_template("{spinner} {msg} {elapsed} (Ctrl-C stops)").expect("a sound template");
     let sign = shown(out, ProgressBar::new_spinner()).with_style(style).with_message(doing.to_string());
     let patience = Duration::from_millis(500);

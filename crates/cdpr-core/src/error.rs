@@ -19,6 +19,8 @@ enum Kind {
     File { problem: String },
     /// The caller asked to stop.
     Interrupted,
+    /// The time given was over before there was any answer.
+    OutOfTime,
 }
 
 /// Broad classes of errors, for callers that map them to exit statuses or exception types.
@@ -30,6 +32,8 @@ pub enum ErrorClass {
     File,
     /// Stopped on request.
     Interrupted,
+    /// The time budget ended before there was any answer.
+    OutOfTime,
 }
 
 impl Error {
@@ -47,6 +51,11 @@ impl Error {
     /// The caller asked to stop.
     pub fn interrupted() -> Self {
         Self { kind: Kind::Interrupted, file: None }
+    }
+
+    /// The time budget ended before there was any answer.
+    pub fn out_of_time() -> Self {
+        Self { kind: Kind::OutOfTime, file: None }
     }
 
     /// Names the file in which bad input stood; an inner file name is kept.
@@ -71,6 +80,7 @@ impl Error {
             Kind::Invalid { .. } => ErrorClass::Input,
             Kind::File { .. } => ErrorClass::File,
             Kind::Interrupted => ErrorClass::Interrupted,
+            Kind::OutOfTime => ErrorClass::OutOfTime,
         }
     }
 }
@@ -85,6 +95,7 @@ impl fmt::Display for Error {
             Kind::Invalid { place, problem } => write!(f, "{place}: {problem}"),
             Kind::File { problem } => f.write_str(problem),
             Kind::Interrupted => f.write_str("interrupted"),
+            Kind::OutOfTime => f.write_str("the time budget ended before there was an answer"),
         }
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
 //! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
-//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`] and [`choice`] are used by all, [`testing`] by
+//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`] and [`watch`] are used by all, [`testing`] by
 //! examples and tests.
 
 pub mod batch;
@@ -28,6 +28,7 @@ pub mod report;
 pub mod survey;
 pub mod testing;
 pub mod view;
+pub mod watch;
 pub mod wrench;
 
 pub use choice::Choice;

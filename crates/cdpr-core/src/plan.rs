@@ -17,9 +17,9 @@ use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{
     Aids, Guide, Listener, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
-    Watch,
 };
 use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
+use crate::watch::{Interrupt, Watch};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
 pub use choosing::{Planned, plan_choosing};
@@ -86,12 +86,7 @@ pub enum Processing {
 
 impl Processing {
     /// What it makes of a valid path.
-    fn of(
-        &self,
-        engine: &dyn Checker,
-        waypoints: &[Point],
-        interrupted: &dyn Fn() -> bool,
-    ) -> Result<Vec<Point>, Error> {
+    fn of(&self, engine: &dyn Checker, waypoints: &[Point], interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
         let watch = Watch { deadline: None, interrupted };
         match self {
             Processing::None => Ok(waypoints.to_vec()),
@@ -201,8 +196,21 @@ pub struct PlanResult {
 /// # Errors
 /// As [`crate::collision::Constraints::new`] and [`WrenchConstraint::of`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
+    engine_within(scene, engine, interference, &Watch::NONE)
+}
+
+/// As [`engine_for`], within a watch.
+///
+/// # Errors
+/// As [`engine_for`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub fn engine_within(
+    scene: &Scene,
+    engine: Engine,
+    interference: Interference,
+    watch: &Watch,
+) -> Result<Box<dyn Checker>, Error> {
     let geometry: Box<dyn Checker> = match engine {
-        Engine::Cspace => Box::new(CspaceEngine::new(scene, interference)?),
+        Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
         Engine::Gjk => Box::new(GjkEngine::new(scene, interference)?),
     };
     Ok(match WrenchConstraint::of(scene, geometry.constraints())? {
@@ -238,13 +246,13 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result
 /// # Example
 /// ```
 /// use cdpr_core::plan::{plan, PlanOptions};
-/// use cdpr_core::planning::{Status, Watch};
+/// use cdpr_core::planning::Status;
 /// let result = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &|| false)?;
 /// assert_eq!(result.status, Status::Solved);
 /// assert!(result.cost <= result.raw_cost && result.cost > 1.98); // the straight line has 1.98 m
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &dyn Fn() -> bool) -> Result<PlanResult, Error> {
+pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &Interrupt) -> Result<PlanResult, Error> {
     plan_with(&*engine_for(scene, options.engine, options.interference)?, scene, options, interrupted)
 }
 
@@ -256,7 +264,7 @@ pub fn plan_with(
     engine: &dyn Checker,
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<PlanResult, Error> {
     plan_heard(engine, scene, options, interrupted, &|_, _, _| {})
 }
@@ -269,7 +277,7 @@ pub fn plan_heard(
     engine: &dyn Checker,
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
     listener: &Listener<Point>,
 ) -> Result<PlanResult, Error> {
     RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
@@ -283,7 +291,7 @@ fn search(
     engine: &dyn Checker,
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
     listener: &Listener<Point>,
 ) -> Result<PlanResult, Error> {
     let start = end("start", options.start, scene.start())?;
@@ -334,7 +342,7 @@ pub fn post_process(
     engine: &dyn Checker,
     raw: &PlanResult,
     processing: &Processing,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<PlanResult, Error> {
     if raw.status != Status::Solved {
         return Ok(raw.clone());
@@ -397,7 +405,7 @@ pub fn shorten_path(
     engine: &dyn Checker,
     waypoints: &[Point],
     processing: &Processing,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<Vec<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
     let shorter = processing.of(engine, waypoints, interrupted)?;
@@ -414,7 +422,7 @@ pub fn trace_rewinding(
     waypoints: &[Point],
     step: f64,
     direction: Direction,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<Trace<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
     let space = TranslationSpace::of(engine.constraints());

@@ -18,7 +18,7 @@ pub mod tree;
 pub use anytime::{AnytimeOptions, Guide, Listener, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
-pub use outcome::{Milestone, Outcome, Status, Watch};
+pub use outcome::{Milestone, Outcome, Status};
 pub use planner::{Aids, Planner, PlannerOptions, PlannerSettings};
 pub use rrt::{RrtOptions, rrt};
 pub use rrt_connect::{RrtConnectOptions, rrt_connect};

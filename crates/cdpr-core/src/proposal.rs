@@ -9,6 +9,7 @@ use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
 use crate::plan::{PlanOptions, engine_for, plan_with};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
+use crate::watch::Interrupt;
 
 /// Positions drawn in search of valid ones.
 const DRAWN: usize = 5_000;
@@ -39,7 +40,7 @@ pub fn workspace(scene: &Scene) -> Aabb {
 ///
 /// # Errors
 /// As [`engine_for`]; [`Error::interrupted`].
-pub fn query(scene: &Scene, interrupted: &dyn Fn() -> bool) -> Result<Option<[Point; 2]>, Error> {
+pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]>, Error> {
     let engine = engine_for(scene, Engine::default(), Interference::default())?;
     let places = valid_places(&*engine, interrupted)?;
     let ends = |given: Option<Point>| given.map_or(places.clone(), |end| vec![end]);
@@ -63,7 +64,7 @@ pub fn query(scene: &Scene, interrupted: &dyn Fn() -> bool) -> Result<Option<[Po
     Ok(best.map(|(_, ends)| ends))
 }
 
-fn valid_places(engine: &dyn Checker, interrupted: &dyn Fn() -> bool) -> Result<Vec<Point>, Error> {
+fn valid_places(engine: &dyn Checker, interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
     let space = TranslationSpace::of(engine.constraints());
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let mut places = Vec::new();

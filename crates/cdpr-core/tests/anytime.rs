@@ -1,5 +1,6 @@
 //! The anytime planner, RRT-Connect and taut paths: known optima, validity under both engines, a slow reference, odd scenes.
 
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
@@ -12,10 +13,10 @@ use cdpr_core::plan::{
     PlanOptions, PlanResult, Post, Processing, engine_for, lower_bound, plan, plan_heard, shorten_path,
 };
 use cdpr_core::planning::{
-    AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, Watch,
-    anytime,
+    AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, anytime,
 };
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::watch::Watch;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -273,13 +274,13 @@ fn without_a_budget_a_scene_without_a_path_is_given_up() {
 
 #[test]
 fn interrupted_it_returns_what_it_has() {
-    let stop = std::cell::Cell::new(false);
+    let stop = std::sync::atomic::AtomicBool::new(false);
     let engine = engine_for(&hard1(), Engine::Cspace, Interference::Exact).unwrap();
     let options = PlanOptions { budget: Some(Duration::from_secs(60)), ..seeded(0) };
     let clock = Instant::now();
-    let found = plan_heard(&*engine, &hard1(), &options, &|| stop.get(), &|_, cost, path| {
+    let found = plan_heard(&*engine, &hard1(), &options, &|| stop.load(Ordering::Relaxed), &|_, cost, path| {
         assert!((path_length(path) - cost).abs() < 1e-12);
-        stop.set(cost < 2.45);
+        stop.store(cost < 2.45, Ordering::Relaxed);
     })
     .unwrap();
     assert!(found.status == Status::Solved && found.cost < 2.45 && clock.elapsed() < Duration::from_secs(30));

@@ -1,8 +1,8 @@
 //! Experiments: the same rows for any threads and interruptions, rows that can be planned again, and bad input.
 
-use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cdpr_core::batch::{Experiment, Row, RunOptions};
 use cdpr_core::io::text::Notation;
@@ -68,11 +68,11 @@ fn run(
     resume: bool,
 ) -> Result<(), cdpr_core::Error> {
     let mut folder = BatchFolder::open(path, experiment, 0..experiment.trials, resume)?;
-    let done = Cell::new(0);
+    let done = AtomicUsize::new(0);
     let options = RunOptions {
         threads: Some(threads),
-        interrupted: &|| done.get() >= stop_after,
-        progress: &mut |progress| done.set(progress.done),
+        interrupted: &|| done.load(Ordering::Relaxed) >= stop_after,
+        progress: &mut |progress| done.store(progress.done, Ordering::Relaxed),
     };
     folder.run(experiment, options)
 }

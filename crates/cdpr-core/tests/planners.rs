@@ -8,10 +8,11 @@ use cdpr_core::model::Scene;
 use cdpr_core::plan::{PlanOptions, PlanResult, plan};
 use cdpr_core::planning::{
     Aids, Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status,
-    TranslationSpace, Until, Watch,
+    TranslationSpace, Until,
 };
 use cdpr_core::postprocess::Taut;
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error};
 use rand::SeedableRng;
 use rayon::prelude::*;

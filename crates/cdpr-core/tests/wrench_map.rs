@@ -3,9 +3,9 @@
 
 mod support;
 
-use std::cell::Cell;
 use std::io::{Cursor, Read, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicI32, Ordering};
 
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::error::ErrorClass;
@@ -123,13 +123,10 @@ fn impossible_questions_are_refused_and_long_ones_can_be_stopped() {
     let force = Required::balls(1.0, 0.0).unwrap();
     assert!(ask(&force, 1e-5, &QUIET).to_string().starts_with("step: found 0.00001 m, which makes 9.8e16 nodes"));
     assert!(ask(&force, 0.1, &BatchOptions { threads: Some(0), ..QUIET }).to_string().starts_with("threads: found 0"));
-    let asked = Cell::new(0);
-    let interrupted = || {
-        asked.set(asked.get() + 1);
-        asked.get() == 3
-    };
+    let asked = AtomicI32::new(0);
+    let interrupted = || asked.fetch_add(1, Ordering::Relaxed) == 2;
     let error = ask(&force, 0.02, &BatchOptions { threads: None, interrupted: &interrupted });
-    assert_eq!((error.class(), asked.get()), (ErrorClass::Interrupted, 3));
+    assert_eq!((error.class(), asked.into_inner()), (ErrorClass::Interrupted, 3));
 }
 
 #[test]

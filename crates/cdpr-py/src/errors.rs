@@ -1,8 +1,10 @@
 //! Errors of the core as exceptions of `cdpr.exceptions`, and Ctrl-C during long calls.
 
-use std::cell::{Cell, RefCell};
-use std::time::{Duration, Instant};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
+use cdpr_core::watch::Interrupt;
 use cdpr_core::{Error, ErrorClass};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -11,12 +13,14 @@ use pyo3::types::PyType;
 
 static INPUT_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static OUT_OF_TIME: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// The exception for an error of the core.
 pub fn raised(error: Error) -> PyErr {
     let (class, name) = match error.class() {
         ErrorClass::Input => (&INPUT_ERROR, "InputError"),
         ErrorClass::File => (&FILE_ERROR, "FileError"),
+        ErrorClass::OutOfTime => (&OUT_OF_TIME, "CdprError"),
         ErrorClass::Interrupted => return PyKeyboardInterrupt::new_err(()),
     };
     Python::attach(|py| match class.import(py, "cdpr.exceptions", name) {
@@ -27,13 +31,12 @@ pub fn raised(error: Error) -> PyErr {
 
 /// Time between two looks at whether a signal has come.
 const PERIOD: Duration = Duration::from_millis(20);
+/// Stack of the thread that works, bytes: as large as that of a main thread usually is.
+const STACK: usize = 8 << 20;
 
-/// Runs long work with the interpreter released. The work asks now and then whether to stop; Ctrl-C, or whatever a
-/// signal handler raises, then comes out as its exception.
-pub fn interruptible<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&dyn Fn() -> bool) -> Result<T, Error> + Send,
-) -> PyResult<T> {
+/// Runs long work with the interpreter released. The work polls its argument, on any thread; Ctrl-C, or whatever a signal
+/// handler raises, then comes out as its exception.
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> Result<T, Error> + Send) -> PyResult<T> {
     match interruptible_with_rest(py, work) {
         (_, Some(signal)) => Err(signal),
         (run, None) => run.map_err(raised),
@@ -41,21 +44,36 @@ pub fn interruptible<T: Send>(
 }
 
 /// As [`interruptible`], for work that has an answer even if it is stopped: the answer beside the signal.
+///
+/// Python delivers signals to the thread that runs the interpreter, so that one waits and asks for them, and the work runs
+/// beside it: it may then spend its time in anything that polls, on as many threads as it likes.
 pub fn interruptible_with_rest<T: Send>(
     py: Python<'_>,
-    work: impl FnOnce(&dyn Fn() -> bool) -> Result<T, Error> + Send,
+    work: impl FnOnce(&Interrupt) -> Result<T, Error> + Send,
 ) -> (Result<T, Error>, Option<PyErr>) {
     py.detach(|| {
-        let asked_at = Cell::new(Instant::now());
-        let signal = RefCell::new(None);
-        let interrupted = || {
-            if asked_at.get().elapsed() >= PERIOD {
-                asked_at.set(Instant::now());
-                *signal.borrow_mut() = Python::attach(|py| py.check_signals()).err();
+        let stop = AtomicBool::new(false);
+        let (send, receive) = mpsc::sync_channel(1);
+        std::thread::scope(|scope| {
+            let stop = &stop;
+            let worker = move || send.send(work(&|| stop.load(Ordering::Relaxed)));
+            let handle = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, worker);
+            let handle = handle.expect("a thread can be started");
+            let mut signal = None;
+            loop {
+                match receive.recv_timeout(PERIOD) {
+                    Ok(run) => return (run, signal),
+                    Err(RecvTimeoutError::Disconnected) => match handle.join() {
+                        Err(panic) => std::panic::resume_unwind(panic),
+                        Ok(_) => unreachable!("the work ended without sending its answer"),
+                    },
+                    Err(RecvTimeoutError::Timeout) if signal.is_none() => {
+                        signal = Python::attach(|py| py.check_signals()).err();
+                        stop.store(signal.is_some(), Ordering::Relaxed);
+                    }
+                    Err(RecvTimeoutError::Timeout) => {}
+                }
             }
-            signal.borrow().is_some()
-        };
-        let run = work(&interrupted);
-        (run, signal.into_inner())
+        })
     })
 }

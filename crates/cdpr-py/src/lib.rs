@@ -20,6 +20,7 @@ use cdpr_core::plan::{
 use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
+use cdpr_core::watch::Interrupt;
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -209,7 +210,7 @@ impl Scene {
         let statics = core_wrench::Statics::of(&self.0).map_err(raised)?;
         let required = core_wrench::constraint::required_of(&self.0, None, None).map_err(raised)?;
         let waypoints = points(waypoints.as_slice()?);
-        let along = |stop: &dyn Fn() -> bool| {
+        let along = |stop: &Interrupt| {
             core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
         };
         interruptible(py, along).map(|rows| serialized(&rows))
@@ -249,15 +250,13 @@ impl Scene {
         let (scene, checker, found) = match &self.0.choices()[..] {
             [_] => {
                 let checker = engine_of(self, engine, interference)?;
-                let search = |stop: &dyn Fn() -> bool, tell: &Listener<Point>| {
-                    plan_heard(&*checker, &self.0, &options, stop, tell)
-                };
+                let search =
+                    |stop: &Interrupt, tell: &Listener<Point>| plan_heard(&*checker, &self.0, &options, stop, tell);
                 let found = heard(py, on_improvement.as_ref(), search)?;
                 (self.0.clone(), checker, found)
             }
             _ => {
-                let search =
-                    |stop: &dyn Fn() -> bool, tell: &Listener<Point>| plan_choosing(&self.0, &options, stop, tell);
+                let search = |stop: &Interrupt, tell: &Listener<Point>| plan_choosing(&self.0, &options, stop, tell);
                 let planned = heard(py, on_improvement.as_ref(), search)?;
                 (planned.scene, planned.engine.into(), planned.result)
             }
@@ -432,7 +431,7 @@ fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
 fn heard<T: Send>(
     py: Python<'_>,
     on_improvement: Option<&Py<PyAny>>,
-    search: impl FnOnce(&dyn Fn() -> bool, &Listener<Point>) -> Result<T, Error> + Send,
+    search: impl FnOnce(&Interrupt, &Listener<Point>) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let failure: Mutex<Option<PyErr>> = Mutex::default();
     let failed = || failure.lock().unwrap_or_else(PoisonError::into_inner);

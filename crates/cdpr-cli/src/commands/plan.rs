@@ -7,6 +7,7 @@ use cdpr_core::model::OrientationSource;
 use cdpr_core::plan::{PlanOptions, PlanResult, Planned, Post, lower_bound, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
+use cdpr_core::watch::Interrupt;
 use cdpr_core::wrench::{measures, path_wrench};
 use cdpr_core::{Error, Scene, io};
 
@@ -32,7 +33,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let better = |seconds: f64, cost: f64, path: &[Point]| {
         out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
     };
-    let search = |stop: &dyn Fn() -> bool| plan_choosing(&scene, &options, stop, &better);
+    let search = |stop: &Interrupt| plan_choosing(&scene, &options, stop, &better);
     let Planned { scene, engine, result: found } = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     out.notes(engine.constraints());
     let nearest = min_clearance(&*engine, &found.waypoints);

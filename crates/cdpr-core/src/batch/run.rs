@@ -19,6 +19,7 @@ use crate::error::{Error, ErrorClass};
 use crate::model::Scene;
 use crate::plan::{PlanOptions, PlanResult, engine_for, plan_with, post_process};
 use crate::planning::{Milestone, Status};
+use crate::watch::Interrupt;
 
 /// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
 const AHEAD: usize = 4096;
@@ -106,7 +107,7 @@ pub struct RunOptions<'a> {
     /// Threads; none means all there are.
     pub threads: Option<usize>,
     /// Asked often; true ends the run with [`Error::interrupted`], all rows so far handed over.
-    pub interrupted: &'a dyn Fn() -> bool,
+    pub interrupted: &'a Interrupt<'a>,
     /// Told after each trial.
     pub progress: &'a mut dyn FnMut(Progress),
 }
@@ -329,12 +330,7 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
     (scenario, &experiment.scenarios[scenario], &experiment.methods[method])
 }
 
-fn trial(
-    experiment: &Experiment,
-    unit: Unit,
-    engines: &mut Engines,
-    interrupted: &dyn Fn() -> bool,
-) -> Result<Trial, Error> {
+fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (number, scenario, method) = parts(experiment, unit.group);
     let (scene, engine) = engines.of(experiment, (number, scenario), unit.trial, &method.options)?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::validity::{Checker, Validity};
 use crate::error::Error;
 use crate::geometry::Point;
+use crate::watch::Interrupt;
 
 /// How questions are dealt out.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +34,7 @@ pub struct BatchOptions<'a> {
     /// Threads; none means all of the pool it is called in.
     pub threads: Option<usize>,
     /// Asked about every 10 ms; true ends the batch with [`Error::interrupted`].
-    pub interrupted: &'a dyn Fn() -> bool,
+    pub interrupted: &'a Interrupt<'a>,
 }
 
 /// Whether each position is valid; `position(k)` gives the k-th one.
@@ -118,7 +119,7 @@ fn in_blocks<T>(
     answers: &mut [T],
     work: impl Fn(usize, &mut [T]),
     pace: Pace,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<(), Error> {
     let (mut done, mut block) = (0, pace.first_block);
     while done < answers.len() {

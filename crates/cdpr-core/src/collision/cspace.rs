@@ -27,6 +27,7 @@ use crate::geometry::{HalfSpace, Point, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
 use crate::numerics::simd::{ALL_LANES, Kernel, Lanes, Task};
+use crate::watch::Watch;
 use clip::{Planes, Segment};
 use grid::{Cells, FULL, Lists, Reach, Reached, holds, outside};
 use region::{Inner, Region, Scale, regions};
@@ -88,8 +89,16 @@ impl CspaceEngine {
     /// # Errors
     /// As [`Constraints::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
+        Self::within(scene, interference, &Watch::NONE)
+    }
+
+    /// As [`CspaceEngine::new`], within a watch.
+    ///
+    /// # Errors
+    /// As [`Constraints::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let reference = GjkEngine::new(scene, interference)?;
-        Ok(Self::compile(reference, |_| None))
+        Self::compile(reference, |_| None, watch)
     }
 
     /// The engine for a scene that differs little from the one of this engine: what did not change is not compiled again.
@@ -105,20 +114,26 @@ impl CspaceEngine {
             && scale == self.scale
             && self.cells == cells_for(new);
         let unchanged = if same_frame { unchanged(old, new) } else { vec![None; new.list.len()] };
-        Ok(Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone())))
+        Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone()), &Watch::NONE)
     }
 
     /// Compiles all constraints, but for those that `known` gives.
-    fn compile(reference: GjkEngine, known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync) -> Self {
+    fn compile(
+        reference: GjkEngine,
+        known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
         let constraints = reference.constraints();
         let (scale, cells) = (Scale::of(constraints), cells_for(constraints));
-        let compile =
-            |index: usize| known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells).into());
+        let compile = |index: usize| {
+            watch.check()?;
+            Ok(known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells).into()))
+        };
         let indices = 0..constraints.list.len();
         let compiled: Vec<Arc<[Compiled]>> = if indices.len() >= IN_PARALLEL {
-            indices.into_par_iter().map(compile).collect()
+            indices.into_par_iter().map(compile).collect::<Result<_, Error>>()?
         } else {
-            indices.map(compile).collect()
+            indices.map(compile).collect::<Result<_, Error>>()?
         };
         let mut planes = Planes::default();
         let (mut outer, mut heads, mut regions_of) = (Vec::new(), Vec::new(), Vec::new());
@@ -135,7 +150,7 @@ impl CspaceEngine {
         let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())));
         let (min, max) = constraints.position_box();
         let touch = Vector::repeat(TOUCH_DEPTH);
-        CspaceEngine {
+        Ok(CspaceEngine {
             low: min - touch,
             high: max + touch,
             kernel: Kernel::best(),
@@ -149,7 +164,7 @@ impl CspaceEngine {
             planes,
             cells,
             lists,
-        }
+        })
     }
 
     /// The same engine without SIMD instructions, to compare with.
@@ -300,7 +315,8 @@ impl Task for OneConstraint<'_> {
 
 impl Clone for CspaceEngine {
     fn clone(&self) -> Self {
-        Self::compile(self.reference.clone(), |index| Some(self.compiled[index].clone()))
+        Self::compile(self.reference.clone(), |index| Some(self.compiled[index].clone()), &Watch::NONE)
+            .expect("nothing ends it early")
     }
 }
 

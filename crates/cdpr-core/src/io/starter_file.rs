@@ -10,6 +10,7 @@ use crate::model::spec::FORMAT_VERSION;
 use crate::model::{BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec};
 use crate::numerics::MAX_COORDINATE;
 use crate::proposal;
+use crate::watch::Interrupt;
 
 /// What a new scene is made of.
 #[derive(Debug, Clone)]
@@ -35,7 +36,7 @@ pub struct Starter {
 pub fn starter_scene(
     starter: &Starter,
     output: &Path,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<(SceneSpec, Scene, bool), Error> {
     let mut spec = outline(starter, output)?;
     let folder = output.parent();

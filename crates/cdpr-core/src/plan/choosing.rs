@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{Listener, Status};
+use crate::watch::Interrupt;
 
 /// What planning found, and the scene at the orientation that it chose.
 pub struct Planned {
@@ -36,7 +37,7 @@ pub struct Planned {
 pub fn plan_choosing(
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
     listener: &Listener<Point>,
 ) -> Result<Planned, Error> {
     let choices = scene.choices();

@@ -9,12 +9,13 @@
 use rand::Rng;
 
 use super::bidirectional::Halves;
-use super::outcome::{Outcome, Status, Watch};
+use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, Until, path_length};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
 use crate::collision::Validity;
 use crate::error::{Error, ErrorClass};
+use crate::watch::Watch;
 
 /// What a planner can be told by somebody who knows the geometry of the space.
 pub trait Guide<State>: Sync {

@@ -2,12 +2,13 @@
 
 use rand::Rng;
 
-use super::outcome::{Outcome, Watch};
+use super::outcome::Outcome;
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace};
 use super::tree::Tree;
 use crate::collision::Validity;
 use crate::error::Error;
+use crate::watch::Watch;
 
 /// Options of [`modified_rrt`].
 #[derive(Debug, Clone, PartialEq)]

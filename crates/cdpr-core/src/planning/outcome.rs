@@ -1,11 +1,8 @@
-//! How planning can end, and what bounds it.
-
-use std::time::Instant;
+//! How planning can end.
 
 use serde::Serialize;
 
 use super::tree::SearchTree;
-use crate::error::Error;
 
 /// How a well-posed planning question can end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -48,35 +45,4 @@ pub struct Milestone {
     pub samples: usize,
     /// Length of the path, m.
     pub cost: f64,
-}
-
-/// What may end a long run early: a deadline, or a caller who wants to stop.
-#[derive(Clone, Copy)]
-pub struct Watch<'a> {
-    /// When to stop with [`Status::BudgetSpent`].
-    pub deadline: Option<Instant>,
-    /// Asked often; true ends the run with [`Error::interrupted`].
-    pub interrupted: &'a dyn Fn() -> bool,
-}
-
-impl Watch<'_> {
-    /// No deadline, no interruption.
-    pub const NONE: Watch<'static> = Watch { deadline: None, interrupted: &|| false };
-
-    /// Whether the deadline has passed.
-    ///
-    /// # Errors
-    /// [`Error::interrupted`] if the caller wants to stop.
-    pub fn expired(&self) -> Result<bool, Error> {
-        if (self.interrupted)() {
-            return Err(Error::interrupted());
-        }
-        Ok(self.deadline.is_some_and(|deadline| Instant::now() >= deadline))
-    }
-}
-
-impl std::fmt::Debug for Watch<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Watch").field("deadline", &self.deadline).finish_non_exhaustive()
-    }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::anytime::{AnytimeOptions, Guide, Listener, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
-use super::outcome::{Outcome, Watch};
+use super::outcome::Outcome;
 use super::rrt::{RrtOptions, rrt};
 use super::rrt_connect::{RrtConnectOptions, rrt_connect};
 use super::rrt_star::{RrtStarOptions, rrt_star};
@@ -15,6 +15,7 @@ use super::space::{Problem, StateSpace};
 use crate::choice::{Choice, choices};
 use crate::collision::Validity;
 use crate::error::Error;
+use crate::watch::Watch;
 
 /// The planners there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -3,12 +3,13 @@
 use rand::Rng;
 
 use super::neighbours::Neighbours;
-use super::outcome::{Outcome, Watch};
+use super::outcome::Outcome;
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace, steer};
 use super::tree::Tree;
 use crate::collision::Validity;
 use crate::error::Error;
+use crate::watch::Watch;
 
 /// Options of [`rrt`].
 #[derive(Debug, Clone, PartialEq)]

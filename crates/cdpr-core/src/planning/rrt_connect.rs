@@ -4,11 +4,12 @@
 use rand::Rng;
 
 use super::bidirectional::Halves;
-use super::outcome::{Outcome, Status, Watch};
+use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, path_length};
 use super::space::{Problem, StateSpace};
 use crate::collision::Validity;
 use crate::error::Error;
+use crate::watch::Watch;
 
 /// Options of [`rrt_connect`].
 #[derive(Debug, Clone, PartialEq)]

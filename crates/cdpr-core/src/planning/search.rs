@@ -4,11 +4,12 @@ use std::time::Instant;
 
 use rand::{Rng, RngExt};
 
-use super::outcome::{Milestone, Outcome, Status, Watch};
+use super::outcome::{Milestone, Outcome, Status};
 use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::collision::Validity;
 use crate::error::Error;
+use crate::watch::Watch;
 
 /// Motion checks, or samples, between two looks at the clock and the caller.
 const POLL: usize = 64;

@@ -8,7 +8,8 @@ use crate::choice::choices;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::numerics::{SHORTER, STEP_COUNT};
-use crate::planning::{StateSpace, Watch};
+use crate::planning::StateSpace;
+use crate::watch::Watch;
 
 /// In which order the two rewindings run (the paper, section 5.2).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

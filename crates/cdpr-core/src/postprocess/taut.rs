@@ -28,7 +28,8 @@ use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
-use crate::planning::{Guide, Watch};
+use crate::planning::Guide;
+use crate::watch::Watch;
 use hull::{Edge, Hull, in_box};
 use pull::Pull;
 

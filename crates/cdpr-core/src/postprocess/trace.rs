@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use super::rewind::{Direction, rewind_once};
 use crate::collision::{Clearance, Validity, Violation};
 use crate::error::Error;
-use crate::planning::{StateSpace, Watch};
+use crate::planning::StateSpace;
+use crate::watch::Watch;
 
 /// A motion that was asked about.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -15,6 +15,7 @@ use crate::collision::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
+use crate::watch::Interrupt;
 
 impl Statics {
     /// Least and largest tension of each cable, N.
@@ -178,7 +179,7 @@ pub fn tensions_along(
     waypoints: &[Point],
     step: f64,
     reference: Option<&[f64]>,
-    interrupted: &dyn Fn() -> bool,
+    interrupted: &Interrupt,
 ) -> Result<Vec<TensionRow>, Error> {
     let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
     let places = even_steps(waypoints, step)?;

@@ -1,0 +1,76 @@
+//! What may end long work early: a deadline, or a caller who wants to stop.
+//!
+//! Everything that can take longer than some ten milliseconds takes a [`Watch`] and polls it every few milliseconds, on
+//! whatever thread it runs.
+
+use std::time::{Duration, Instant};
+
+use crate::error::Error;
+
+/// Tells whether the caller wants to stop; polled often, from any thread.
+pub type Interrupt<'a> = dyn Fn() -> bool + Sync + 'a;
+
+/// A deadline and an interrupt.
+///
+/// # Example
+/// ```
+/// use std::time::Duration;
+/// use cdpr_core::watch::Watch;
+/// assert!(!Watch::NONE.expired()?);
+/// let stop = || true;
+/// assert!(Watch::on(&stop).expired().is_err());
+/// assert!(Watch::NONE.with_budget(Some(Duration::ZERO)).expired()?);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// When to stop with what there is.
+    pub deadline: Option<Instant>,
+    /// True ends the work with [`Error::interrupted`].
+    pub interrupted: &'a Interrupt<'a>,
+}
+
+impl<'a> Watch<'a> {
+    /// No deadline, no interrupt.
+    pub const NONE: Watch<'static> = Watch { deadline: None, interrupted: &|| false };
+
+    /// An interrupt without a deadline.
+    pub fn on(interrupted: &'a Interrupt<'a>) -> Self {
+        Watch { deadline: None, interrupted }
+    }
+
+    /// The same with a deadline `budget` from now. A budget beyond the range of the clock sets no deadline.
+    pub fn with_budget(self, budget: Option<Duration>) -> Self {
+        Watch { deadline: budget.and_then(|budget| Instant::now().checked_add(budget)), ..self }
+    }
+
+    /// The time left until the deadline; none without a deadline.
+    pub fn left(&self) -> Option<Duration> {
+        self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()))
+    }
+
+    /// Whether the deadline has passed, for work that has an answer even if it ends early.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the caller wants to stop.
+    pub fn expired(&self) -> Result<bool, Error> {
+        if (self.interrupted)() {
+            return Err(Error::interrupted());
+        }
+        Ok(self.deadline.is_some_and(|deadline| Instant::now() >= deadline))
+    }
+
+    /// For work that has no answer unless it ends.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the caller wants to stop, [`Error::out_of_time`] if the deadline has passed.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.expired()? { Err(Error::out_of_time()) } else { Ok(()) }
+    }
+}
+
+impl std::fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Watch").field("deadline", &self.deadline).finish_non_exhaustive()
+    }
+}
