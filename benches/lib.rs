@@ -1,6 +1,9 @@
 //! Scenes and motions that the benchmarks share.
 
+use std::path::Path;
+
 use cdpr_core::Scene;
+use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
 use cdpr_core::collision::Checker;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
@@ -75,4 +78,20 @@ pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: us
         }
     }
     motions
+}
+
+/// A hall of 12 × 8 × 6 m with a half-size CoGiRo among `count` floating boxes that together hide as much from the outlets,
+/// whatever their number; the straight line from start to goal is not free.
+pub fn hall(count: usize, clearance: f64, seed: u64) -> Scene {
+    let forest =
+        cdpr_core::io::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));
+    let mut base = forest.expect("a sound scene").spec().clone();
+    (base.obstacles, base.clearance) = (Vec::new(), Some(clearance));
+    let side = (4.0 / count as f64).sqrt();
+    let boxes = serde_json::json!({
+        "count": count, "width": [0.5 * side, side], "depth": [0.5 * side, side], "height": [0.5 * side, side],
+        "floating": true, "turned": true, "redraw_straight": true,
+    });
+    let boxes: RandomScenesSpec = serde_json::from_value(boxes).expect("sound boxes");
+    RandomScenes::new(scene(base), boxes).and_then(|halls| halls.draw(seed)).expect("a hall")
 }

@@ -7,6 +7,7 @@ use cdpr_core::model::Scene;
 use cdpr_core::plan::{PlanOptions, Post, Processing, engine_for, lower_bound, plan, plan_with, shorten_path};
 use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::testing;
+use cdpr_core::watch::Watch;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 fn modified_rrt(c: &mut Criterion) {
@@ -70,7 +71,7 @@ fn refine(c: &mut Criterion) {
         group.bench_function(scene.name(), |b| {
             b.iter(|| {
                 let taut =
-                    |path: &Vec<_>| shorten_path(&*engine, path, &Processing::Taut, &|| false).expect("valid").len();
+                    |path: &Vec<_>| shorten_path(&*engine, path, &Processing::Taut, &Watch::NONE).expect("valid").len();
                 paths.iter().map(taut).sum::<usize>()
             });
         });
@@ -84,7 +85,9 @@ fn bounds(c: &mut Criterion) {
     for scene in [testing::hard1(), testing::hard3()] {
         let engine = compiled(&scene);
         let (start, goal) = (scene.start().expect("given"), scene.goal().expect("given"));
-        group.bench_function(scene.name(), |b| b.iter(|| lower_bound(&*engine, &start, &goal)));
+        group.bench_function(scene.name(), |b| {
+            b.iter(|| lower_bound(&*engine, &start, &goal, &Watch::NONE).expect("not stopped"))
+        });
     }
     group.finish();
 }

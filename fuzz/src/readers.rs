@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::{self, ImportOptions};
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Error, Scene, report, testing};
 use serde_json::Value;
@@ -114,7 +115,7 @@ fn ask(scene: &Scene) {
 }
 
 fn checked(engine: &dyn Validity, waypoints: &[Point]) {
-    serde_json::to_string(&check_path(engine, waypoints)).expect("a report can be written");
+    serde_json::to_string(&accepted(check_path(engine, waypoints, &Watch::NONE))).expect("a report can be written");
 }
 
 fn robot(bytes: &[u8]) {

@@ -10,9 +10,9 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
 use crate::choice::choices;
-use crate::collision::path_check::{PathReport, first_invalid_segment, path_length};
+use crate::collision::path_check::{PathClearance, PathReport, first_invalid_segment, min_clearance, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{
@@ -86,14 +86,13 @@ pub enum Processing {
 
 impl Processing {
     /// What it makes of a valid path.
-    fn of(&self, engine: &dyn Checker, waypoints: &[Point], interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
-        let watch = Watch { deadline: None, interrupted };
+    fn of(&self, engine: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
         match self {
             Processing::None => Ok(waypoints.to_vec()),
             Processing::Rewind(options) => {
-                rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, &watch)
+                rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, watch)
             }
-            Processing::Taut => Taut::new(engine).polished(waypoints, &watch),
+            Processing::Taut => Taut::new(engine).polished(waypoints, watch),
         }
     }
 }
@@ -119,7 +118,7 @@ pub struct PlanOptions {
     pub post: Option<Post>,
     /// Repeats of rewinding.
     pub repeats: usize,
-    /// Time after which the search gives up.
+    /// Time after which the call ends with the best path until then, compiling of the scene included.
     pub budget: Option<Duration>,
 }
 
@@ -145,6 +144,11 @@ impl PlanOptions {
     /// The paper's method: Modified RRT and rewinding in both orders.
     pub fn paper() -> Self {
         PlanOptions { planner: PlannerOptions::of(Planner::ModifiedRrt), ..PlanOptions::default() }
+    }
+
+    /// The watch of a call that begins now.
+    pub fn watch<'a>(&self, interrupted: &'a Interrupt<'a>) -> Watch<'a> {
+        Watch::on(interrupted).with_budget(self.budget)
     }
 
     /// What is done to the planner's path.
@@ -191,6 +195,13 @@ pub struct PlanResult {
     pub stats: Stats,
 }
 
+/// How much longer than the budget post-processing of the path may take: well below what a caller notices, and mostly
+/// enough to finish.
+const POST_GRACE: Duration = Duration::from_millis(8);
+
+/// How much longer than the budget measuring a found path may take.
+const APPRAISAL_GRACE: Duration = Duration::from_millis(12);
+
 /// The engine that answers for a scene: its geometry, and its wrenches if it asks for them.
 ///
 /// # Errors
@@ -233,9 +244,57 @@ pub struct CheckReport {
 /// Checks a path of a scene by the engine that [`engine_for`] gives.
 ///
 /// # Errors
+/// As [`path_wrench`]; [`Error::out_of_time`].
+pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<CheckReport, Error> {
+    let path = check_path(engine, waypoints, watch)?;
+    Ok(CheckReport { path, wrench: path_wrench(&measures(scene)?, waypoints, watch)? })
+}
+
+/// What there is to know about a found path besides its length; what was not found in time is left out.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Appraisal {
+    /// Its nearest approach.
+    pub nearest: Option<PathClearance>,
+    /// Its wrenches, if the scene asks for wrench feasibility.
+    pub wrench: Option<PathWrench>,
+    /// The length that no path falls below, m; only if asked for.
+    pub lower_bound: Option<f64>,
+}
+
+/// Measures a found path, within the watch of its planning and a little longer. An interruption is no error here: the path
+/// is there, and that is what a caller who stops wants.
+///
+/// # Errors
 /// As [`path_wrench`].
-pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result<CheckReport, Error> {
-    Ok(CheckReport { path: check_path(engine, waypoints), wrench: path_wrench(&measures(scene)?, waypoints)? })
+pub fn appraise(
+    scene: &Scene,
+    engine: &dyn Checker,
+    waypoints: &[Point],
+    bounded: bool,
+    watch: &Watch,
+) -> Result<Appraisal, Error> {
+    let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else { return Ok(Appraisal::default()) };
+    let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
+    let watch = Watch { deadline: grace, ..*watch };
+    let lower_bound = match watch.left() {
+        _ if !bounded => Ok(None),
+        _ if waypoints.len() == 2 => Ok(Some((goal - start).norm())),
+        Some(left) if left <= APPRAISAL_GRACE => Ok(None),
+        _ => lower_bound(engine, start, goal, &watch).map(Some),
+    };
+    Ok(Appraisal {
+        nearest: unless_stopped(min_clearance(engine, waypoints, &watch))?,
+        wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
+        lower_bound: unless_stopped(lower_bound)?,
+    })
+}
+
+/// An answer, or none if it was stopped or time was over first.
+fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
+    match answer {
+        Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Ok(None),
+        answer => answer,
+    }
 }
 
 /// Plans the query of a scene at the scene's orientation; [`plan_choosing`] chooses one where the scene leaves it open.
@@ -253,7 +312,11 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point]) -> Result
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &Interrupt) -> Result<PlanResult, Error> {
-    plan_with(&*engine_for(scene, options.engine, options.interference)?, scene, options, interrupted)
+    let watch = options.watch(interrupted);
+    match engine_within(scene, options.engine, options.interference, &watch) {
+        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(PlanResult::out_of_time()),
+        engine => plan_heard(&*engine?, scene, options, &watch, &|_, _, _| {}),
+    }
 }
 
 /// As [`plan`], by an engine that is there already; the options' engine and interference are not looked at.
@@ -266,10 +329,11 @@ pub fn plan_with(
     options: &PlanOptions,
     interrupted: &Interrupt,
 ) -> Result<PlanResult, Error> {
-    plan_heard(engine, scene, options, interrupted, &|_, _, _| {})
+    plan_heard(engine, scene, options, &options.watch(interrupted), &|_, _, _| {})
 }
 
-/// As [`plan_with`], telling somebody of every better path that the anytime planner finds.
+/// As [`plan_with`], within a watch that began with the call (the options' budget is not looked at), telling somebody of
+/// every better path that the anytime planner finds.
 ///
 /// # Errors
 /// As [`plan`].
@@ -277,13 +341,14 @@ pub fn plan_heard(
     engine: &dyn Checker,
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &Interrupt,
+    watch: &Watch,
     listener: &Listener<Point>,
 ) -> Result<PlanResult, Error> {
     RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
     let processing = options.post().processing(options.step, options.repeats)?;
-    let raw = search(engine, scene, options, interrupted, listener)?;
-    post_process(engine, &raw, &processing, interrupted)
+    let raw = search(engine, scene, options, watch, listener)?;
+    let grace = watch.deadline.map(|deadline| deadline + POST_GRACE);
+    post_process(engine, &raw, &processing, &Watch { deadline: grace, ..*watch })
 }
 
 /// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
@@ -291,22 +356,21 @@ fn search(
     engine: &dyn Checker,
     scene: &Scene,
     options: &PlanOptions,
-    interrupted: &Interrupt,
+    watch: &Watch,
     listener: &Listener<Point>,
 ) -> Result<PlanResult, Error> {
     let start = end("start", options.start, scene.start())?;
     let goal = end("goal", options.goal, scene.goal())?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
-        if let Some(reason) = engine.explain(&state, &state) {
-            return Ok(PlanResult::unsolved(status, Some(reason), Stats::default()));
+        if !engine.state_valid(&state) {
+            return Ok(PlanResult::unsolved(status, engine.explain(&state, &state), Stats::default()));
         }
     }
     let problem = Problem { space: TranslationSpace::of(engine.constraints()), start, goal };
     let clock = Instant::now();
-    let watch = Watch { deadline: options.budget.map(|budget| clock + budget), interrupted };
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
     let aids = Aids { guide: &Taut::new(engine), listener };
-    let outcome = options.planner.search(&problem, engine, &aids, &mut rng, &watch)?;
+    let outcome = options.planner.search(&problem, engine, &aids, &mut rng, watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -318,20 +382,24 @@ fn search(
 }
 
 /// A length that no valid path between two positions falls below, m: the straight line or better; infinite where it is
-/// certain that there is no path. It takes some milliseconds.
+/// certain that there is no path. If time is over it is the best bound until then.
+///
+/// # Errors
+/// [`Error::interrupted`].
 ///
 /// # Example
 /// ```
 /// use cdpr_core::collision::{Engine, Interference};
 /// use cdpr_core::plan::{engine_for, lower_bound};
+/// use cdpr_core::watch::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;
-/// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap());
+/// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
 /// assert!(bound > 2.3 && bound < 2.435167); // the straight line has 1.98 m, the best known path 2.435167 m
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point) -> f64 {
-    Taut::new(engine).lower_bound(start, goal)
+pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
+    Taut::new(engine).lower_bound(start, goal, watch)
 }
 
 /// A result with its raw path processed anew, and every segment checked once more.
@@ -342,13 +410,13 @@ pub fn post_process(
     engine: &dyn Checker,
     raw: &PlanResult,
     processing: &Processing,
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<PlanResult, Error> {
     if raw.status != Status::Solved {
         return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let waypoints = processing.of(engine, &raw.raw_waypoints, interrupted)?;
+    let waypoints = processing.of(engine, &raw.raw_waypoints, watch)?;
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };
@@ -356,6 +424,11 @@ pub fn post_process(
 }
 
 impl PlanResult {
+    /// The answer where time is over before the search could begin.
+    pub fn out_of_time() -> Self {
+        PlanResult::unsolved(Status::BudgetSpent, None, Stats::default())
+    }
+
     fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
         let (cost, raw_cost) = (f64::NAN, f64::NAN);
         let tree = Arc::default();
@@ -405,10 +478,10 @@ pub fn shorten_path(
     engine: &dyn Checker,
     waypoints: &[Point],
     processing: &Processing,
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<Vec<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
-    let shorter = processing.of(engine, waypoints, interrupted)?;
+    let shorter = processing.of(engine, waypoints, watch)?;
     verified(engine, &shorter)?;
     Ok(shorter)
 }
@@ -422,11 +495,11 @@ pub fn trace_rewinding(
     waypoints: &[Point],
     step: f64,
     direction: Direction,
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<Trace<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
     let space = TranslationSpace::of(engine.constraints());
-    rewind_traced(&space, engine, waypoints, step, direction, &Watch { deadline: None, interrupted })
+    rewind_traced(&space, engine, waypoints, step, direction, watch)
 }
 
 fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error> {

@@ -54,7 +54,7 @@ fn valid_by_both(scene: &Scene, path: &[Point]) {
     for engine in [Engine::Cspace, Engine::Gjk] {
         let engine = engine_for(scene, engine, Interference::Exact).unwrap();
         assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])), "{path:?}");
-        assert!(check_path(&*engine, path).valid);
+        assert!(check_path(&*engine, path, &Watch::NONE).unwrap().valid);
     }
 }
 
@@ -141,7 +141,7 @@ fn refining_gains_what_a_slow_optimiser_gains() {
             if paper.status != Status::Solved {
                 return;
             }
-            let refined = shorten_path(&engine, &paper.waypoints, &Processing::Taut, &|| false).unwrap();
+            let refined = shorten_path(&engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
             let slow = slowly_shortened(&engine, &paper.waypoints, seed);
             let (before, after, reference) = (paper.cost, path_length(&refined), path_length(&slow));
             assert!(before - after >= 0.9 * (before - reference), "{number}, {seed}: {before} {after} {reference}");
@@ -162,7 +162,7 @@ fn a_clearance_is_kept_to_the_last_digit() {
             assert!(found.cost > free);
             valid_by_both(&scene, &found.waypoints);
             let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
-            let least = check_path(&gjk, &found.waypoints).min_clearance.unwrap().value;
+            let least = check_path(&gjk, &found.waypoints, &Watch::NONE).unwrap().min_clearance.unwrap().value;
             assert!(least >= clearance - 1e-9, "{least}");
         }
     }
@@ -201,7 +201,7 @@ fn wrenches_are_respected_while_the_path_gets_shorter() {
         let scene = cdpr_core::io::load_scene(path.as_ref()).unwrap();
         let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
         let paper = planned(&scene, &PlanOptions::paper());
-        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::Taut, &|| false).unwrap();
+        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
         let found = planned(&scene, &PlanOptions { budget: Some(Duration::from_millis(100)), ..seeded(0) });
         for path in [&refined, &found.waypoints] {
             assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
@@ -252,7 +252,8 @@ fn a_time_budget_is_used_and_honoured() {
         let run = || {
             let clock = Instant::now();
             let options = PlanOptions { budget: Some(budget), ..seeded(1) };
-            let found = plan_heard(&*engine, scene, &options, &|| false, &|_, _, _| {}).unwrap();
+            let watch = options.watch(&|| false);
+            let found = plan_heard(&*engine, scene, &options, &watch, &|_, _, _| {}).unwrap();
             assert_eq!(found.status, status);
             clock.elapsed()
         };
@@ -278,7 +279,8 @@ fn interrupted_it_returns_what_it_has() {
     let engine = engine_for(&hard1(), Engine::Cspace, Interference::Exact).unwrap();
     let options = PlanOptions { budget: Some(Duration::from_secs(60)), ..seeded(0) };
     let clock = Instant::now();
-    let found = plan_heard(&*engine, &hard1(), &options, &|| stop.load(Ordering::Relaxed), &|_, cost, path| {
+    let interrupted = || stop.load(Ordering::Relaxed);
+    let found = plan_heard(&*engine, &hard1(), &options, &options.watch(&interrupted), &|_, cost, path| {
         assert!((path_length(path) - cost).abs() < 1e-12);
         stop.store(cost < 2.45, Ordering::Relaxed);
     })
@@ -294,7 +296,7 @@ fn odd_questions_are_answered() {
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
-    assert_eq!(shorten_path(&engine, &stays, &Processing::Taut, &|| false).unwrap(), stays[..2]);
+    assert_eq!(shorten_path(&engine, &stays, &Processing::Taut, &Watch::NONE).unwrap(), stays[..2]);
     let straight = planned(&empty(), &seeded(0));
     assert_eq!((straight.waypoints.len(), straight.stats.samples), (2, 0));
 
@@ -332,7 +334,7 @@ fn no_path_is_shorter_than_the_lower_bound() {
         .filter_map(|seed| {
             let scene = random_scenes(1 + seed as usize % 6).draw(seed).unwrap();
             let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
-            let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap());
+            let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE).unwrap();
             assert!(bound >= (scene.goal().unwrap() - scene.start().unwrap()).norm());
             let found = planned(&scene, &seeded(seed));
             assert!(found.status != Status::Solved || found.cost >= bound - 1e-9, "{seed}: {} {bound}", found.cost);
@@ -347,7 +349,7 @@ fn no_path_is_shorter_than_the_lower_bound() {
 fn lower_bounds_worked_by_hand() {
     let bound = |scene: &Scene| {
         let engine = engine_for(scene, Engine::Gjk, Interference::Exact).unwrap();
-        lower_bound(&*engine, &Point::new(0.3, 1.0, 0.3), &Point::new(1.7, 1.0, 0.3))
+        lower_bound(&*engine, &Point::new(0.3, 1.0, 0.3), &Point::new(1.7, 1.0, 0.3), &Watch::NONE).unwrap()
     };
     // Over a wall of 1 m from side to side the origin passes at 1.025 m or higher.
     let wall = bound(&platform_only(vec![block("wall", [0.1, 2.0, 1.0], [1.0, 1.0, 0.5])]));
@@ -385,13 +387,13 @@ impl Guide<Point> for Asked {
         Ok(path.to_vec())
     }
 
-    fn lower_bound(&self, _: &Point, _: &Point) -> f64 {
-        0.0
+    fn lower_bound(&self, _: &Point, _: &Point, _: &Watch) -> Result<f64, cdpr_core::Error> {
+        Ok(0.0)
     }
 
-    fn sample(&self, _: &mut dyn rand::Rng) -> Option<Point> {
+    fn sample(&self, _: &mut dyn rand::Rng, _: &Watch) -> Result<Option<Point>, cdpr_core::Error> {
         self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        None
+        Ok(None)
     }
 }
 

@@ -12,6 +12,7 @@ use cdpr_core::plan::{PlanOptions, PlanResult, Processing, plan, shorten_path, t
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::postprocess::{Direction, Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::watch::Watch;
 use rand::RngExt;
 use rayon::prelude::*;
 
@@ -180,7 +181,7 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
     for seed in 0..60 {
         let path = wandering_path(&engine, seed);
         let cost = |options: &RewindOptions| {
-            let rewound = shorten_path(&engine, &path, &Processing::Rewind(options.clone()), &|| false).unwrap();
+            let rewound = shorten_path(&engine, &path, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap();
             assert_eq!((rewound[0], rewound[rewound.len() - 1]), (path[0], path[path.len() - 1]));
             assert_valid(&engine, &rewound);
             path_length(&rewound)
@@ -200,9 +201,9 @@ fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
     let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints;
     let pair = |order| {
         let options = RewindOptions { step: STEP, order, repeats: 1 };
-        shorten_path(&engine, &raw, &Processing::Rewind(options.clone()), &|| false).unwrap()
+        shorten_path(&engine, &raw, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap()
     };
-    let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &|| false).unwrap();
+    let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &Watch::NONE).unwrap();
     for (order, first, second) in [
         (Order::Backward, Direction::Backward, Direction::Forward),
         (Order::Forward, Direction::Forward, Direction::Backward),
@@ -222,7 +223,8 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
     let engine = GjkEngine::new(&empty(), Interference::Exact).unwrap();
     let (a, b, c) = (Point::new(0.3, 1.0, 0.3), Point::new(1.0, 1.6, 1.0), Point::new(1.7, 1.0, 1.7));
     for path in [vec![a, a, b, b, c, c], vec![a, c, a, c], vec![a, a], vec![a, c]] {
-        let rewound = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &|| false).unwrap();
+        let rewound =
+            shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
         let straight = (path[path.len() - 1] - path[0]).norm();
         assert!((path_length(&rewound) - straight).abs() < 1e-9, "{path:?} gave {rewound:?}");
     }
@@ -232,8 +234,9 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
 fn rewinding_refuses_a_path_in_collision_by_name() {
     let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
     let path = [Point::new(0.3, 1.0, 0.3), Point::new(1.7, 1.0, 1.7)];
-    let error =
-        shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &|| false).unwrap_err().to_string();
+    let error = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE)
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("waypoints[0]") && error.contains("pillar"), "{error}");
 }
 
@@ -241,7 +244,7 @@ fn rewinding_refuses_a_path_in_collision_by_name() {
 fn a_report_names_segment_place_culprits_and_nearest_approach() {
     let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
     let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 0.4), Point::new(1.7, 1.0, 1.7)];
-    let report = check_path(&engine, &path);
+    let report = check_path(&engine, &path, &Watch::NONE).unwrap();
     assert!(!report.valid && report.violations.iter().all(|v| v.segment == 1));
     let platform = report.violations.iter().find(|v| v.violation.culprits == ["platform", "pillar"]).unwrap();
     // The platform's face x = p.x + 0.075 reaches the pillar's side x = 0.85 where p.x = 0.775.
@@ -268,7 +271,10 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
         if found.status == Status::Solved {
             solved += 1;
             assert_valid(&engine, &found.waypoints);
-            assert!(check_path(&engine, &found.waypoints).min_clearance.unwrap().value > scene.clearance() - 1e-7);
+            assert!(
+                check_path(&engine, &found.waypoints, &Watch::NONE).unwrap().min_clearance.unwrap().value
+                    > scene.clearance() - 1e-7
+            );
         }
     }
     assert!(solved > 20 && 2 * solved > asked, "{solved} of {asked}");

@@ -8,6 +8,7 @@ use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneS
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Measure, measures};
 use support::built_robot;
 
@@ -96,7 +97,7 @@ fn a_path_that_leaves_the_feasible_positions_is_told_with_its_place() {
     let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
     // Towards the wall, near the floor.
     let path = [Point::new(-4.0, 0.0, 0.5), Point::new(-6.4, 0.0, 0.5), Point::new(-4.0, 0.0, 0.5)];
-    let report = check_path(&*engine, &path);
+    let report = check_path(&*engine, &path, &Watch::NONE).unwrap();
     let wrench: Vec<_> = report.violations.iter().filter(|v| v.violation.kind == Kind::Wrench).collect();
     assert_eq!(wrench.iter().map(|v| v.segment).collect::<Vec<_>>(), [0, 1]);
     let up = &wrench[0].violation;

@@ -10,19 +10,19 @@ mod wrench_map;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
-use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector, distance};
 use cdpr_core::io::{self, text::Notation};
 use cdpr_core::plan::{
-    PlanOptions, Post, check, engine_for, lower_bound, plan_choosing, plan_heard, shorten_path, trace_rewinding,
+    Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
+    shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
 use cdpr_core::view::{ShownPath, page};
-use cdpr_core::watch::Interrupt;
+use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::wrench as core_wrench;
-use cdpr_core::{Choice, Error};
+use cdpr_core::{Choice, Error, ErrorClass};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -43,15 +43,27 @@ impl Scene {
     }
 }
 
-/// The engine for a scene, compiled when it is first asked for.
-fn engine_of(scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
+/// The engine for a scene, compiled when it is first asked for, by whoever asks first.
+fn engine_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
     let wanted = (named(engine)?, named(interference)?);
-    let mut known = scene.1.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, engine)) = known.iter().find(|(key, _)| *key == wanted) {
-        return Ok(engine.clone());
+    match known_engine(scene, wanted) {
+        Some(engine) => Ok(engine),
+        None => interruptible(py, |stop| compiled(scene, wanted, &Watch::on(stop))),
     }
-    let engine: Arc<dyn Checker> = engine_for(&scene.0, wanted.0, wanted.1).map_err(raised)?.into();
-    known.push((wanted, engine.clone()));
+}
+
+fn known_engine(scene: &Scene, wanted: (Engine, Interference)) -> Option<Arc<dyn Checker>> {
+    let known = scene.1.lock().unwrap_or_else(PoisonError::into_inner);
+    known.iter().find(|(key, _)| *key == wanted).map(|(_, engine)| engine.clone())
+}
+
+/// The engine for a scene, within a watch. Two threads may compile it at the same time: none waits for the other.
+fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
+    if let Some(engine) = known_engine(scene, wanted) {
+        return Ok(engine);
+    }
+    let engine: Arc<dyn Checker> = engine_within(&scene.0, wanted.0, wanted.1, watch)?.into();
+    scene.1.lock().unwrap_or_else(PoisonError::into_inner).push((wanted, engine.clone()));
     Ok(engine)
 }
 
@@ -117,7 +129,7 @@ impl Scene {
         interference: &str,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let engine = engine_of(self, engine, interference)?;
+        let engine = engine_of(py, self, engine, interference)?;
         let rows = positions.as_slice()?;
         let mut answers = vec![false; rows.len() / 3];
         interruptible(py, |interrupted| {
@@ -137,7 +149,7 @@ impl Scene {
         interference: &str,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let engine = engine_of(self, engine, interference)?;
+        let engine = engine_of(py, self, engine, interference)?;
         let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
         let mut answers = vec![false; starts.len() / 3];
         interruptible(py, |interrupted| {
@@ -148,8 +160,15 @@ impl Scene {
     }
 
     /// Whether one straight motion is valid.
-    fn motion_valid(&self, start: [f64; 3], end: [f64; 3], engine: &str, interference: &str) -> PyResult<bool> {
-        Ok(engine_of(self, engine, interference)?.motion_valid(&point(start), &point(end)))
+    fn motion_valid(
+        &self,
+        py: Python<'_>,
+        start: [f64; 3],
+        end: [f64; 3],
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<bool> {
+        Ok(engine_of(py, self, engine, interference)?.motion_valid(&point(start), &point(end)))
     }
 
     /// World-from-platform unit quaternion, w x y z.
@@ -170,7 +189,7 @@ impl Scene {
         positions: PyReadonlyArray2<'py, f64>,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
+        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
         let rows = positions.as_slice()?;
         let mut answers = vec![0.0; rows.len() / 3];
         interruptible(py, |interrupted| {
@@ -181,8 +200,15 @@ impl Scene {
     }
 
     /// The violations of a motion as JSON, those that begin first first.
-    fn violations(&self, start: [f64; 3], end: [f64; 3], engine: &str, interference: &str) -> PyResult<String> {
-        let engine = engine_of(self, engine, interference)?;
+    fn violations(
+        &self,
+        py: Python<'_>,
+        start: [f64; 3],
+        end: [f64; 3],
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(py, self, engine, interference)?;
         Ok(serialized(&engine.violations(&point(start), &point(end))))
     }
 
@@ -194,9 +220,10 @@ impl Scene {
         engine: &str,
         interference: &str,
     ) -> PyResult<String> {
-        let engine = engine_of(self, engine, interference)?;
+        let engine = engine_of(py, self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        py.detach(|| check(&self.0, &*engine, &waypoints)).map(|report| serialized(&report)).map_err(raised)
+        let report = interruptible(py, |stop| check(&self.0, &*engine, &waypoints, &Watch::on(stop)))?;
+        Ok(serialized(&report))
     }
 
     /// Tensions and margins at even steps along a path, as JSON.
@@ -247,23 +274,30 @@ impl Scene {
             repeats,
             budget: budget.map(seconds).transpose()?,
         };
-        let (scene, checker, found) = match &self.0.choices()[..] {
-            [_] => {
-                let checker = engine_of(self, engine, interference)?;
-                let search =
-                    |stop: &Interrupt, tell: &Listener<Point>| plan_heard(&*checker, &self.0, &options, stop, tell);
-                let found = heard(py, on_improvement.as_ref(), search)?;
-                (self.0.clone(), checker, found)
-            }
-            _ => {
-                let search = |stop: &Interrupt, tell: &Listener<Point>| plan_choosing(&self.0, &options, stop, tell);
-                let planned = heard(py, on_improvement.as_ref(), search)?;
-                (planned.scene, planned.engine.into(), planned.result)
-            }
+        let search = |stop: &Interrupt, tell: &Listener<Point>| {
+            let watch = options.watch(stop);
+            let (scene, engine, found) = match &self.0.choices()[..] {
+                [_] => match compiled(self, (options.engine, options.interference), &watch) {
+                    Err(error) if error.class() == ErrorClass::OutOfTime => {
+                        (self.0.clone(), None, PlanResult::out_of_time())
+                    }
+                    engine => {
+                        let engine = engine?;
+                        let found = plan_heard(&*engine, &self.0, &options, &watch, tell)?;
+                        (self.0.clone(), Some(engine), found)
+                    }
+                },
+                _ => {
+                    let planned = plan_choosing(&self.0, &options, stop, tell)?;
+                    (planned.scene, planned.engine.map(Arc::from), planned.result)
+                }
+            };
+            let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found.waypoints, false, &watch);
+            let appraisal = engine.map(appraise).transpose()?.unwrap_or_default();
+            Ok((scene, found, appraisal))
         };
-        let nearest = min_clearance(&*checker, &found.waypoints);
-        let measures = core_wrench::measures(&scene).map_err(raised)?;
-        let wrench = core_wrench::path_wrench(&measures, &found.waypoints).map_err(raised)?;
+        let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
+        let Appraisal { nearest, wrench, .. } = appraisal;
         let json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
@@ -275,12 +309,15 @@ impl Scene {
             given.map(point).or(own).ok_or_else(missing)
         };
         let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
-        let bound = |scene: &cdpr_core::Scene| {
-            let engine = engine_for(scene, Engine::default(), Interference::default())?;
-            Ok(lower_bound(&*engine, &start, &goal))
+        let bounds = |stop: &Interrupt| {
+            let watch = Watch::on(stop);
+            let bound = |scene: &cdpr_core::Scene| {
+                let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
+                lower_bound(&*engine, &start, &goal, &watch)
+            };
+            self.0.choices().iter().map(bound).collect::<Result<Vec<f64>, Error>>()
         };
-        let bounds = || self.0.choices().iter().map(bound).collect::<Result<Vec<f64>, Error>>();
-        Ok(py.detach(bounds).map_err(raised)?.into_iter().fold(f64::INFINITY, f64::min))
+        Ok(interruptible(py, bounds)?.into_iter().fold(f64::INFINITY, f64::min))
     }
 
     /// The path made shorter, as JSON.
@@ -295,10 +332,11 @@ impl Scene {
         engine: &str,
         interference: &str,
     ) -> PyResult<String> {
-        let engine = engine_of(self, engine, interference)?;
+        let engine = engine_of(py, self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
         let processing = named::<Post>(post)?.processing(step, repeats).map_err(raised)?;
-        let shorter = interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, interrupted))?;
+        let shorter =
+            interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
         Ok(io::path_json(&self.0, &shorter).to_string())
     }
 
@@ -310,10 +348,11 @@ impl Scene {
         step: f64,
         direction: &str,
     ) -> PyResult<Tries<'py>> {
-        let engine = engine_of(self, Engine::default().name(), Interference::default().name())?;
+        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
         let (waypoints, direction) = (points(waypoints.as_slice()?), named(direction)?);
-        let trace =
-            interruptible(py, |interrupted| trace_rewinding(&*engine, &waypoints, step, direction, interrupted))?;
+        let trace = interruptible(py, |interrupted| {
+            trace_rewinding(&*engine, &waypoints, step, direction, &Watch::on(interrupted))
+        })?;
         let rows = |list: &mut dyn Iterator<Item = Point>| triples(py, list.flat_map(|p| [p.x, p.y, p.z]).collect());
         Ok((
             rows(&mut trace.path.iter().copied())?,
@@ -383,6 +422,7 @@ impl Scene {
     #[allow(clippy::too_many_arguments)] // one per thing shown
     fn page(
         &self,
+        py: Python<'_>,
         status: Option<String>,
         waypoints: Option<PyReadonlyArray2<'_, f64>>,
         cost: Option<f64>,
@@ -397,8 +437,8 @@ impl Scene {
         };
         let Some(waypoints) = waypoints else { return Ok(page(&self.0, None, &[])) };
         let waypoints = points(waypoints.as_slice()?);
-        let engine = engine_of(self, Engine::default().name(), interference)?;
-        let violations = check_path(&*engine, &waypoints).violations;
+        let engine = engine_of(py, self, Engine::default().name(), interference)?;
+        let violations = interruptible(py, |stop| check_path(&*engine, &waypoints, &Watch::on(stop)))?.violations;
         let raw_waypoints = list(raw_waypoints)?;
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         let shown = ShownPath { status, waypoints, cost, raw_waypoints, raw_cost, planner, tree };

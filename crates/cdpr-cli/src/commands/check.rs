@@ -3,19 +3,22 @@
 use cdpr_core::Error;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
 use cdpr_core::plan::{CheckReport, check, engine_for};
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 
 use crate::Answer;
 use crate::args::{Format, PathArgs};
 use crate::input;
 use crate::output::{Console, bad, count, good, scene_line, short, thousandths};
+use crate::progress::interrupted;
 
 pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, path) = input::scene_and_path(args, out)?;
     let engine =
         engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
     out.notes(engine.constraints());
-    let found = check(&scene, &*engine, &path.waypoints).map_err(|e| e.in_file(&args.scene.scene))?;
+    let found =
+        check(&scene, &*engine, &path.waypoints, &Watch::on(&interrupted)).map_err(|e| e.in_file(&args.scene.scene))?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),

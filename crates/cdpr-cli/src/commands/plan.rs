@@ -1,14 +1,12 @@
 //! `cdpr plan`
 
 use cdpr_core::collision::Checker;
-use cdpr_core::collision::path_check::min_clearance;
 use cdpr_core::geometry::Point;
 use cdpr_core::model::OrientationSource;
-use cdpr_core::plan::{PlanOptions, PlanResult, Planned, Post, lower_bound, plan_choosing};
+use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Planned, Post, appraise, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
 use cdpr_core::watch::Interrupt;
-use cdpr_core::wrench::{measures, path_wrench};
 use cdpr_core::{Error, Scene, io};
 
 use super::post::{check_path_name, save_path};
@@ -16,7 +14,7 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
-use crate::output::{Console, bad, count, good, is_standard, position, scene_line, short};
+use crate::output::{Console, Talk, bad, count, good, is_standard, position, scene_line, short};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
@@ -33,12 +31,19 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let better = |seconds: f64, cost: f64, path: &[Point]| {
         out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
     };
-    let search = |stop: &Interrupt| plan_choosing(&scene, &options, stop, &better);
-    let Planned { scene, engine, result: found } = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
-    out.notes(engine.constraints());
-    let nearest = min_clearance(&*engine, &found.waypoints);
-    let wrench = path_wrench(&measures(&scene)?, &found.waypoints)?;
-    let bound = bound(&*engine, &found);
+    let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
+    let search = |stop: &Interrupt| {
+        let watch = options.watch(stop);
+        let planned = plan_choosing(&scene, &options, stop, &better)?;
+        let Planned { scene, engine, result } = &planned;
+        let appraise = |engine: &dyn Checker| appraise(scene, engine, &result.waypoints, bounded, &watch);
+        let appraisal = engine.as_deref().map(appraise).transpose()?.unwrap_or_default();
+        Ok((planned, appraisal))
+    };
+    let (Planned { scene, engine, result: found }, appraisal) =
+        with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    engine.iter().for_each(|engine| out.notes(engine.constraints()));
+    let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     let mut json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
     json["lower_bound"] = bound.into();
     match args.scene.format {
@@ -60,13 +65,6 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     say_next(args, &found, out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
-}
-
-/// The length that no path falls below, m, where there is a path that is longer than the straight line.
-fn bound(engine: &dyn Checker, found: &PlanResult) -> Option<f64> {
-    let (start, goal) = (found.waypoints.first()?, found.waypoints.last()?);
-    let straight = (goal - start).norm();
-    Some(if found.waypoints.len() > 2 { lower_bound(engine, start, goal) } else { straight })
 }
 
 fn excess_line(cost: f64, bound: f64) -> String {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::plan::{engine_for, shorten_path};
-use cdpr_core::watch::Interrupt;
+use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::{Error, io};
 
 use crate::Answer;
@@ -37,7 +37,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
         .map_err(|e| e.in_file(&given.scene.scene))?;
     out.notes(engine.constraints());
     let processing = args.options()?;
-    let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, stop);
+    let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
     let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
     let json = io::path_json(&scene, &shorter);
     match given.scene.format {

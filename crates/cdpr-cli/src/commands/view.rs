@@ -6,12 +6,14 @@ use cdpr_core::collision::check_path;
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::engine_for;
 use cdpr_core::view::{ShownPath, page};
+use cdpr_core::watch::Watch;
 use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input;
 use crate::output::{Console, is_standard};
+use crate::progress::interrupted;
 
 /// What to do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";
@@ -26,7 +28,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             let (scene, loaded) = input::path(&scene, &args.scene, path)?;
             let engine = engine_for(&scene, args.checker.engine, args.checker.interference)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
-            let report = check_path(&*engine, &loaded.waypoints);
+            let report = check_path(&*engine, &loaded.waypoints, &Watch::on(&interrupted))?;
             (scene, Some(shown(loaded, report.length)), report.violations)
         }
     };

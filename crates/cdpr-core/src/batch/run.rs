@@ -19,7 +19,7 @@ use crate::error::{Error, ErrorClass};
 use crate::model::Scene;
 use crate::plan::{PlanOptions, PlanResult, engine_for, plan_with, post_process};
 use crate::planning::{Milestone, Status};
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 
 /// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
 const AHEAD: usize = 4096;
@@ -338,7 +338,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
     let planned = || {
         let raw = plan_with(engine, scene, &options, interrupted)?;
         let variants = method.variants.iter();
-        variants.map(|(_, how)| post_process(engine, &raw, how, interrupted)).collect::<Result<Vec<_>, _>>()
+        variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
     };
     match planned() {
         Ok(results) => {

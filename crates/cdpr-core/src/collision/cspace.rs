@@ -329,12 +329,12 @@ impl Checker for CspaceEngine {
         self.reference.interference()
     }
 
-    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
         if self.constraints().list.iter().any(Constraint::demands_distance) {
-            return outer_polyhedra(self.constraints());
+            return outer_polyhedra(self.constraints(), watch);
         }
         let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter()).filter(|piece| !piece.reached.is_empty());
-        pieces.filter_map(|piece| piece.region.outer.clone()).collect()
+        Ok(pieces.filter_map(|piece| piece.region.outer.clone()).collect())
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
@@ -371,7 +371,7 @@ impl Validity for CspaceEngine {
 }
 
 /// As [`Checker::polyhedra`].
-pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
+pub(super) fn outer_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
     let scale = Scale::of(constraints);
     // What is known to hold all crossings of two cables at a distance holds much else.
     let vague = |index: usize| matches!(&constraints.list[index], Constraint::CableCable(pair) if pair.gap > 0.0);
@@ -380,19 +380,35 @@ pub(super) fn outer_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> 
         Some(planes) => vec![planes],
         None => regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer).collect(),
     };
-    (0..constraints.list.len()).flat_map(of).collect()
+    of_all(constraints, of, watch)
 }
 
 /// As [`Checker::certain_polyhedra`].
-pub(super) fn inner_polyhedra(constraints: &Constraints) -> Vec<Vec<HalfSpace>> {
+pub(super) fn inner_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
     let scale = Scale::of(constraints);
     let inner = |region: Region| match region.inner {
         Inner::Unknown => None,
         Inner::Shrunk(by) => region.outer.map(|planes| planes.iter().map(|h| h.widened(by)).collect()),
         Inner::Own(planes) => Some(planes),
     };
-    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(inner);
-    (0..constraints.list.len()).flat_map(of).collect()
+    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(inner).collect();
+    of_all(constraints, of, watch)
+}
+
+/// What `of` gives for each constraint, in order.
+fn of_all<T: Send>(
+    constraints: &Constraints,
+    of: impl Fn(usize) -> Vec<T> + Sync,
+    watch: &Watch,
+) -> Result<Vec<T>, Error> {
+    let watched = |index: usize| watch.check().map(|()| of(index));
+    let indices = 0..constraints.list.len();
+    let found: Vec<Vec<T>> = if indices.len() >= IN_PARALLEL {
+        indices.into_par_iter().map(watched).collect::<Result<_, _>>()?
+    } else {
+        indices.map(watched).collect::<Result<_, _>>()?
+    };
+    Ok(found.into_iter().flatten().collect())
 }
 
 /// Constraints from which on all cores compile.

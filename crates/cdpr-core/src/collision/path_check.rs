@@ -2,8 +2,10 @@
 
 use serde::Serialize;
 
-use super::validity::{Validity, Violation};
+use super::validity::{Clearance, Validity, Violation};
+use crate::error::Error;
 use crate::geometry::Point;
+use crate::watch::Watch;
 
 /// A broken condition on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -52,22 +54,36 @@ pub fn first_invalid_segment(validity: &dyn Validity, waypoints: &[Point]) -> Op
 }
 
 /// Checks every segment of a path of at least two waypoints.
-pub fn check_path(validity: &dyn Validity, waypoints: &[Point]) -> PathReport {
-    let segments = || waypoints.windows(2).enumerate();
-    let violations: Vec<PathViolation> = segments()
-        .flat_map(|(segment, pair)| {
-            let found = validity.violations(&pair[0], &pair[1]);
-            found.into_iter().map(move |violation| PathViolation { segment, violation })
-        })
-        .collect();
-    let (length, min_clearance) = (path_length(waypoints), min_clearance(validity, waypoints));
-    PathReport { valid: violations.is_empty(), length, min_clearance, violations }
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn check_path(validity: &dyn Validity, waypoints: &[Point], watch: &Watch) -> Result<PathReport, Error> {
+    let mut violations = Vec::new();
+    for (segment, pair) in waypoints.windows(2).enumerate() {
+        watch.check()?;
+        let found = validity.violations(&pair[0], &pair[1]);
+        violations.extend(found.into_iter().map(|violation| PathViolation { segment, violation }));
+    }
+    let (length, min_clearance) = (path_length(waypoints), min_clearance(validity, waypoints, watch)?);
+    Ok(PathReport { valid: violations.is_empty(), length, min_clearance, violations })
 }
 
 /// The nearest approach of a path to anything it must keep away from.
-pub fn min_clearance(validity: &dyn Validity, waypoints: &[Point]) -> Option<PathClearance> {
-    let of_segments = waypoints.windows(2).enumerate();
-    let found = of_segments.filter_map(|(segment, pair)| Some((segment, validity.clearance(&pair[0], &pair[1])?)));
-    let (segment, c) = found.min_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
-    Some(PathClearance { value: c.value, segment, at: c.at, culprits: c.culprits })
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn min_clearance(
+    validity: &dyn Validity,
+    waypoints: &[Point],
+    watch: &Watch,
+) -> Result<Option<PathClearance>, Error> {
+    let mut nearest: Option<PathClearance> = None;
+    for (segment, pair) in waypoints.windows(2).enumerate() {
+        watch.check()?;
+        let Some(Clearance { value, at, culprits }) = validity.clearance(&pair[0], &pair[1]) else { continue };
+        if nearest.as_ref().is_none_or(|nearest| value < nearest.value) {
+            nearest = Some(PathClearance { value, segment, at, culprits });
+        }
+    }
+    Ok(nearest)
 }

@@ -5,7 +5,9 @@ use serde::Serialize;
 use super::constraint::{Constraint, Constraints};
 use super::explain;
 use crate::choice::choices;
+use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
+use crate::watch::Watch;
 
 /// An engine that answers the constraints of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
@@ -21,13 +23,19 @@ pub trait Checker: Validity + Send {
     /// Convex polyhedra of positions, open and as lists of half-spaces, whose union holds everything that geometry
     /// forbids inside the workspace, but for cables that are too long or too near each other; with a clearance they hold a
     /// little more.
-    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
-        super::cspace::outer_polyhedra(self.constraints())
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+        super::cspace::outer_polyhedra(self.constraints(), watch)
     }
 
     /// Convex polyhedra of positions that are certainly forbidden, as lists of half-spaces.
-    fn certain_polyhedra(&self) -> Vec<Vec<HalfSpace>> {
-        super::cspace::inner_polyhedra(self.constraints())
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+        super::cspace::inner_polyhedra(self.constraints(), watch)
     }
 
     /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.

@@ -1,31 +1,29 @@
 //! Planning where the scene leaves the orientation open.
 
-use std::time::Duration;
-
-use super::{PlanOptions, PlanResult, Stats, end, engine_for, lower_bound, plan_heard};
+use super::{PlanOptions, PlanResult, Stats, end, engine_within, lower_bound, plan_heard};
 use crate::collision::Checker;
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{Listener, Status};
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 
 /// What planning found, and the scene at the orientation that it chose.
 pub struct Planned {
     /// The scene at that orientation.
     pub scene: Scene,
-    /// The engine that answered for it.
-    pub engine: Box<dyn Checker>,
+    /// The engine that answered for it; none if time was over before it was there.
+    pub engine: Option<Box<dyn Checker>>,
     /// What was found there; the counts and the time are those of all orientations.
     pub result: PlanResult,
 }
 
 /// Plans the query of a scene at the orientation with the shortest path: at each of [`Scene::choices`] in turn, but for
-/// those whose lower bound says that no path there is shorter than the best so far. What is left of a budget for searching is
-/// shared evenly by the orientations that are left.
+/// those whose lower bound says that no path there is shorter than the best so far. What is left of the budget, which
+/// begins with the call, is shared evenly by the orientations that are left.
 ///
 /// # Errors
-/// As [`super::plan`]. An interruption is none once there is a path.
+/// As [`super::plan`]. Once there is a path, an interruption is no error: the best path so far is the answer.
 ///
 /// # Example
 /// ```
@@ -40,27 +38,25 @@ pub fn plan_choosing(
     interrupted: &Interrupt,
     listener: &Listener<Point>,
 ) -> Result<Planned, Error> {
+    let whole = options.watch(interrupted);
     let choices = scene.choices();
     let mut best: Option<Planned> = None;
     let mut total = Stats::default();
     for (k, scene) in choices.iter().enumerate() {
-        let engine = engine_for(scene, options.engine, options.interference)?;
+        let share = whole.left().map(|left| left / (choices.len() - k) as u32);
+        let watch = Watch::on(interrupted).with_budget(share);
         let shortest = best.as_ref().map_or(f64::INFINITY, Planned::length);
-        if shortest < f64::INFINITY && (interrupted() || bound(&*engine, scene, options)? >= shortest) {
-            continue;
-        }
         let before = total.planning_seconds + total.post_seconds;
-        let share =
-            |whole: Duration| whole.saturating_sub(Duration::from_secs_f64(before)) / (choices.len() - k) as u32;
-        let options = PlanOptions { budget: options.budget.map(share), ..options.clone() };
         let heard = |seconds: f64, cost: f64, path: &[Point]| {
             if cost < shortest {
                 listener(before + seconds, cost, path);
             }
         };
-        let mut result = match plan_heard(&*engine, scene, &options, interrupted, &heard) {
-            Err(_) if shortest < f64::INFINITY && interrupted() => continue,
-            result => result?,
+        let (engine, mut result) = match at_one(scene, options, shortest, &watch, &heard) {
+            Ok(Some(found)) => found,
+            Ok(None) => continue,
+            Err(stopped) if stopped.class() == ErrorClass::Interrupted && shortest < f64::INFINITY => break,
+            Err(error) => return Err(error),
         };
         total = total.and(&result.stats);
         result.history.iter_mut().for_each(|milestone| milestone.seconds += before);
@@ -70,14 +66,31 @@ pub fn plan_choosing(
             _ => found,
         });
     }
-    let best = best.expect("a scene has at least one orientation");
+    let best = best.expect("the first of the orientations is always planned");
     Ok(Planned { result: PlanResult { stats: total, ..best.result }, ..best })
 }
 
-fn bound(engine: &dyn Checker, scene: &Scene, options: &PlanOptions) -> Result<f64, Error> {
-    let start = end("start", options.start, scene.start())?;
-    let goal = end("goal", options.goal, scene.goal())?;
-    Ok(lower_bound(engine, &start, &goal))
+/// Plans at one orientation; none if no path there is shorter than the shortest so far.
+fn at_one(
+    scene: &Scene,
+    options: &PlanOptions,
+    shortest: f64,
+    watch: &Watch,
+    listener: &Listener<Point>,
+) -> Result<Option<(Option<Box<dyn Checker>>, PlanResult)>, Error> {
+    let engine = match engine_within(scene, options.engine, options.interference, watch) {
+        Err(error) if error.class() == ErrorClass::OutOfTime => return Ok(Some((None, PlanResult::out_of_time()))),
+        engine => engine?,
+    };
+    if shortest < f64::INFINITY {
+        let start = end("start", options.start, scene.start())?;
+        let goal = end("goal", options.goal, scene.goal())?;
+        if lower_bound(&*engine, &start, &goal, watch)? >= shortest {
+            return Ok(None);
+        }
+    }
+    let result = plan_heard(&*engine, scene, options, watch, listener)?;
+    Ok(Some((Some(engine), result)))
 }
 
 impl Planned {

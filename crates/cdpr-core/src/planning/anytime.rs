@@ -38,11 +38,17 @@ pub trait Guide<State>: Sync {
         false
     }
 
-    /// A length that no path between two states falls below, m.
-    fn lower_bound(&self, start: &State, goal: &State) -> f64;
+    /// A length that no path between two states falls below, m; the best one known when time is over.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    fn lower_bound(&self, start: &State, goal: &State, watch: &Watch) -> Result<f64, Error>;
 
-    /// A state where shortest paths may bend; none if nothing is known of such places.
-    fn sample(&self, rng: &mut dyn Rng) -> Option<State>;
+    /// A state where shortest paths may bend; none if nothing is known of such places, or time is over.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    fn sample(&self, rng: &mut dyn Rng, watch: &Watch) -> Result<Option<State>, Error>;
 }
 
 /// Somebody who wants to know of every better path: seconds since the start, its length in m, the path.
@@ -111,7 +117,8 @@ pub fn anytime<S: StateSpace>(
         best: Vec::new(),
         cost: f64::INFINITY,
         polished: f64::INFINITY,
-        enough: short_enough(problem, guide, options),
+        enough: content_with(problem, options),
+        gap: options.gap,
         patience: (!lasting).then_some(Patience { samples: hopeless, pulls: CONTENT }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
@@ -123,13 +130,10 @@ pub fn anytime<S: StateSpace>(
     Ok(run.search.ended(status, run.best, tree))
 }
 
-/// The length with which the search is content.
-fn short_enough<S: StateSpace>(problem: &Problem<S>, guide: &dyn Guide<S::State>, options: &AnytimeOptions) -> f64 {
-    let Problem { space, start, goal } = problem;
-    let straight = space.distance(start, goal);
+/// The length with which the search is content, whatever the lower bound.
+fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, options: &AnytimeOptions) -> f64 {
     let asked = if let Until::Cost(cost) = options.limits.until { cost } else { 0.0 };
-    let within = options.gap.map_or(straight, |gap| (1.0 + gap) * guide.lower_bound(start, goal).max(straight));
-    asked.max(within)
+    asked.max(space.distance(start, goal))
 }
 
 /// What is left to try without success.
@@ -152,6 +156,8 @@ struct Run<'r, S: StateSpace> {
     polished: f64,
     /// A path of this length is short enough, m.
     enough: f64,
+    /// The gap to the lower bound that is short enough, until the bound is known.
+    gap: Option<f64>,
     patience: Option<Patience>,
 }
 
@@ -162,7 +168,8 @@ impl<S: StateSpace> Run<'_, S> {
             self.take(vec![*start, *goal]);
         }
         while self.cost > self.enough && !self.patience_lost() && !self.search.over(self.nodes(), self.cost)? {
-            let Some(sample) = self.promising_sample(rng) else { continue };
+            self.look_at_the_gap()?;
+            let Some(sample) = self.promising_sample(rng)? else { continue };
             if let Some(way) = self.halves.meet(&mut self.search, &sample)? {
                 self.consider(way)?;
             }
@@ -170,6 +177,17 @@ impl<S: StateSpace> Run<'_, S> {
                 self.past += self.halves.len();
                 self.halves = Halves::new(self.search.problem);
             }
+        }
+        Ok(())
+    }
+
+    /// Once there is a path, asks for the lower bound if a gap to it would be short enough.
+    fn look_at_the_gap(&mut self) -> Result<(), Error> {
+        let Problem { start, goal, .. } = self.search.problem;
+        if self.cost.is_finite()
+            && let Some(gap) = self.gap.take()
+        {
+            self.enough = self.enough.max((1.0 + gap) * self.guide.lower_bound(start, goal, self.watch)?);
         }
         Ok(())
     }
@@ -186,14 +204,14 @@ impl<S: StateSpace> Run<'_, S> {
     }
 
     /// A valid state through which a shorter path might lead.
-    fn promising_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
+    fn promising_sample(&mut self, rng: &mut impl Rng) -> Result<Option<S::State>, Error> {
         let Problem { space, start, goal } = self.search.problem;
         let samples = self.search.samples();
         let guided = (self.cost.is_finite() || samples >= UNGUIDED) && samples.is_multiple_of(2);
-        let guided = if guided { self.guide.sample(rng) } else { None };
-        let sample = self.search.drawn(guided, rng)?;
+        let guided = if guided { self.guide.sample(rng, self.watch)? } else { None };
+        let Some(sample) = self.search.drawn(guided, rng) else { return Ok(None) };
         let shortest = space.distance(start, &sample) + space.distance(&sample, goal);
-        (shortest < self.cost && self.search.valid(&sample)).then_some(sample)
+        Ok((shortest < self.cost && self.search.valid(&sample)).then_some(sample))
     }
 
     fn consider(&mut self, way: Vec<S::State>) -> Result<(), Error> {

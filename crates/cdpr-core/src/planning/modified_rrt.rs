@@ -35,7 +35,8 @@ impl Default for ModifiedRrtOptions {
 /// # Example
 /// ```
 /// use cdpr_core::collision::{Checker, GjkEngine, Interference};
-/// use cdpr_core::planning::{modified_rrt, ModifiedRrtOptions, Problem, Status, TranslationSpace, Watch};
+/// use cdpr_core::planning::{modified_rrt, ModifiedRrtOptions, Problem, Status, TranslationSpace};
+/// use cdpr_core::watch::Watch;
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = GjkEngine::new(&scene, Interference::Exact)?;

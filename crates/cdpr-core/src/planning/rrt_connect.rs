@@ -35,7 +35,8 @@ impl Default for RrtConnectOptions {
 /// # Example
 /// ```
 /// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-/// use cdpr_core::planning::{Problem, RrtConnectOptions, Status, TranslationSpace, Watch, rrt_connect};
+/// use cdpr_core::planning::{Problem, RrtConnectOptions, Status, TranslationSpace, rrt_connect};
+/// use cdpr_core::watch::Watch;
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;

@@ -45,7 +45,8 @@ impl Default for RrtStarOptions {
 /// # Example
 /// ```
 /// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-/// use cdpr_core::planning::{rrt_star, Problem, RrtStarOptions, Status, TranslationSpace, Watch};
+/// use cdpr_core::planning::{rrt_star, Problem, RrtStarOptions, Status, TranslationSpace};
+/// use cdpr_core::watch::Watch;
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;

@@ -15,22 +15,24 @@
 
 pub mod bound;
 pub mod hull;
+pub mod hulls;
 pub mod pull;
 pub mod slide;
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::collision::Checker;
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::planning::Guide;
 use crate::watch::Watch;
-use hull::{Edge, Hull, in_box};
+use hull::{Hull, in_box};
+use hulls::{Hulls, Near};
 use pull::Pull;
 
 /// A waypoint; where it bends around a polyhedron, the direction of the edge on which it can slide.
@@ -45,18 +47,17 @@ pub struct Bend {
 /// What is known of a scene for pulling paths taut in it.
 pub struct Taut<'a> {
     engine: &'a dyn Checker,
-    hulls: OnceLock<Vec<Hull>>,
+    hulls: OnceLock<Hulls>,
     low: Point,
     high: Point,
-    edges: OnceLock<Vec<Edge>>,
     /// Whether the engine ever refused what the polyhedra allow.
     hindered: AtomicBool,
+    /// Room for sampling.
+    near: Mutex<Near>,
 }
 
 /// Rounds of pulling and sliding; five to ten are usual.
 const ROUNDS: usize = 50;
-/// Edges drawn until one of them has a free piece.
-const DRAWS: usize = 32;
 /// Share of a length that cutting a corner or nudging must gain to go on.
 const WORTHWHILE: f64 = 1e-3;
 /// Random moves of a bend by one size; few where limits bind that take long to check.
@@ -71,20 +72,21 @@ impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.constraints().position_box();
-        Taut { engine, hulls: OnceLock::new(), low, high, edges: OnceLock::new(), hindered: AtomicBool::new(false) }
+        Taut { engine, hulls: OnceLock::new(), low, high, hindered: AtomicBool::new(false), near: Mutex::default() }
     }
 }
 
 impl Guide<Point> for Taut<'_> {
     fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
-        let mut string = Strand::new(self, path);
+        let Some(mut string) = Strand::new(self, path, watch)? else { return Ok(path.to_vec()) };
         string.pull_and_slide(watch)?;
-        Ok(string.path.into_iter().map(|bend| bend.place).collect())
+        Ok(string.places())
     }
 
-    fn lower_bound(&self, start: &Point, goal: &Point) -> f64 {
-        let hulls = self.in_box(self.engine.certain_polyhedra().into_iter().map(Hull::exact));
-        bound::lower_bound(&hulls, &self.low, &self.high, start, goal)
+    fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
+        let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
+        let hulls = Hulls::new(polyhedra.into_iter().map(Hull::exact), self.low, self.high);
+        bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
     }
 
     fn hindered(&self) -> bool {
@@ -92,38 +94,72 @@ impl Guide<Point> for Taut<'_> {
     }
 
     fn polished(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
-        let mut string = Strand::new(self, path);
+        let Some(mut string) = Strand::new(self, path, watch)? else { return Ok(path.to_vec()) };
         string.polish(watch)?;
-        Ok(string.path.into_iter().map(|bend| bend.place).collect())
+        Ok(string.places())
     }
 
-    /// A point on an edge of a polyhedron outside of all others, no edge rarer for being short: shortest paths bend
-    /// there and nowhere else.
-    fn sample(&self, rng: &mut dyn Rng) -> Option<Point> {
-        let of = |hull: &Hull| hull.edges(&self.low, &self.high);
-        let edges = self.edges.get_or_init(|| self.hulls().iter().flat_map(of).collect());
-        let mut drawn = || edges.get(rng.random_range(0..edges.len().max(1))).map_or(&[][..], |e| e.free(self.hulls()));
-        let pieces = (0..DRAWS).map(|_| drawn()).find(|pieces| !pieces.is_empty())?;
-        Some(pieces[rng.random_range(0..pieces.len())].sample(rng))
+    /// A point on an edge of a polyhedron outside of all others: shortest paths bend there and nowhere else.
+    fn sample(&self, rng: &mut dyn Rng, watch: &Watch) -> Result<Option<Point>, Error> {
+        let Some(hulls) = self.hulls(watch)? else { return Ok(None) };
+        let mut near = self.near.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(hulls.sample(rng, &mut near))
     }
 }
 
 impl Taut<'_> {
-    fn hulls(&self) -> &[Hull] {
-        self.hulls.get_or_init(|| self.in_box(self.engine.polyhedra().into_iter().map(Hull::around)))
+    /// The polyhedra a little wider than they are; none if time is over before they are there.
+    fn hulls(&self, watch: &Watch) -> Result<Option<&Hulls>, Error> {
+        if self.hulls.get().is_none() {
+            let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
+            let hulls = Hulls::new(polyhedra.into_iter().map(Hull::around), self.low, self.high);
+            let _ = self.hulls.set(hulls); // another thread may have been faster, with the same
+        }
+        Ok(self.hulls.get())
+    }
+}
+
+/// An answer, or none if time was over before it was there.
+fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
+    match answer {
+        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
+        answer => answer.map(Some),
+    }
+}
+
+/// A path on its way to being taut.
+struct Strand<'a> {
+    taut: &'a Taut<'a>,
+    hulls: &'a Hulls,
+    path: Vec<Bend>,
+    /// Whether the engine refused what the polyhedra allow.
+    refused: bool,
+    pull: Pull,
+    near: Near,
+    chain: Vec<Bend>,
+}
+
+impl<'a> Strand<'a> {
+    /// None if time is over before the polyhedra are there.
+    fn new(taut: &'a Taut<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
+        let Some(hulls) = taut.hulls(watch)? else { return Ok(None) };
+        let mut path: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
+        path.dedup_by(|a, b| a.place == b.place);
+        path.extend((path.len() == 1).then(|| path[0])); // a path has two ends, even if it stays
+        let (pull, near, chain) = (Pull::default(), Near::default(), Vec::new());
+        Ok(Some(Strand { taut, hulls, path, refused: false, pull, near, chain }))
     }
 
-    /// The hulls that reach into the box of positions, as far as one plane tells.
-    fn in_box(&self, hulls: impl Iterator<Item = Hull>) -> Vec<Hull> {
-        let corners = corners(&self.low, &self.high);
-        hulls.filter(|hull| !hull.apart(&corners)).collect()
+    fn places(self) -> Vec<Point> {
+        self.path.into_iter().map(|bend| bend.place).collect()
     }
 
     /// How far a bend can slide along its edge both ways before it meets another polyhedron or leaves the box.
-    fn range(&self, bend: &Bend) -> [f64; 2] {
+    fn range(&mut self, bend: &Bend) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
-        let [mut low, mut high] = in_box(&self.low, &self.high, &bend.place, along);
-        for hull in self.hulls() {
+        let [mut low, mut high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
+        let ends = [bend.place + along * low, bend.place + along * high];
+        for hull in self.hulls.near(&ends, &mut self.near) {
             match hull.inside(&bend.place, along) {
                 Some([_, end]) if end <= SAME_POINT => low = low.max(end),
                 Some([start, _]) if start >= -SAME_POINT => high = high.min(start),
@@ -134,32 +170,8 @@ impl Taut<'_> {
     }
 
     /// The directions of all edges through a place.
-    fn edges_at(&self, place: &Point) -> Vec<Vector> {
-        self.hulls().iter().flat_map(|hull| hull.edges_at(place)).collect()
-    }
-}
-
-fn corners(low: &Point, high: &Point) -> [Point; 8] {
-    let side = |k: usize, axis: usize| if k >> axis & 1 == 1 { high[axis] } else { low[axis] };
-    std::array::from_fn(|k| Point::new(side(k, 0), side(k, 1), side(k, 2)))
-}
-
-/// A path on its way to being taut.
-struct Strand<'a> {
-    taut: &'a Taut<'a>,
-    path: Vec<Bend>,
-    /// Whether the engine refused what the polyhedra allow.
-    refused: bool,
-    pull: Pull,
-    chain: Vec<Bend>,
-}
-
-impl<'a> Strand<'a> {
-    fn new(taut: &'a Taut<'a>, path: &[Point]) -> Self {
-        let mut bends: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
-        bends.dedup_by(|a, b| a.place == b.place);
-        bends.extend((bends.len() == 1).then(|| bends[0])); // a path has two ends, even if it stays
-        Strand { taut, path: bends, refused: false, pull: Pull::default(), chain: Vec::new() }
+    fn edges_at(&mut self, place: &Point) -> Vec<Vector> {
+        self.hulls.near(&[*place], &mut self.near).flat_map(|hull| hull.edges_at(place)).collect()
     }
 
     /// Pulls and slides, and nudges what is left: bends may hold each other, or be stopped by something that is no
@@ -176,8 +188,7 @@ impl<'a> Strand<'a> {
     fn pull_and_slide(&mut self, watch: &Watch) -> Result<(), Error> {
         let mut length = length(&self.path);
         for _ in 0..ROUNDS {
-            self.shortcut();
-            let ended = self.pull(watch)? || self.slide(watch)?;
+            let ended = self.shortcut(watch)? || self.pull(watch)? || self.slide(watch)?;
             let now = self::length(&self.path);
             if ended || !(now < length - TAUT) {
                 break;
@@ -195,16 +206,21 @@ impl<'a> Strand<'a> {
         path.windows(2).all(|pair| self.free(&pair[0], &pair[1]))
     }
 
-    /// From every waypoint straight to the last one that can be reached.
-    fn shortcut(&mut self) {
+    /// From every waypoint straight to the last one that can be reached; whether the time is over.
+    fn shortcut(&mut self, watch: &Watch) -> Result<bool, Error> {
         let mut from = 0;
         while from + 2 < self.path.len() {
-            let reached = (from + 2..self.path.len()).rev().find(|to| self.free(&self.path[from], &self.path[*to]));
-            if let Some(to) = reached {
-                self.path.drain(from + 1..to);
+            let mut to = self.path.len() - 1;
+            while to > from + 1 && !self.free(&self.path[from], &self.path[to]) {
+                if watch.expired()? {
+                    return Ok(true);
+                }
+                to -= 1;
             }
+            self.path.drain(from + 1..to);
             from += 1;
         }
+        Ok(false)
     }
 
     /// Pulls the string over every bend until nothing gets shorter; whether the time is over.
@@ -232,7 +248,7 @@ impl<'a> Strand<'a> {
     fn pull_over(&mut self, at: usize) -> bool {
         let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
         let mut chain = std::mem::take(&mut self.chain);
-        self.pull.over(self.taut.hulls(), &u.place, &v.place, &w.place, &mut chain);
+        self.pull.over(self.hulls, &u.place, &v.place, &w.place, &mut chain);
         if let [same] = chain[..]
             && (same.place - v.place).norm() < ON_SURFACE
         {
@@ -296,7 +312,10 @@ impl<'a> Strand<'a> {
     /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
     /// whether the time is over.
     fn slide(&mut self, watch: &Watch) -> Result<bool, Error> {
-        if let Some(slid) = self.slid(&self.path, watch)? {
+        let path = std::mem::take(&mut self.path);
+        let slid = self.slid(&path, watch);
+        self.path = path;
+        if let Some(slid) = slid? {
             self.path = slid;
             return Ok(false);
         }
@@ -304,7 +323,7 @@ impl<'a> Strand<'a> {
         while at + 1 < self.path.len() {
             let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
             let held = |bend: Bend| Bend { edge: None, ..bend };
-            for edge in self.taut.edges_at(&v.place) {
+            for edge in self.edges_at(&v.place) {
                 if watch.expired()? {
                     return Ok(true);
                 }
@@ -320,11 +339,11 @@ impl<'a> Strand<'a> {
     }
 
     /// The path with its bends slid to the best places on their edges, or as far on the way there as makes it shorter.
-    fn slid(&self, path: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
+    fn slid(&mut self, path: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         if path.iter().all(|bend| bend.edge.is_none()) {
             return Ok(None);
         }
-        let ranges: Vec<[f64; 2]> = path.iter().map(|bend| self.taut.range(bend)).collect();
+        let ranges: Vec<[f64; 2]> = path.iter().map(|bend| self.range(bend)).collect();
         let slides = slide::best_slides(path, &ranges);
         let most = length(path) - TAUT;
         for halving in 0..HALVINGS {
@@ -341,19 +360,22 @@ impl<'a> Strand<'a> {
     }
 
     /// The slid path, with the segments that are not free led over the old ones and pulled taut.
-    fn led_around(&self, path: &[Bend], moved: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
+    fn led_around(&mut self, path: &[Bend], moved: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         let mut led = vec![moved[0]];
         for (old, new) in path.windows(2).zip(moved.windows(2)) {
             if !self.free(&new[0], &new[1]) {
                 let over = old.iter().map(|bend| Bend { place: bend.place, edge: None });
                 let way = std::iter::once(new[0]).chain(over).chain([new[1]]);
-                let mut piece = Strand { path: way.collect(), pull: Pull::default(), chain: Vec::new(), ..*self };
-                piece.path.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
-                if !piece.all_free(&piece.path) {
+                let mut way: Vec<Bend> = way.collect();
+                way.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
+                if !self.all_free(&way) {
                     return Ok(None);
                 }
-                piece.pull(watch)?;
-                led.extend_from_slice(&piece.path[1..piece.path.len() - 1]);
+                let path = std::mem::replace(&mut self.path, way);
+                let pulled = self.pull(watch);
+                let way = std::mem::replace(&mut self.path, path);
+                pulled?;
+                led.extend_from_slice(&way[1..way.len() - 1]);
             }
             led.push(new[1]);
         }

@@ -2,7 +2,9 @@
 
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Constraints, Interference, Validity, Violation};
+use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
+use crate::watch::Watch;
 
 /// An engine of geometry with the constraint on wrenches behind it.
 pub struct WrenchChecker {
@@ -30,8 +32,8 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn polyhedra(&self) -> Vec<Vec<HalfSpace>> {
-        self.geometry.polyhedra()
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+        self.geometry.polyhedra(watch)
     }
 }
 

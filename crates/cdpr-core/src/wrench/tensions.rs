@@ -15,7 +15,7 @@ use crate::collision::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 
 impl Statics {
     /// Least and largest tension of each cable, N.
@@ -295,25 +295,27 @@ const RANGE_STEPS: f64 = 1000.0;
 /// [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are looked at in a thousand even steps and at the waypoints.
 ///
 /// # Errors
-/// A solver that came to no answer.
-pub fn path_wrench(measures: &[Measure], waypoints: &[Point]) -> Result<Option<PathWrench>, Error> {
+/// A solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> Result<Option<PathWrench>, Error> {
     let Some(first) = measures.first() else { return Ok(None) };
-    let segments = || waypoints.windows(2).enumerate();
-    let of_measure = |measure: &Measure| {
-        segments().map(|(segment, pair)| (segment, least_slack(measure, &pair[0], &pair[1]))).collect::<Vec<_>>()
-    };
-    let least = measures.iter().flat_map(|measure| of_measure(measure).into_iter().map(move |found| (measure, found)));
+    let mut least = Vec::new();
+    for measure in measures {
+        for (segment, pair) in waypoints.windows(2).enumerate() {
+            watch.check()?;
+            least.push((measure, (segment, least_slack(measure, &pair[0], &pair[1]))));
+        }
+    }
     // NaN, a cable without direction, counts as less than anything.
     let rank = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
-    let scarcest = least.min_by(|(_, (_, (a, _))), (_, (_, (b, _)))| rank(*a).total_cmp(&rank(*b)));
+    let scarcest = least.into_iter().min_by(|(_, (_, (a, _))), (_, (_, (b, _)))| rank(*a).total_cmp(&rank(*b)));
     let Some((measure, (segment, (_, at)))) = scarcest else { return Ok(None) };
     let position = waypoints[segment] + (waypoints[segment + 1] - waypoints[segment]) * at;
     let limit = limit_at(measure, &position);
     let min_wrench_margin = MarginPlace { value: limit.wrench_margin, segment, at, limit };
-    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(first.statics(), waypoints)? }))
+    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(first.statics(), waypoints, watch)? }))
 }
 
-fn tension_range(statics: &Statics, waypoints: &[Point]) -> Result<Option<TensionRange>, Error> {
+fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
     let length = crate::collision::path_check::path_length(waypoints);
     let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
     places.extend(waypoints.iter().enumerate().map(|(k, position)| {
@@ -322,7 +324,10 @@ fn tension_range(statics: &Statics, waypoints: &[Point]) -> Result<Option<Tensio
     }));
     let found: Result<Vec<Option<Vec<f64>>>, Error> = places
         .par_iter()
-        .map_init(TensionQp::default, |solver, place| statics.tensions(solver, &place.position, None))
+        .map_init(TensionQp::default, |solver, place| {
+            watch.check()?;
+            statics.tensions(solver, &place.position, None)
+        })
         .collect();
     let mut all = Vec::new();
     for (place, tensions) in places.iter().zip(found?) {

@@ -9,6 +9,7 @@ use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, S
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, hard1, hard3, paper_scene, scene};
+use cdpr_core::watch::Watch;
 use rand::RngExt;
 
 fn engines(scene: &Scene) -> (CspaceEngine, GjkEngine) {
@@ -248,7 +249,7 @@ fn a_path_through_nan_is_not_valid() {
     let start = scene.start().unwrap();
     let path = [start, Point::new(f64::NAN, 1.0, 0.3), start];
     for engine in [&engines(&scene).0 as &dyn Validity, &engines(&scene).1] {
-        assert!(!check_path(engine, &path).valid);
+        assert!(!check_path(engine, &path, &Watch::NONE).unwrap().valid);
     }
 }
 

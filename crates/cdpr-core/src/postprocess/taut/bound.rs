@@ -6,8 +6,11 @@
 //! of a polygon, where it is known in closed form. Any plane gives a bound; the best of many is taken.
 
 use super::hull::{Hull, edge_direction, in_box, meeting_line};
+use super::hulls::{Hulls, Near};
+use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::SAME_POINT;
+use crate::watch::Watch;
 
 /// Planes that are tried first: positions along the straight line, and tilts to both sides in two directions.
 const POSITIONS: usize = 7;
@@ -16,21 +19,45 @@ const TILTS: [f64; 3] = [-0.6, 0.0, 0.6];
 const ROUNDS: usize = 4;
 
 /// A lower bound of the length of all paths between two points in a box that keep out of `hulls`, m; infinite where a
-/// plane is closed altogether, so that there is no path.
-pub fn lower_bound(hulls: &[Hull], low: &Point, high: &Point, start: &Point, goal: &Point) -> f64 {
+/// plane is closed altogether, so that there is no path. If time is over it is the best bound until then.
+///
+/// # Errors
+/// [`Error::interrupted`].
+pub fn lower_bound(
+    hulls: &Hulls,
+    low: &Point,
+    high: &Point,
+    start: &Point,
+    goal: &Point,
+    watch: &Watch,
+) -> Result<f64, Error> {
     let straight = (goal - start).norm();
-    let Some(along) = (goal - start).try_normalize(SAME_POINT) else { return 0.0 };
+    let Some(along) = (goal - start).try_normalize(SAME_POINT) else { return Ok(0.0) };
     let across = along.cross(&Vector::ith(along.iamin(), 1.0)).normalize();
     let up = along.cross(&across);
-    let bound = |[at, tilt, lean]: [f64; 3]| {
+    let mut section = Section { hulls, low, high, start, goal, near: Near::default() };
+    let mut best = (straight, [0.5, 0.0, 0.0]);
+    let mut over = false;
+    let mut improve = |best: &mut (f64, [f64; 3]), place: [f64; 3]| {
+        over = over || watch.expired()?;
+        if over {
+            return Ok(());
+        }
+        let [at, tilt, lean] = place;
         let normal = (along + across * tilt + up * lean).normalize();
         let plane = HalfSpace::through(&(start + (goal - start) * at), normal);
-        beyond(&plane, hulls, low, high, start, goal).unwrap_or(straight)
+        if let Some(bound) = section.beyond(&plane, best.0, watch)? {
+            *best = (bound, place);
+        }
+        Ok::<_, Error>(())
     };
-    let places = (1..=POSITIONS).map(|k| k as f64 / (POSITIONS + 1) as f64);
-    let first = places.flat_map(|at| TILTS.iter().flat_map(move |t| TILTS.iter().map(move |l| [at, *t, *l])));
-    let better = |a: (f64, [f64; 3]), b: (f64, [f64; 3])| if b.0 > a.0 { b } else { a };
-    let mut best = first.map(|place| (bound(place), place)).fold((straight, [0.5, 0.0, 0.0]), better);
+    for k in 1..=POSITIONS {
+        for tilt in TILTS {
+            for lean in TILTS {
+                improve(&mut best, [k as f64 / (POSITIONS + 1) as f64, tilt, lean])?;
+            }
+        }
+    }
     for round in 1..=ROUNDS {
         let step = 0.5f64.powi(round as i32);
         for axis in 0..3 {
@@ -38,49 +65,148 @@ pub fn lower_bound(hulls: &[Hull], low: &Point, high: &Point, start: &Point, goa
                 let mut place = best.1;
                 place[axis] += sign * step * if axis == 0 { 1.0 / (POSITIONS + 1) as f64 } else { TILTS[2] };
                 place[0] = place[0].clamp(0.01, 0.99);
-                best = better(best, (bound(place), place));
+                improve(&mut best, place)?;
             }
         }
     }
-    best.0
+    Ok(best.0)
 }
 
-/// Length of the shortest way from start over a free place of a plane to the goal; none where the plane says nothing.
-fn beyond(plane: &HalfSpace, hulls: &[Hull], low: &Point, high: &Point, start: &Point, goal: &Point) -> Option<f64> {
-    let (below, above) = (plane.height(start), plane.height(goal));
-    let straight = start + (goal - start) * (below / (below - above));
-    let hidden = |hull: &Hull| hull.planes().iter().all(|h| h.height(&straight) < 0.0);
-    if !(below < 0.0 && above > 0.0 && hulls.iter().any(hidden)) {
-        return None;
-    }
-    let mut shortest = f64::INFINITY;
-    for (own, hull) in hulls.iter().enumerate() {
-        for side in hull.planes() {
-            edge_direction(plane, side)?; // a side along the plane: its place there would be uncertain
-            let (point, along) = meeting_line(plane, side)?;
-            let [from, to] = in_box(low, high, &point, &along);
-            let Some([first, last]) = hull.side(&point, &along) else { continue };
-            let mut open = vec![[from.max(first), to.min(last)]];
-            for (_, other) in hulls.iter().enumerate().filter(|(k, _)| *k != own) {
-                if let Some([a, b]) = other.inside(&point, &along) {
-                    open = open
-                        .iter()
-                        .flat_map(|[c, d]| [[*c, d.min(a)], [c.max(b), *d]])
-                        .filter(|[c, d]| c <= d)
-                        .collect();
-                }
+/// Planes that the hulls cut, one after another.
+struct Section<'a> {
+    hulls: &'a Hulls,
+    low: &'a Point,
+    high: &'a Point,
+    start: &'a Point,
+    goal: &'a Point,
+    near: Near,
+}
+
+/// A side of a polygon that a hull cuts out of a plane, and how short a way over it could be.
+struct Side<'a> {
+    hull: &'a Hull,
+    point: Point,
+    along: Vector,
+    range: [f64; 2],
+    /// Where a way over the side's line is shortest.
+    unfolded: f64,
+    /// Length of the shortest way over the side, m, if all of the side were free.
+    least: f64,
+}
+
+/// Sides between two looks at the watch.
+const POLL: usize = 64;
+
+impl<'a> Section<'a> {
+    /// Length of the shortest way from start over a free place of a plane to the goal; none where the plane gives no bound
+    /// above `known`, m, or time is over.
+    fn beyond(&mut self, plane: &HalfSpace, known: f64, watch: &Watch) -> Result<Option<f64>, Error> {
+        let (below, above) = (plane.height(self.start), plane.height(self.goal));
+        let way = self.goal - self.start;
+        let crossing = self.start + way * (below / (below - above));
+        let hidden = |hull: &Hull| hull.planes().iter().all(|h| h.height(&crossing) < 0.0);
+        if !(below < 0.0 && above > 0.0 && self.hulls.near(&[crossing], &mut self.near).any(hidden)) {
+            return Ok(None);
+        }
+        // A way over a place at the distance h from the straight line of length d has at least the length √(d² + 4h²), and
+        // a place of the plane at the distance r from the crossing has h ≥ r sin(angle of line and plane).
+        let steepness = plane.normal.dot(&way) / way.norm();
+        let radius_of = |length: f64| 0.5 * (length * length - way.norm_squared()).max(0.0).sqrt() / steepness;
+        let everything = (self.high - self.low).norm();
+        let mut radius = radius_of(known).max(everything / 64.0);
+        loop {
+            let Some(shortest) = self.shortest_within(plane, &crossing, radius, known, watch)? else { return Ok(None) };
+            if shortest <= known {
+                return Ok(None);
             }
-            let (s, g) = (along.dot(&(start - point)), along.dot(&(goal - point)));
-            let far = |p: &Point, t: f64| (p - (point + along * t)).norm();
-            let (ds, dg) = (far(start, s), far(goal, g));
-            let unfolded = if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { s };
-            for [a, b] in open.into_iter().filter(|[a, b]| a <= b) {
-                let t = unfolded.clamp(a, b);
-                shortest = shortest.min(far(start, t) + far(goal, t));
+            if radius_of(shortest) <= radius || radius >= everything {
+                return Ok(Some(shortest));
             }
+            radius = radius_of(shortest).clamp(2.0 * radius, 8.0 * radius);
         }
     }
-    Some(shortest)
+
+    /// The shortest way over free places on sides of the hulls that come within `radius` of a place of the plane, or any way
+    /// no longer than `known`; none if time is over.
+    fn shortest_within(
+        &mut self,
+        plane: &HalfSpace,
+        center: &Point,
+        radius: f64,
+        known: f64,
+        watch: &Watch,
+    ) -> Result<Option<f64>, Error> {
+        let Some(mut sides) = self.sides_within(plane, center, radius) else { return Ok(None) };
+        sides.sort_by(|a, b| a.least.total_cmp(&b.least));
+        let mut shortest = f64::INFINITY;
+        for (k, side) in sides.iter().enumerate() {
+            if side.least >= shortest || shortest <= known {
+                break;
+            }
+            if k % POLL == 0 && watch.expired()? {
+                return Ok(None);
+            }
+            for [a, b] in self.open(side) {
+                shortest = shortest.min(self.over(side, side.unfolded.clamp(a, b)));
+            }
+        }
+        Ok(Some(shortest))
+    }
+
+    /// The sides of the hulls that come near a disc of the plane; none if the place of one is uncertain.
+    fn sides_within(&mut self, plane: &HalfSpace, center: &Point, radius: f64) -> Option<Vec<Side<'a>>> {
+        let across = plane.normal.cross(&Vector::ith(plane.normal.iamin(), 1.0)).normalize();
+        let up = plane.normal.cross(&across);
+        // The corners of a triangle around the disc.
+        let corner = |x: f64, y: f64| center + (across * x + up * y) * radius;
+        let corners = [corner(0.0, 2.0), corner(-3f64.sqrt(), -1.0), corner(3f64.sqrt(), -1.0)];
+        let mut sides = Vec::new();
+        let hulls: Vec<&Hull> = self.hulls.near(&corners, &mut self.near).collect();
+        for hull in hulls {
+            for own in hull.planes() {
+                edge_direction(plane, own)?; // a side along the plane: its place there would be uncertain
+                let (point, along) = meeting_line(plane, own)?;
+                let [from, to] = in_box(self.low, self.high, &point, &along);
+                let Some([first, last]) = hull.side(&point, &along) else { continue };
+                let range = [from.max(first), to.min(last)];
+                if range[0] <= range[1] {
+                    let mut side = Side { hull, point, along, range, unfolded: 0.0, least: 0.0 };
+                    side.unfolded = self.unfolded(&side);
+                    side.least = self.over(&side, side.unfolded.clamp(range[0], range[1]));
+                    sides.push(side);
+                }
+            }
+        }
+        Some(sides)
+    }
+
+    /// Where on the line of a side a way from start to goal is shortest: where it is straight once the line is unfolded.
+    fn unfolded(&self, side: &Side) -> f64 {
+        let [(s, ds), (g, dg)] = [self.start, self.goal].map(|end| {
+            let t = side.along.dot(&(end - side.point));
+            (t, (end - (side.point + side.along * t)).norm())
+        });
+        if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { s }
+    }
+
+    /// Length of the way over a place on the line of a side, m.
+    fn over(&self, side: &Side, t: f64) -> f64 {
+        let place = side.point + side.along * t;
+        (place - self.start).norm() + (place - self.goal).norm()
+    }
+
+    /// The pieces of a side outside of all other hulls.
+    fn open(&mut self, side: &Side) -> Vec<[f64; 2]> {
+        let ends = side.range.map(|t| side.point + side.along * t);
+        let mut open = vec![side.range];
+        for other in self.hulls.near(&ends, &mut self.near).filter(|other| !std::ptr::eq(*other, side.hull)) {
+            if let Some([a, b]) = other.inside(&side.point, &side.along) {
+                let left = open.iter().flat_map(|[c, d]| [[*c, d.min(a)], [c.max(b), *d]]).filter(|[c, d]| c <= d);
+                open = left.collect();
+            }
+        }
+        open
+    }
 }
 
 #[cfg(test)]
@@ -125,7 +251,11 @@ mod tests {
             hulls.remove(0);
             let tilt = Vector::new(1.0, rng.random_range(-0.5..0.5), rng.random_range(-0.5..0.5)).normalize();
             let plane = HalfSpace::through(&Point::new(1.0, 1.0, 1.0), tilt);
-            let Some(bound) = beyond(&plane, &hulls, &low, &high, &start, &goal) else { continue };
+            let placed = Hulls::new(hulls.iter().cloned(), low, high);
+            let (near, hulls_at) = (Near::default(), &placed);
+            let mut section = Section { hulls: hulls_at, low: &low, high: &high, start: &start, goal: &goal, near };
+            let known = (goal - start).norm();
+            let Some(bound) = section.beyond(&plane, known, &Watch::NONE).unwrap() else { continue };
             let grid = sampled(&plane, &hulls, &low, &high, [&start, &goal]);
             assert!(bound <= grid + 1e-9 && (grid - bound < 0.03 || bound > 1e9), "{round}: {bound}, on a grid {grid}");
             told += 1;

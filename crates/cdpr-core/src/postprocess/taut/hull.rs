@@ -13,6 +13,17 @@ pub struct Hull {
     planes: Vec<HalfSpace>,
 }
 
+/// How much of a box a hull holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Overlap {
+    /// Nothing.
+    None,
+    /// Maybe some of it.
+    Part,
+    /// All of it, and not just so.
+    All,
+}
+
 /// An edge of a hull.
 #[derive(Debug)]
 pub struct Edge {
@@ -36,6 +47,21 @@ impl Hull {
     /// Its planes.
     pub fn planes(&self) -> &[HalfSpace] {
         &self.planes
+    }
+
+    /// How much of a box, given by its centre and half its sides, the polyhedron holds, as far as single planes tell.
+    pub fn overlap(&self, center: &Point, half: &Vector) -> Overlap {
+        let mut overlap = Overlap::All;
+        for plane in &self.planes {
+            let (height, reach) = (plane.height(center), plane.normal.abs().dot(half));
+            if height - reach >= 0.0 {
+                return Overlap::None;
+            }
+            if height + reach >= -ON_SURFACE {
+                overlap = Overlap::Part;
+            }
+        }
+        overlap
     }
 
     /// Whether one plane alone has all these points outside, or in it.
@@ -92,9 +118,9 @@ impl Hull {
 }
 
 impl Edge {
-    /// The pieces of the edge outside of all hulls; found at the first time.
-    pub fn free(&self, hulls: &[Hull]) -> &[Piece] {
-        self.free.get_or_init(|| self.whole.outside(hulls))
+    /// The pieces of the edge outside of all hulls; the first time `near` finds those that come near a segment.
+    pub fn free_or<'h>(&self, near: impl FnOnce([Point; 2]) -> Vec<&'h Hull>) -> &[Piece] {
+        self.free.get_or_init(|| self.whole.outside(&near([self.whole.from, self.whole.from + self.whole.along])))
     }
 }
 
@@ -104,7 +130,7 @@ impl Piece {
         self.from + self.along * rng.random::<f64>()
     }
 
-    fn outside(&self, hulls: &[Hull]) -> Vec<Piece> {
+    fn outside(&self, hulls: &[&Hull]) -> Vec<Piece> {
         let mut covered: Vec<[f64; 2]> = hulls.iter().filter_map(|hull| hull.inside(&self.from, &self.along)).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut free = Vec::new();

@@ -7,6 +7,7 @@
 
 use super::Bend;
 use super::hull::{Hull, edge_direction};
+use super::hulls::{Hulls, Near};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{GRAZING, SAME_POINT};
 
@@ -16,6 +17,7 @@ pub struct Pull {
     polygon: Vec<Corner>,
     clipped: Vec<Corner>,
     found: Vec<(Place, Option<Vector>)>,
+    near: Near,
 }
 
 /// Coordinates in the plane of the triangle: along u → w, and across, v being above.
@@ -37,16 +39,18 @@ struct Frame {
 
 impl Pull {
     /// Replaces `chain` by the corners of the string u → v → w pulled taut; empty where v is not needed at all.
-    pub fn over(&mut self, hulls: &[Hull], u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
+    pub fn over(&mut self, hulls: &Hulls, u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
         chain.clear();
         let Some((frame, top, length)) = framed(u, v, w) else { return };
         self.found.clear();
         // A hull that holds a valid waypoint says too much there, and nothing about the way around it.
         let in_the_way = |hull: &&Hull| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
-        for hull in hulls.iter().filter(in_the_way) {
+        let mut near = std::mem::take(&mut self.near);
+        for hull in hulls.near(&[*u, *v, *w], &mut near).filter(in_the_way) {
             self.cut(hull, &frame, [[0.0, 0.0], [length, 0.0], top]);
             self.collect(hull);
         }
+        self.near = near;
         self.wrap(&frame, length, chain);
     }
 

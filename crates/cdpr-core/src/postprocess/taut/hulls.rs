@@ -1,0 +1,258 @@
+//! The hulls of a scene, found by place: an octree over the box of positions that is refined where it is asked, and
+//! nowhere else. A path meets few of the thousands of hulls of a large hall, and only those cost anything.
+
+use std::sync::OnceLock;
+
+use rand::{Rng, RngExt};
+
+use super::hull::{Edge, Hull, Overlap, in_box};
+use crate::geometry::{Point, Vector};
+use crate::numerics::ON_SURFACE;
+
+/// Hulls in one place, and their edges.
+#[derive(Debug)]
+pub struct Hulls {
+    list: Vec<Hull>,
+    /// Edges of each hull, found when they are first asked for.
+    edges: Vec<OnceLock<Vec<Edge>>>,
+    low: Point,
+    high: Point,
+    root: Node,
+    root_members: Vec<u32>,
+}
+
+/// A box of the octree. Its hulls are those of its parent that reach into it.
+#[derive(Debug)]
+struct Node {
+    center: Point,
+    half: Vector,
+    members: OnceLock<Vec<u32>>,
+    children: OnceLock<Box<[Node; 8]>>,
+}
+
+/// Room for one search of the octree, used again for the next.
+#[derive(Debug, Default)]
+pub struct Near {
+    /// Indices of the hulls that were found, each once.
+    found: Vec<u32>,
+    seen: Vec<u32>,
+    search: u32,
+}
+
+/// Boxes with no more hulls than this are not divided.
+const FEW: usize = 6;
+/// Boxes smaller than this share of the extent of what is asked about are not divided.
+const FINE: f64 = 1.0 / 16.0;
+/// Levels below the root: boxes of a 256th of the whole.
+const LEVELS: usize = 8;
+/// How far boxes reach beyond their share of space, m: what touches a box counts as reaching into it.
+const MARGIN: f64 = 2.0 * ON_SURFACE;
+/// Edges drawn until one of them has a free piece.
+const DRAWS: usize = 32;
+
+impl Hulls {
+    /// The hulls that reach into the box from `low` to `high`.
+    pub fn new(hulls: impl Iterator<Item = Hull>, low: Point, high: Point) -> Self {
+        let root = Node::new(nalgebra::center(&low, &high), (high - low) * 0.5 + Vector::repeat(MARGIN));
+        let list: Vec<Hull> = hulls.filter(|hull| hull.overlap(&root.center, &root.half) != Overlap::None).collect();
+        let edges = list.iter().map(|_| OnceLock::new()).collect();
+        let root_members = (0..list.len() as u32).collect();
+        Hulls { list, edges, low, high, root, root_members }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// The hulls that come near the convex hull of one, two or three points inside the box of positions.
+    pub fn near<'h, 'n>(
+        &'h self,
+        corners: &[Point],
+        near: &'n mut Near,
+    ) -> impl Iterator<Item = &'h Hull> + use<'h, 'n> {
+        near.begin(self.list.len());
+        let query = Query::new(corners);
+        self.root.search(&self.root_members, &self.list, &query, 0, near);
+        near.found.iter().map(|&index| &self.list[index as usize])
+    }
+
+    /// A point on a free piece of an edge; none if none is found soon.
+    pub fn sample(&self, rng: &mut dyn Rng, near: &mut Near) -> Option<Point> {
+        (0..DRAWS.min(DRAWS * self.list.len())).find_map(|_| {
+            let edges = self.edges(rng.random_range(0..self.list.len()));
+            let edge = edges.get(rng.random_range(0..edges.len().max(1)))?;
+            let pieces = edge.free_or(|ends| self.near(&ends, near).collect());
+            Some(pieces.get(rng.random_range(0..pieces.len().max(1)))?.sample(rng))
+        })
+    }
+
+    fn edges(&self, index: usize) -> &[Edge] {
+        self.edges[index].get_or_init(|| self.list[index].edges(&self.low, &self.high))
+    }
+}
+
+impl Near {
+    fn begin(&mut self, count: usize) {
+        if self.seen.len() != count || self.search == u32::MAX {
+            (self.seen, self.search) = (vec![0; count], 0);
+        }
+        self.search += 1;
+        self.found.clear();
+    }
+
+    fn take(&mut self, members: &[u32]) {
+        for &member in members {
+            let seen = &mut self.seen[member as usize];
+            if *seen != self.search {
+                *seen = self.search;
+                self.found.push(member);
+            }
+        }
+    }
+}
+
+impl Node {
+    fn new(center: Point, half: Vector) -> Self {
+        Node { center, half, members: OnceLock::new(), children: OnceLock::new() }
+    }
+
+    fn search(&self, members: &[u32], hulls: &[Hull], query: &Query, level: usize, near: &mut Near) {
+        if members.is_empty() || query.apart(&self.center, &self.half) {
+            return;
+        }
+        if members.len() <= FEW || level == LEVELS || self.half.max() <= FINE * query.extent {
+            return near.take(members);
+        }
+        for child in self.children.get_or_init(|| self.divided()).iter() {
+            let own = child.members.get_or_init(|| child.reached_by(members, hulls));
+            child.search(own, hulls, query, level + 1, near);
+        }
+    }
+
+    fn divided(&self) -> Box<[Node; 8]> {
+        let margin = Vector::repeat(MARGIN);
+        let half = (self.half - margin) * 0.5;
+        let side = |k: usize, axis: usize| if k >> axis & 1 == 1 { half[axis] } else { -half[axis] };
+        let center = |k: usize| self.center + Vector::from_fn(|axis, _| side(k, axis));
+        Box::new(std::array::from_fn(|k| Node::new(center(k), half + margin)))
+    }
+
+    /// Those of some hulls that reach into the box; where one of them holds all of it, that one hides the others.
+    fn reached_by(&self, members: &[u32], hulls: &[Hull]) -> Vec<u32> {
+        let mut own = Vec::new();
+        for &member in members {
+            match hulls[member as usize].overlap(&self.center, &self.half) {
+                Overlap::None => {}
+                Overlap::Part => own.push(member),
+                Overlap::All => return vec![member],
+            }
+        }
+        own
+    }
+}
+
+/// What is asked about: a point, a segment or a triangle.
+struct Query {
+    low: Point,
+    high: Point,
+    extent: f64,
+    /// A segment's beginning and the way to its end.
+    segment: Option<(Point, Vector)>,
+    /// A triangle's plane: unit normal and offset.
+    plane: Option<(Vector, f64)>,
+}
+
+impl Query {
+    fn new(corners: &[Point]) -> Self {
+        let low = corners.iter().fold(corners[0], |low, p| low.inf(p));
+        let high = corners.iter().fold(corners[0], |high, p| high.sup(p));
+        let segment = if let [a, b] = corners { Some((*a, b - a)) } else { None };
+        let plane = match corners {
+            [a, b, c] => (b - a).cross(&(c - a)).try_normalize(0.0).map(|normal| (normal, normal.dot(&a.coords))),
+            _ => None,
+        };
+        Query { low, high, extent: (high - low).max(), segment, plane }
+    }
+
+    fn apart(&self, center: &Point, half: &Vector) -> bool {
+        let beside =
+            |axis: usize| self.low[axis] > center[axis] + half[axis] || self.high[axis] < center[axis] - half[axis];
+        if (0..3).any(beside) {
+            return true;
+        }
+        let missed = |(from, along): &(Point, Vector)| {
+            let [first, last] = in_box(&(center - half), &(center + half), from, along);
+            !(first.max(0.0) <= last.min(1.0))
+        };
+        let above = |(normal, offset): &(Vector, f64)| {
+            (normal.dot(&center.coords) - offset).abs() > normal.abs().dot(half) + ON_SURFACE
+        };
+        self.segment.as_ref().is_some_and(missed) || self.plane.as_ref().is_some_and(above)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Polytope, Rotation};
+    use rand::SeedableRng;
+
+    fn hall(count: usize, seed: u64) -> (Vec<Hull>, Hulls) {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+        let list: Vec<Hull> = (0..count)
+            .map(|_| {
+                let body = Polytope::cuboid([0; 3].map(|_| rng.random_range(0.01..0.6))).unwrap();
+                let at = Vector::from_fn(|_, _| rng.random_range(-0.2..2.2));
+                Hull::around(
+                    body.transformed(&Rotation::new(Vector::new(rng.random(), rng.random(), 0.3)), &at).half_spaces(),
+                )
+            })
+            .collect();
+        let hulls = Hulls::new(list.iter().cloned(), Point::origin(), Point::new(2.0, 2.0, 2.0));
+        (list, hulls)
+    }
+
+    #[test]
+    fn a_segment_meets_the_same_hulls_as_without_the_octree() {
+        let (list, hulls) = hall(150, 1);
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2);
+        let mut near = Near::default();
+        let (mut met, mut asked) = (0, 0);
+        let every: Vec<&Hull> = list.iter().collect();
+        for _ in 0..3000 {
+            let from = Point::from(Vector::from_fn(|_, _| rng.random_range(0.0..2.0)));
+            let size = [0.02, 0.3, 3.0][rng.random_range(0..3)];
+            let to = (from + Vector::from_fn(|_, _| rng.random_range(-size..size)))
+                .sup(&Point::origin())
+                .inf(&Point::new(2.0, 2.0, 2.0));
+            let along = to - from;
+            let cut = |hull: &Hull| hull.inside(&from, &along).is_some_and(|[a, b]| a < 1.0 && b > 0.0);
+            let found: Vec<&Hull> = hulls.near(&[from, to], &mut near).collect();
+            let covered = |t: f64, hulls: &[&Hull]| {
+                hulls.iter().any(|hull| hull.inside(&from, &along).is_some_and(|[a, b]| a < t && t < b))
+            };
+            for k in 0..=20 {
+                let t = k as f64 / 20.0;
+                let all = covered(t, &every);
+                assert_eq!(all, covered(t, &found), "{from} {to} {t}");
+            }
+            met += list.iter().filter(|hull| cut(hull)).count();
+            asked += found.len();
+        }
+        assert!(met > 1000 && asked < 3000 * 75, "{met} {asked}");
+    }
+
+    #[test]
+    fn samples_lie_on_edges_outside_of_all_hulls() {
+        let (list, hulls) = hall(60, 3);
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+        let mut near = Near::default();
+        let samples: Vec<Point> = (0..500).filter_map(|_| hulls.sample(&mut rng, &mut near)).collect();
+        assert!(samples.len() > 450);
+        for sample in samples {
+            assert!(list.iter().all(|hull| !hull.holds(&sample)), "{sample}");
+            assert!(list.iter().any(|hull| !hull.edges_at(&sample).is_empty()), "{sample}");
+        }
+    }
+}
