@@ -12,6 +12,7 @@ use args::{Cli, Command};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
 use output::Console;
+use progress::INTERRUPTED_STATUS;
 
 /// How a command that ran to its end answers.
 enum Answer {
@@ -21,16 +22,17 @@ enum Answer {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    // Without a handler Ctrl-C would still end the program, only less politely.
+    // Without a handler Ctrl-C would still end the program, but without the best answer so far.
     let _ = ctrlc::set_handler(progress::interrupt);
     let out = Console::new(cli.talk.level());
     cli.color.write_global();
     match run(cli.command, &out) {
+        Ok(_) if progress::interrupted() => ExitCode::from(INTERRUPTED_STATUS),
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
             out.error(&error);
-            ExitCode::from(if error.class() == ErrorClass::Interrupted { 130 } else { 2 })
+            ExitCode::from(if error.class() == ErrorClass::Interrupted { INTERRUPTED_STATUS } else { 2 })
         }
     }
 }

@@ -9,6 +9,8 @@ use cdpr_core::collision::Constraints;
 use cdpr_core::geometry::Point;
 use cdpr_core::{Error, Scene, io};
 
+use crate::progress::writing;
+
 /// What stands for standard input or output in the place of a file.
 pub const STANDARD: &str = "-";
 
@@ -96,7 +98,9 @@ impl Console {
             arrived(out.write_all(contents).and_then(|()| out.flush()));
             return Ok(());
         }
+        let writing = writing();
         io::write_atomically(path, contents)?;
+        drop(writing);
         self.wrote(path, hint);
         Ok(())
     }

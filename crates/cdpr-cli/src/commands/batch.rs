@@ -11,7 +11,7 @@ use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
 use crate::input;
 use crate::output::{Console, count};
-use crate::progress::{bar, interrupted};
+use crate::progress::{bar, interrupted, writing};
 
 pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
     let experiment = input::experiment(&args.experiment)?;
@@ -27,7 +27,10 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
         progress.failure.iter().for_each(|failure| bar.suspend(|| out.say(&format!("failed: {failure}"))));
     };
     let options = RunOptions { threads: args.threads, interrupted: &interrupted, progress: &mut progress };
+    // Trials look at the clock themselves, and the tables of those that are done are to be written.
+    let writing = writing();
     let ended = folder.run(&experiment, options);
+    drop(writing);
     bar.finish_and_clear();
     match ended {
         Ok(()) => {

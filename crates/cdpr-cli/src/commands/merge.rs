@@ -7,6 +7,7 @@ use crate::args::MergeArgs;
 use crate::output::Console;
 
 pub fn run(args: &MergeArgs, out: &Console) -> Result<Answer, Error> {
+    let _writing = crate::progress::writing();
     io::merge(&args.folders, &args.output)?;
     super::batch::print_summary(&args.output, args.format, out)?;
     Ok(Answer::Yes)

@@ -15,7 +15,7 @@ use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
 use crate::output::{Console, Talk, bad, count, good, is_standard, position, scene_line, short};
-use crate::progress::with_sign_of_life;
+use crate::progress::{interrupted, with_sign_of_life};
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
@@ -59,7 +59,9 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if let Some(path) = &args.output {
         save_path(path, &json, out)?;
     }
-    if let Some(path) = &args.html {
+    if interrupted() {
+        out.say("interrupted: this is the best path until then");
+    } else if let Some(path) = &args.html {
         let page = page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }

@@ -11,7 +11,7 @@ use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
 use crate::output::{Console, count, is_standard, scene_line, short};
-use crate::progress::with_sign_of_life;
+use crate::progress::{with_sign_of_life, writing};
 
 /// Checks that a path can be written under this name, before the work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
@@ -23,7 +23,9 @@ pub fn save_path(path: &Path, json: &serde_json::Value, out: &Console) -> Result
     if is_standard(path) {
         return out.write(path, format!("{json:#}\n").as_bytes(), "");
     }
+    let writing = writing();
     io::save_path(path, json)?;
+    drop(writing);
     out.wrote(path, "");
     Ok(())
 }

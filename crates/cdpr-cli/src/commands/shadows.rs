@@ -11,6 +11,7 @@ use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
 use crate::input;
 use crate::output::{Console, count, scene_line};
+use crate::progress::writing;
 
 pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;
@@ -22,7 +23,9 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     if has_round_regions(&scene) {
         out.note("clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
     }
+    let writing = writing();
     save_regions(&args.output, &scene, &found)?;
+    drop(writing);
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", summary(args, &found))),
         Format::Text => {

@@ -15,7 +15,7 @@ use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::input;
 use crate::output::{Console, position, scene_line, thousandths};
-use crate::progress::{interrupted, with_sign_of_life};
+use crate::progress::{interrupted, with_sign_of_life, writing};
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
@@ -53,6 +53,7 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
         .map_err(|e| e.in_file(&args.scene.scene))?;
     let all_balanced = rows.iter().all(|row| row.tensions.is_some());
     if let Some(output) = &args.output {
+        let _writing = writing();
         io::save_tensions(output, &rows)?;
         out.wrote(output, "");
     }
@@ -147,7 +148,9 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
         let batch = BatchOptions { threads: None, interrupted: stop };
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })?;
+    let writing = writing();
     io::save_wrench_map(output, &map)?;
+    drop(writing);
     let found = map.summary();
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", summary_json(&map))),

@@ -8,7 +8,7 @@
 
 use rand::Rng;
 
-use super::bidirectional::Halves;
+use super::bidirectional::{Halves, Parent};
 use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, Until, path_length};
 use super::space::{Problem, StateSpace};
@@ -72,12 +72,15 @@ impl Default for AnytimeOptions {
 
 /// Without other limits: samples without any path after which it gives up.
 const HOPELESS: usize = 100_000;
-/// Without other limits: ways made taut since the last better one after which it is content.
-const CONTENT: usize = 40;
-/// A way counts for so many where the guide is hindered.
-const HINDERED: usize = 8;
-/// Without other limits: samples since the last better way after which it is content.
-const QUIET: usize = 2_000;
+/// Without other limits: effort since the last better path after which it is content, in samples.
+const LEAST_EFFORT: usize = 2_000;
+/// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
+const EFFORT_SHARE: f64 = 1.0;
+/// Effort of making a way taut, in samples; and where the guide is hindered.
+const PULL: usize = 50;
+const HINDERED_PULL: usize = 400;
+/// A path shorter by this share is a better one, for which the search goes on.
+const BETTER: f64 = 1e-5;
 /// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
 const UNGUIDED: usize = 500;
 /// Ways longer than the best path by more than this factor are not made taut.
@@ -119,7 +122,7 @@ pub fn anytime<S: StateSpace>(
         polished: f64::INFINITY,
         enough: content_with(problem, options),
         gap: options.gap,
-        patience: (!lasting).then_some(Patience { samples: hopeless, pulls: CONTENT }),
+        patience: (!lasting).then_some(Patience { hopeless, effort: 0, first: None, last: 0, cost: f64::INFINITY }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
         Err(stopped) if stopped.class() == ErrorClass::Interrupted && !run.best.is_empty() => {}
@@ -136,10 +139,32 @@ fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, opti
     asked.max(space.distance(start, goal))
 }
 
-/// What is left to try without success.
+/// How much was tried, and when it led to something; all in samples.
 struct Patience {
-    samples: usize,
-    pulls: usize,
+    /// Effort without any path after which the search gives up.
+    hopeless: usize,
+    effort: usize,
+    /// Effort until the first path.
+    first: Option<usize>,
+    /// Effort until the last path that was better.
+    last: usize,
+    /// Its length, m.
+    cost: f64,
+}
+
+impl Patience {
+    fn lost(&self) -> bool {
+        let Some(first) = self.first else { return self.effort >= self.hopeless };
+        let earned = (EFFORT_SHARE * (self.last - first) as f64) as usize;
+        self.effort - self.last > earned.max(LEAST_EFFORT)
+    }
+
+    fn take(&mut self, cost: f64) {
+        self.first.get_or_insert(self.effort);
+        if cost < (1.0 - BETTER) * self.cost {
+            (self.last, self.cost) = (self.effort, cost);
+        }
+    }
 }
 
 struct Run<'r, S: StateSpace> {
@@ -170,12 +195,14 @@ impl<S: StateSpace> Run<'_, S> {
         while self.cost > self.enough && !self.patience_lost() && !self.search.over(self.nodes(), self.cost)? {
             self.look_at_the_gap()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
-            if let Some(way) = self.halves.meet(&mut self.search, &sample)? {
-                self.consider(way)?;
+            let parent = if self.cost.is_finite() { Parent::Cheapest } else { Parent::Nearest };
+            if let Some(way) = self.halves.meet(&mut self.search, &sample, parent)? {
+                self.consider(way, &sample)?;
             }
             if self.halves.len() > MOST_NODES {
                 self.past += self.halves.len();
                 self.halves = Halves::new(self.search.problem);
+                self.halves.keep(&self.best);
             }
         }
         Ok(())
@@ -197,9 +224,9 @@ impl<S: StateSpace> Run<'_, S> {
     }
 
     fn patience_lost(&mut self) -> bool {
-        self.patience.as_mut().is_some_and(|left| {
-            left.samples = left.samples.saturating_sub(1);
-            left.samples == 0 || left.pulls == 0
+        self.patience.as_mut().is_some_and(|patience| {
+            patience.effort += 1;
+            patience.lost()
         })
     }
 
@@ -207,19 +234,37 @@ impl<S: StateSpace> Run<'_, S> {
     fn promising_sample(&mut self, rng: &mut impl Rng) -> Result<Option<S::State>, Error> {
         let Problem { space, start, goal } = self.search.problem;
         let samples = self.search.samples();
-        let guided = (self.cost.is_finite() || samples >= UNGUIDED) && samples.is_multiple_of(2);
-        let guided = if guided { self.guide.sample(rng, self.watch)? } else { None };
-        let Some(sample) = self.search.drawn(guided, rng) else { return Ok(None) };
+        let sample = match samples % 4 {
+            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(rng, self.watch)?,
+            1 if self.cost.is_infinite() => space.sample_around(self.halves.stuck(rng), rng),
+            _ => None,
+        };
+        let sample = sample.or_else(|| match self.cost {
+            f64::INFINITY => space.sample(rng),
+            cost => space.sample_between(start, goal, cost, rng),
+        });
+        let Some(sample) = self.search.drawn(sample) else { return Ok(None) };
         let shortest = space.distance(start, &sample) + space.distance(&sample, goal);
         Ok((shortest < self.cost && self.search.valid(&sample)).then_some(sample))
     }
 
-    fn consider(&mut self, way: Vec<S::State>) -> Result<(), Error> {
-        if path_length(&self.search.problem.space, &way) > DETOUR * self.cost {
+    /// Pulls a way through a sample taut, unless it is far too long or the sample is not what it bends around.
+    fn consider(&mut self, mut way: Vec<S::State>, sample: &S::State) -> Result<(), Error> {
+        let space = &self.search.problem.space;
+        let at = way.iter().position(|state| state == sample).filter(|at| *at > 0 && at + 1 < way.len());
+        if let Some(at) = at.filter(|_| self.cost.is_finite())
+            && self.search.collision_free(&way[at - 1], &way[at + 1])?
+        {
+            way.remove(at);
+            if path_length(space, &way) >= self.cost {
+                return Ok(());
+            }
+        }
+        if path_length(space, &way) > DETOUR * self.cost {
             return Ok(());
         }
-        if let Some(left) = &mut self.patience {
-            left.pulls = left.pulls.saturating_sub(if self.guide.hindered() { HINDERED } else { 1 });
+        if let Some(patience) = &mut self.patience {
+            patience.effort += if self.guide.hindered() { HINDERED_PULL } else { PULL };
         }
         if self.best.is_empty() {
             self.take(way.clone()); // an answer in case that time ends here
@@ -244,8 +289,9 @@ impl<S: StateSpace> Run<'_, S> {
         let cost = path_length(&self.search.problem.space, &path);
         if cost < self.cost {
             (self.best, self.cost) = (path, cost);
-            if let Some(left) = &mut self.patience {
-                *left = Patience { samples: QUIET, pulls: CONTENT };
+            self.halves.keep(&self.best);
+            if let Some(patience) = &mut self.patience {
+                patience.take(cost);
             }
             let seconds = self.search.improved(cost);
             (self.listener)(seconds, cost, &self.best);

@@ -1,5 +1,7 @@
 //! Two trees, one from the start and one from the goal, that meet in samples.
 
+use rand::{Rng, RngExt};
+
 use super::neighbours::Neighbours;
 use super::search::Search;
 use super::space::{Problem, StateSpace};
@@ -13,6 +15,15 @@ const NEAREST: usize = 10;
 /// A tree that is larger than the other by this factor grows only together with it: where the other is stuck, it is there
 /// that something must be found.
 const LOPSIDED: usize = 1;
+
+/// To which of the nodes from which it can be reached a state is appended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Parent {
+    /// The nearest: the fewest motion checks.
+    Nearest,
+    /// The one through which the way from the root is shortest, and nodes near by are rewired: the shortest ways.
+    Cheapest,
+}
 
 /// The two trees.
 pub(super) struct Halves<'p, S: StateSpace> {
@@ -41,14 +52,33 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         self.halves.iter().map(|half| half.tree.len()).sum()
     }
 
+    /// A random node of the smaller tree, which is the one that is stuck.
+    pub fn stuck(&self, rng: &mut impl Rng) -> &S::State {
+        let smaller = &self.halves[usize::from(self.halves[1].tree.len() < self.halves[0].tree.len())].tree;
+        smaller.state(rng.random_range(0..smaller.len()))
+    }
+
+    /// Puts the waypoints of a valid path from start to goal into both trees.
+    pub fn keep(&mut self, path: &[S::State]) {
+        let inner = &path[1..path.len().max(2) - 1];
+        let [from_start, from_goal] = &mut self.halves;
+        from_start.append_chain(self.space, inner.iter());
+        from_goal.append_chain(self.space, inner.iter().rev());
+    }
+
     /// Connects a state to both trees, straight; where both can be, the path through it.
-    pub fn meet(&mut self, search: &mut Search<S>, state: &S::State) -> Result<Option<Vec<S::State>>, Error> {
+    pub fn meet(
+        &mut self,
+        search: &mut Search<S>,
+        state: &S::State,
+        parent: Parent,
+    ) -> Result<Option<Vec<S::State>>, Error> {
         let smaller = usize::from(self.halves[1].tree.len() < self.halves[0].tree.len());
         let larger = 1 - smaller;
         let mut nodes = [None; 2];
-        nodes[smaller] = self.halves[smaller].append(self.space, search, state)?;
+        nodes[smaller] = self.halves[smaller].append(self.space, search, state, parent)?;
         if nodes[smaller].is_some() || self.halves[larger].tree.len() < LOPSIDED * self.halves[smaller].tree.len() {
-            nodes[larger] = self.halves[larger].append(self.space, search, state)?;
+            nodes[larger] = self.halves[larger].append(self.space, search, state, parent)?;
         }
         let [from_start, from_goal] = &self.halves;
         let [Some(first), Some(second)] = nodes else { return Ok(None) };
@@ -68,14 +98,56 @@ impl<'p, S: StateSpace> Halves<'p, S> {
 }
 
 impl<S: StateSpace> Half<S> {
-    /// Appends a state to the nearest node from which it can be reached; the new node.
-    fn append(&mut self, space: &S, search: &mut Search<S>, state: &S::State) -> Result<Option<usize>, Error> {
-        for &node in self.neighbours.nearest_few::<NEAREST>(&space.place(state)).nodes() {
-            if search.collision_free(self.tree.state(node), state)? {
+    /// Appends a state to one of its nearest nodes from which it can be reached; the new node.
+    fn append(
+        &mut self,
+        space: &S,
+        search: &mut Search<S>,
+        state: &S::State,
+        parent: Parent,
+    ) -> Result<Option<usize>, Error> {
+        let few = self.neighbours.nearest_few::<NEAREST>(&space.place(state));
+        let mut through = [(0.0, 0); NEAREST];
+        let through = &mut through[..few.nodes().len()];
+        for (known, &node) in through.iter_mut().zip(few.nodes()) {
+            *known = (self.tree.cost_through(space, node, state), node);
+        }
+        if parent == Parent::Cheapest {
+            through.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        for (k, (_, node)) in through.iter().enumerate() {
+            if search.collision_free(self.tree.state(*node), state)? {
                 self.neighbours.push(space.place(state));
-                return Ok(Some(self.tree.append(space, node, *state)));
+                let new = self.tree.append(space, *node, *state);
+                if parent == Parent::Cheapest {
+                    self.rewire(space, search, new, &through[k + 1..])?;
+                }
+                return Ok(Some(new));
             }
         }
         Ok(None)
+    }
+
+    /// Hangs nodes on a new one where that makes the way to them shorter.
+    fn rewire(&mut self, space: &S, search: &mut Search<S>, new: usize, others: &[(f64, usize)]) -> Result<(), Error> {
+        for &(_, other) in others {
+            let cheaper = self.tree.cost_through(space, new, self.tree.state(other)) < self.tree.cost(other);
+            if cheaper && search.collision_free(self.tree.state(new), self.tree.state(other))? {
+                self.tree.rewire(space, other, new);
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends states one after another, the first to the root; the motions between them are known to be free.
+    fn append_chain<'s>(&mut self, space: &S, states: impl Iterator<Item = &'s S::State>)
+    where
+        S::State: 's,
+    {
+        let mut last = 0;
+        for state in states {
+            self.neighbours.push(space.place(state));
+            last = self.tree.append(space, last, *state);
+        }
     }
 }

@@ -3,7 +3,7 @@
 
 use rand::Rng;
 
-use super::bidirectional::Halves;
+use super::bidirectional::{Halves, Parent};
 use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, path_length};
 use super::space::{Problem, StateSpace};
@@ -61,7 +61,7 @@ pub fn rrt_connect<S: StateSpace>(
     let mut best = path_length(space, &path);
     while !search.over(halves.len(), best)? {
         let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
-        if let Some(found) = halves.meet(&mut search, &sample)? {
+        if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
             let length = path_length(space, &found);
             if length < best {
                 (path, best) = (found, length);

@@ -79,15 +79,10 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.problem.space.sample(rng)
     }
 
-    /// A sample that somebody else drew, or a random one.
-    pub fn drawn(&mut self, sample: Option<S::State>, rng: &mut impl Rng) -> Option<S::State> {
-        match sample {
-            Some(sample) => {
-                self.samples += 1;
-                Some(sample)
-            }
-            None => self.random_sample(rng),
-        }
+    /// Counts a sample that somebody else drew.
+    pub fn drawn(&mut self, sample: Option<S::State>) -> Option<S::State> {
+        self.samples += 1;
+        sample
     }
 
     /// Samples drawn so far.

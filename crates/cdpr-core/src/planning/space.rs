@@ -13,6 +13,19 @@ pub trait StateSpace: Sync {
     /// A state drawn uniformly, or none if the space is empty.
     fn sample(&self, rng: &mut impl Rng) -> Option<Self::State>;
 
+    /// A state drawn uniformly from those over which a way between two states can be shorter than `length`, m; none if
+    /// the draw fell outside of the space.
+    fn sample_between(
+        &self,
+        from: &Self::State,
+        to: &Self::State,
+        length: f64,
+        rng: &mut impl Rng,
+    ) -> Option<Self::State>;
+
+    /// A state at a random distance from another one, all orders of magnitude alike; none if it is outside of the space.
+    fn sample_around(&self, state: &Self::State, rng: &mut impl Rng) -> Option<Self::State>;
+
     /// Length of the straight line between two states.
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
@@ -62,6 +75,30 @@ impl StateSpace for TranslationSpace {
         (size.min() >= 0.0).then(|| self.min + size.component_mul(&Vector::new(x, y, z)))
     }
 
+    /// Uniform in the ellipsoid with both positions as foci (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed
+    /// RRT*", IROS 2014), or in the space where that is smaller.
+    fn sample_between(&self, from: &Point, to: &Point, length: f64, rng: &mut impl Rng) -> Option<Point> {
+        let straight = (to - from).norm();
+        let across = 0.5 * (length * length - straight * straight).max(0.0).sqrt();
+        let size = self.max - self.min;
+        if !(4.0 / 3.0 * std::f64::consts::PI * 0.5 * length * across * across < size.product()) {
+            return self.sample(rng);
+        }
+        let along = (to - from) / straight.max(f64::MIN_POSITIVE);
+        let unit = in_unit_ball(rng);
+        // Stretched along the straight line, and by as much as the ball's other two axes everywhere else.
+        let lengthwise = along.dot(&unit);
+        let offset = unit * across + along * (lengthwise * (0.5 * length - across));
+        self.inside(nalgebra::center(from, to) + offset)
+    }
+
+    fn sample_around(&self, state: &Point, rng: &mut impl Rng) -> Option<Point> {
+        let farthest = (self.max - self.min).norm();
+        let distance = farthest * NEAREST_SHARE.powf(rng.random::<f64>());
+        let direction = in_unit_ball(rng).try_normalize(f64::MIN_POSITIVE)?;
+        self.inside(state + direction * distance)
+    }
+
     fn distance(&self, a: &Point, b: &Point) -> f64 {
         (b - a).norm()
     }
@@ -78,6 +115,26 @@ impl StateSpace for TranslationSpace {
         let size = self.max - self.min;
         let unit_ball = 4.0 / 3.0 * std::f64::consts::PI;
         (8.0 / 3.0 * size.map(|side| side.max(0.0)).product() / unit_ball).cbrt()
+    }
+}
+
+/// The nearest that [`StateSpace::sample_around`] draws, as a share of the size of the space.
+const NEAREST_SHARE: f64 = 1e-3;
+
+impl TranslationSpace {
+    fn inside(&self, position: Point) -> Option<Point> {
+        (0..3).all(|axis| self.min[axis] <= position[axis] && position[axis] <= self.max[axis]).then_some(position)
+    }
+}
+
+/// Uniform in the unit ball.
+fn in_unit_ball(rng: &mut impl Rng) -> Vector {
+    loop {
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
+        let point = Vector::new(x, y, z);
+        if point.norm_squared() <= 1.0 {
+            return point;
+        }
     }
 }
 
