@@ -391,7 +391,12 @@ impl Guide<Point> for Asked {
         Ok(0.0)
     }
 
-    fn sample(&self, _: &mut dyn rand::Rng, _: &Watch) -> Result<Option<Point>, cdpr_core::Error> {
+    fn sample(
+        &self,
+        _: &dyn Fn(&Point) -> bool,
+        _: &mut dyn rand::Rng,
+        _: &Watch,
+    ) -> Result<Option<Point>, cdpr_core::Error> {
         self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
         Ok(None)
     }

@@ -44,11 +44,16 @@ pub trait Guide<State>: Sync {
     /// [`Error::interrupted`].
     fn lower_bound(&self, start: &State, goal: &State, watch: &Watch) -> Result<f64, Error>;
 
-    /// A state where shortest paths may bend; none if nothing is known of such places, or time is over.
+    /// A promising state where shortest paths may bend; none if nothing is known of such places, or time is over.
     ///
     /// # Errors
     /// [`Error::interrupted`].
-    fn sample(&self, rng: &mut dyn Rng, watch: &Watch) -> Result<Option<State>, Error>;
+    fn sample(
+        &self,
+        promising: &dyn Fn(&State) -> bool,
+        rng: &mut dyn Rng,
+        watch: &Watch,
+    ) -> Result<Option<State>, Error>;
 }
 
 /// Somebody who wants to know of every better path: seconds since the start, its length in m, the path.
@@ -234,8 +239,10 @@ impl<S: StateSpace> Run<'_, S> {
     fn promising_sample(&mut self, rng: &mut impl Rng) -> Result<Option<S::State>, Error> {
         let Problem { space, start, goal } = self.search.problem;
         let samples = self.search.samples();
+        let cost = self.cost;
+        let promising = |state: &S::State| space.distance(start, state) + space.distance(state, goal) < cost;
         let sample = match samples % 4 {
-            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(rng, self.watch)?,
+            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(&promising, rng, self.watch)?,
             1 if self.cost.is_infinite() => space.sample_around(self.halves.stuck(rng), rng),
             _ => None,
         };
@@ -244,8 +251,7 @@ impl<S: StateSpace> Run<'_, S> {
             cost => space.sample_between(start, goal, cost, rng),
         });
         let Some(sample) = self.search.drawn(sample) else { return Ok(None) };
-        let shortest = space.distance(start, &sample) + space.distance(&sample, goal);
-        Ok((shortest < self.cost && self.search.valid(&sample)).then_some(sample))
+        Ok((promising(&sample) && self.search.valid(&sample)).then_some(sample))
     }
 
     /// Pulls a way through a sample taut, unless it is far too long or the sample is not what it bends around.

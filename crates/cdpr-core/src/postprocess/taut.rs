@@ -16,6 +16,7 @@
 pub mod bound;
 pub mod hull;
 pub mod hulls;
+mod polygon;
 pub mod pull;
 pub mod slide;
 
@@ -32,7 +33,7 @@ use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::planning::Guide;
 use crate::watch::Watch;
 use hull::{Hull, in_box};
-use hulls::{Hulls, Near};
+use hulls::{Hulls, Near, Room};
 use pull::Pull;
 
 /// A waypoint; where it bends around a polyhedron, the direction of the edge on which it can slide.
@@ -53,7 +54,7 @@ pub struct Taut<'a> {
     /// Whether the engine ever refused what the polyhedra allow.
     hindered: AtomicBool,
     /// Room for sampling.
-    near: Mutex<Near>,
+    room: Mutex<Room>,
 }
 
 /// Rounds of pulling and sliding; five to ten are usual.
@@ -72,7 +73,7 @@ impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.constraints().position_box();
-        Taut { engine, hulls: OnceLock::new(), low, high, hindered: AtomicBool::new(false), near: Mutex::default() }
+        Taut { engine, hulls: OnceLock::new(), low, high, hindered: AtomicBool::new(false), room: Mutex::default() }
     }
 }
 
@@ -100,10 +101,15 @@ impl Guide<Point> for Taut<'_> {
     }
 
     /// A point on an edge of a polyhedron outside of all others: shortest paths bend there and nowhere else.
-    fn sample(&self, rng: &mut dyn Rng, watch: &Watch) -> Result<Option<Point>, Error> {
+    fn sample(
+        &self,
+        promising: &dyn Fn(&Point) -> bool,
+        rng: &mut dyn Rng,
+        watch: &Watch,
+    ) -> Result<Option<Point>, Error> {
         let Some(hulls) = self.hulls(watch)? else { return Ok(None) };
-        let mut near = self.near.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(hulls.sample(rng, &mut near))
+        let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(hulls.sample(promising, rng, &mut room))
     }
 }
 

@@ -1,9 +1,8 @@
 //! The forbidden polyhedra as taut paths meet them: a little wider than they are, so that a path along them is free.
 
-use std::sync::OnceLock;
-
 use rand::{Rng, RngExt};
 
+use super::polygon::{Frame, Polygon};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
 
@@ -22,13 +21,6 @@ pub enum Overlap {
     Part,
     /// All of it, and not just so.
     All,
-}
-
-/// An edge of a hull.
-#[derive(Debug)]
-pub struct Edge {
-    whole: Piece,
-    free: OnceLock<Vec<Piece>>,
 }
 
 /// A piece of an edge: where it begins, and the way to its end.
@@ -100,38 +92,65 @@ impl Hull {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// Its edges, as far as they lie in a box.
-    pub fn edges(&self, low: &Point, high: &Point) -> Vec<Edge> {
-        let mut edges = Vec::new();
-        for (i, first) in self.planes.iter().enumerate() {
-            for (j, second) in self.planes.iter().enumerate().skip(i + 1) {
-                let Some((point, along)) = meeting_line(first, second) else { continue };
-                let others = self.planes.iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, h)| h);
-                let Some(edge) = inside(others, &point, &along, -GRAZING) else { continue };
-                let Some([from, to]) = common(edge, in_box(low, high, &point, &along)) else { continue };
-                let piece = Piece { from: point + along * from, along: along * (to - from) };
-                edges.push(Edge { whole: piece, free: OnceLock::new() });
+    /// The edges of one of its faces, as far as they lie in a box. Of planes that are the same but for rounding, the first
+    /// has the face.
+    pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
+        edges.clear();
+        let own = &self.planes[face];
+        let center = nalgebra::center(low, high);
+        let along = own.normal.cross(&Vector::ith(own.normal.iamin(), 1.0)).normalize();
+        let across = own.normal.cross(&along);
+        let frame = Frame { origin: center - own.normal * own.height(&center), along, across };
+        let reach = 0.5 * (high - low).norm(); // a square around all of the face that is in the box
+        polygon.begin([[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]);
+        for axis in 0..3 {
+            for (side, sign) in [(low, -1.0), (high, 1.0)] {
+                polygon.clip(frame.height(&HalfSpace::through(side, Vector::ith(axis, sign))), None);
             }
         }
-        edges
-    }
-}
-
-impl Edge {
-    /// The pieces of the edge outside of all hulls; the first time `near` finds those that come near a segment.
-    pub fn free_or<'h>(&self, near: impl FnOnce([Point; 2]) -> Vec<&'h Hull>) -> &[Piece] {
-        self.free.get_or_init(|| self.whole.outside(&near([self.whole.from, self.whole.from + self.whole.along])))
+        for (index, plane) in self.planes.iter().enumerate().filter(|(index, _)| *index != face) {
+            let [a, b, c] = frame.height(plane);
+            let same = a.abs().max(b.abs()) < PARALLEL && c.abs() < GRAZING;
+            if !(same && plane.normal.dot(&own.normal) > 0.0 && face < index) {
+                polygon.clip([a, b, c], Some(index));
+            }
+            if polygon.corners().is_empty() {
+                return;
+            }
+        }
+        edges.extend(polygon.with_previous().filter(|[before, _]| before.line.is_some()).map(|[before, corner]| {
+            let from = frame.point(&before.place);
+            Piece { from, along: frame.point(&corner.place) - from }
+        }));
     }
 }
 
 impl Piece {
+    /// The point at a share of it.
+    pub fn at(&self, share: f64) -> Point {
+        self.from + self.along * share
+    }
+
+    /// The part of it up to a distance, m, on both sides of the point at a share.
+    pub fn around(&self, share: f64, distance: f64) -> Piece {
+        let reach = distance / self.along.norm().max(distance);
+        let [low, high] = [(share - reach).max(0.0), (share + reach).min(1.0)];
+        Piece { from: self.at(low), along: self.along * (high - low) }
+    }
+
+    /// Both ends.
+    pub fn ends(&self) -> [Point; 2] {
+        [self.from, self.from + self.along]
+    }
+
     /// A point of it, uniformly.
     pub fn sample(&self, rng: &mut dyn Rng) -> Point {
         self.from + self.along * rng.random::<f64>()
     }
 
-    fn outside(&self, hulls: &[&Hull]) -> Vec<Piece> {
-        let mut covered: Vec<[f64; 2]> = hulls.iter().filter_map(|hull| hull.inside(&self.from, &self.along)).collect();
+    /// Its pieces outside of all hulls.
+    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>) -> Vec<Piece> {
+        let mut covered: Vec<[f64; 2]> = hulls.filter_map(|hull| hull.inside(&self.from, &self.along)).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut free = Vec::new();
         let mut at = 0.0;
@@ -173,11 +192,6 @@ pub fn in_box(low: &Point, high: &Point, from: &Point, along: &Vector) -> [f64; 
         }
     }
     range
-}
-
-fn common(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
-    let range = [a[0].max(b[0]), a[1].min(b[1])];
-    (range[0] < range[1] && range.iter().all(|t| t.is_finite())).then_some(range)
 }
 
 /// The line in which two planes meet: a point and a unit vector.

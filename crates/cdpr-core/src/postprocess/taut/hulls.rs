@@ -5,16 +5,15 @@ use std::sync::OnceLock;
 
 use rand::{Rng, RngExt};
 
-use super::hull::{Edge, Hull, Overlap, in_box};
+use super::hull::{Hull, Overlap, Piece};
+use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
 use crate::numerics::ON_SURFACE;
 
-/// Hulls in one place, and their edges.
+/// Hulls in one place.
 #[derive(Debug)]
 pub struct Hulls {
     list: Vec<Hull>,
-    /// Edges of each hull, found when they are first asked for.
-    edges: Vec<OnceLock<Vec<Edge>>>,
     low: Point,
     high: Point,
     root: Node,
@@ -40,14 +39,16 @@ pub struct Near {
 }
 
 /// Boxes with no more hulls than this are not divided.
-const FEW: usize = 6;
+const FEW: usize = 8;
 /// Boxes smaller than this share of the extent of what is asked about are not divided.
-const FINE: f64 = 1.0 / 16.0;
+const FINE: f64 = 1.0 / 8.0;
 /// Levels below the root: boxes of a 256th of the whole.
 const LEVELS: usize = 8;
 /// How far boxes reach beyond their share of space, m: what touches a box counts as reaching into it.
 const MARGIN: f64 = 2.0 * ON_SURFACE;
-/// Edges drawn until one of them has a free piece.
+/// How far from a drawn place on an edge free pieces are looked for, as a share of the size of the box.
+const NEARBY: f64 = 1.0 / 16.0;
+/// Edges drawn until one of them has a free and promising piece.
 const DRAWS: usize = 32;
 
 impl Hulls {
@@ -55,9 +56,8 @@ impl Hulls {
     pub fn new(hulls: impl Iterator<Item = Hull>, low: Point, high: Point) -> Self {
         let root = Node::new(nalgebra::center(&low, &high), (high - low) * 0.5 + Vector::repeat(MARGIN));
         let list: Vec<Hull> = hulls.filter(|hull| hull.overlap(&root.center, &root.half) != Overlap::None).collect();
-        let edges = list.iter().map(|_| OnceLock::new()).collect();
         let root_members = (0..list.len() as u32).collect();
-        Hulls { list, edges, low, high, root, root_members }
+        Hulls { list, low, high, root, root_members }
     }
 
     /// How many there are.
@@ -77,19 +77,36 @@ impl Hulls {
         near.found.iter().map(|&index| &self.list[index as usize])
     }
 
-    /// A point on a free piece of an edge; none if none is found soon.
-    pub fn sample(&self, rng: &mut dyn Rng, near: &mut Near) -> Option<Point> {
+    /// A promising point on a free piece of an edge; none if none is found soon. A promising place on an edge is drawn first,
+    /// then one of the free pieces near by, so that narrow pieces are hardly rarer than wide ones.
+    pub fn sample(
+        &self,
+        promising: &dyn Fn(&Point) -> bool,
+        rng: &mut dyn Rng,
+        Room { near, polygon, edges }: &mut Room,
+    ) -> Option<Point> {
         (0..DRAWS.min(DRAWS * self.list.len())).find_map(|_| {
-            let edges = self.edges(rng.random_range(0..self.list.len()));
+            let hull = &self.list[rng.random_range(0..self.list.len())];
+            hull.face_edges(rng.random_range(0..hull.planes().len()), &self.low, &self.high, polygon, edges);
             let edge = edges.get(rng.random_range(0..edges.len().max(1)))?;
-            let pieces = edge.free_or(|ends| self.near(&ends, near).collect());
-            Some(pieces.get(rng.random_range(0..pieces.len().max(1)))?.sample(rng))
+            let share = rng.random::<f64>();
+            if !promising(&edge.at(share)) {
+                return None;
+            }
+            let part = edge.around(share, NEARBY * (self.high - self.low).norm());
+            let pieces = part.outside(self.near(&part.ends(), near));
+            let piece = pieces.get(rng.random_range(0..pieces.len().max(1)))?;
+            Some(piece.sample(rng)).filter(promising)
         })
     }
+}
 
-    fn edges(&self, index: usize) -> &[Edge] {
-        self.edges[index].get_or_init(|| self.list[index].edges(&self.low, &self.high))
-    }
+/// Room for samples, used again for the next.
+#[derive(Debug, Default)]
+pub struct Room {
+    near: Near,
+    polygon: Polygon,
+    edges: Vec<Piece>,
 }
 
 impl Near {
@@ -157,7 +174,7 @@ struct Query {
     low: Point,
     high: Point,
     extent: f64,
-    /// A segment's beginning and the way to its end.
+    /// A segment's beginning, and one over the way to its end.
     segment: Option<(Point, Vector)>,
     /// A triangle's plane: unit normal and offset.
     plane: Option<(Vector, f64)>,
@@ -167,7 +184,7 @@ impl Query {
     fn new(corners: &[Point]) -> Self {
         let low = corners.iter().fold(corners[0], |low, p| low.inf(p));
         let high = corners.iter().fold(corners[0], |high, p| high.sup(p));
-        let segment = if let [a, b] = corners { Some((*a, b - a)) } else { None };
+        let segment = if let [a, b] = corners { Some((*a, (b - a).map(|way| 1.0 / way))) } else { None };
         let plane = match corners {
             [a, b, c] => (b - a).cross(&(c - a)).try_normalize(0.0).map(|normal| (normal, normal.dot(&a.coords))),
             _ => None,
@@ -181,9 +198,16 @@ impl Query {
         if (0..3).any(beside) {
             return true;
         }
-        let missed = |(from, along): &(Point, Vector)| {
-            let [first, last] = in_box(&(center - half), &(center + half), from, along);
-            !(first.max(0.0) <= last.min(1.0))
+        // Where the way along an axis is zero, numbers are infinite, or NaN on the box's surface, and min and max ignore them.
+        let missed = |(from, inverse): &(Point, Vector)| {
+            let (mut first, mut last) = (0.0f64, 1.0f64);
+            for axis in 0..3 {
+                let middle = center[axis] - from[axis];
+                let (a, b) = ((middle - half[axis]) * inverse[axis], (middle + half[axis]) * inverse[axis]);
+                first = first.max(a.min(b));
+                last = last.min(a.max(b));
+            }
+            first > last
         };
         let above = |(normal, offset): &(Vector, f64)| {
             (normal.dot(&center.coords) - offset).abs() > normal.abs().dot(half) + ON_SURFACE
@@ -247,9 +271,9 @@ mod tests {
     fn samples_lie_on_edges_outside_of_all_hulls() {
         let (list, hulls) = hall(60, 3);
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
-        let mut near = Near::default();
-        let samples: Vec<Point> = (0..500).filter_map(|_| hulls.sample(&mut rng, &mut near)).collect();
-        assert!(samples.len() > 450);
+        let (mut room, promising) = (Room::default(), |p: &Point| p.x < 1.5);
+        let samples: Vec<Point> = (0..500).filter_map(|_| hulls.sample(&promising, &mut rng, &mut room)).collect();
+        assert!(samples.len() > 450 && samples.iter().all(promising));
         for sample in samples {
             assert!(list.iter().all(|hull| !hull.holds(&sample)), "{sample}");
             assert!(list.iter().any(|hull| !hull.edges_at(&sample).is_empty()), "{sample}");

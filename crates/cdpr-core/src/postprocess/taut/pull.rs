@@ -8,33 +8,16 @@
 use super::Bend;
 use super::hull::{Hull, edge_direction};
 use super::hulls::{Hulls, Near};
+use super::polygon::{Frame, Place, Polygon};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{GRAZING, SAME_POINT};
 
 /// Room for one pull, used again for the next.
 #[derive(Debug, Default)]
 pub struct Pull {
-    polygon: Vec<Corner>,
-    clipped: Vec<Corner>,
+    polygon: Polygon,
     found: Vec<(Place, Option<Vector>)>,
     near: Near,
-}
-
-/// Coordinates in the plane of the triangle: along u → w, and across, v being above.
-type Place = [f64; 2];
-
-/// A corner of a polygon, and the line from it to the next: a plane of the hull, or none for a side of the triangle.
-#[derive(Debug, Clone, Copy)]
-struct Corner {
-    place: Place,
-    line: Option<usize>,
-}
-
-/// The frame of a triangle.
-struct Frame {
-    origin: Point,
-    along: Vector,
-    across: Vector,
 }
 
 impl Pull {
@@ -54,29 +37,12 @@ impl Pull {
         self.wrap(&frame, length, chain);
     }
 
-    /// The polygon that a hull cuts out of the triangle: Sutherland and Hodgman, with the lines kept by name.
+    /// The polygon that a hull cuts out of the triangle.
     fn cut(&mut self, hull: &Hull, frame: &Frame, triangle: [Place; 3]) {
-        self.polygon.clear();
-        self.polygon.extend(triangle.map(|place| Corner { place, line: None }));
+        self.polygon.begin(triangle);
         for (index, plane) in hull.planes().iter().enumerate() {
-            let (a, b) = (plane.normal.dot(&frame.along), plane.normal.dot(&frame.across));
-            let c = plane.height(&frame.origin);
-            let height = |place: &Place| a * place[0] + b * place[1] + c;
-            self.clipped.clear();
-            for (k, from) in self.polygon.iter().enumerate() {
-                let to = &self.polygon[(k + 1) % self.polygon.len()];
-                let (h, g) = (height(&from.place), height(&to.place));
-                if h < 0.0 {
-                    self.clipped.push(*from);
-                }
-                if (h < 0.0) != (g < 0.0) {
-                    let t = h / (h - g);
-                    let place = [0, 1].map(|axis| from.place[axis] + t * (to.place[axis] - from.place[axis]));
-                    self.clipped.push(Corner { place, line: if h < 0.0 { Some(index) } else { from.line } });
-                }
-            }
-            std::mem::swap(&mut self.polygon, &mut self.clipped);
-            if self.polygon.is_empty() {
+            self.polygon.clip(frame.height(plane), Some(index));
+            if self.polygon.corners().is_empty() {
                 return;
             }
         }
@@ -84,9 +50,7 @@ impl Pull {
 
     /// The corners of the polygon with the edges of the hull on which they lie.
     fn collect(&mut self, hull: &Hull) {
-        let count = self.polygon.len();
-        for k in 0..count {
-            let (before, corner) = (self.polygon[(k + count - 1) % count], self.polygon[k]);
+        for [before, corner] in self.polygon.with_previous() {
             let edge = match (before.line, corner.line) {
                 (Some(i), Some(j)) if i != j => edge_direction(&hull.planes()[i], &hull.planes()[j]),
                 _ => None,
@@ -112,8 +76,7 @@ impl Pull {
             if rest[0].hypot(rest[1]) <= SAME_POINT {
                 return;
             }
-            let place = frame.origin + frame.along * next[0] + frame.across * next[1];
-            chain.push(Bend { place, edge });
+            chain.push(Bend { place: frame.point(&next), edge });
             at = next;
         }
     }
@@ -123,7 +86,7 @@ fn minus(a: &Place, b: &Place) -> Place {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The frame of a triangle, v in it, and the length of its base; none if it is flat.
+/// The frame of a triangle, x along u → w, v above; v in it, and the length of the base. None if it is flat.
 fn framed(u: &Point, v: &Point, w: &Point) -> Option<(Frame, Place, f64)> {
     let (base, arm) = (w - u, v - u);
     let length = base.norm();
