@@ -383,7 +383,7 @@ fn limits_and_settings_end_it() {
 struct Asked(std::sync::atomic::AtomicUsize);
 
 impl Guide<Point> for Asked {
-    fn shortened(&self, path: &[Point], _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
+    fn shortened(&self, path: &[Point], _: f64, _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
         Ok(path.to_vec())
     }
 

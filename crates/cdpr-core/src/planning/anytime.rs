@@ -19,18 +19,19 @@ use crate::watch::Watch;
 
 /// What a planner can be told by somebody who knows the geometry of the space.
 pub trait Guide<State>: Sync {
-    /// A path no longer than a valid one, with the same ends, and valid.
+    /// A path no longer than a valid one, with the same ends, and valid; roughly as short as its kind can be, if that is
+    /// shorter than `worth`, m.
     ///
     /// # Errors
     /// [`Error::interrupted`] if the watch says so; a deadline ends it early.
-    fn shortened(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error>;
+    fn shortened(&self, path: &[State], worth: f64, watch: &Watch) -> Result<Vec<State>, Error>;
 
-    /// The same with more effort, for paths that are worth it.
+    /// The same to the last digit, for paths that are worth it.
     ///
     /// # Errors
     /// As [`Guide::shortened`].
     fn polished(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error> {
-        self.shortened(path, watch)
+        self.shortened(path, f64::INFINITY, watch)
     }
 
     /// Whether it met limits that it does not know, which makes its work long.
@@ -82,8 +83,8 @@ const LEAST_EFFORT: usize = 2_000;
 /// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
 const EFFORT_SHARE: f64 = 1.0;
 /// Effort of making a way taut, in samples; and where the guide is hindered.
-const PULL: usize = 50;
-const HINDERED_PULL: usize = 400;
+const PULL: usize = 20;
+const HINDERED_PULL: usize = 40;
 /// A path shorter by this share is a better one, for which the search goes on.
 const BETTER: f64 = 1e-5;
 /// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
@@ -275,7 +276,7 @@ impl<S: StateSpace> Run<'_, S> {
         if self.best.is_empty() {
             self.take(way.clone()); // an answer in case that time ends here
         }
-        let taut = self.guide.shortened(&way, self.watch)?;
+        let taut = self.guide.shortened(&way, self.cost, self.watch)?;
         self.take(taut);
         if self.cost < MUCH_BETTER * self.polished { self.polish() } else { Ok(()) }
     }

@@ -61,6 +61,11 @@ pub struct Taut<'a> {
 const ROUNDS: usize = 50;
 /// Share of a length that cutting a corner or nudging must gain to go on.
 const WORTHWHILE: f64 = 1e-3;
+/// Share of its length that a round must gain to be followed by another one, where paths are compared.
+const ROUGH: f64 = 1e-4;
+/// How much longer than it is worth a path may be before each slide to be pulled on: a slide gains some per cent, the
+/// next one less.
+const HOPES: [f64; 8] = [1.15, 1.04, 1.02, 1.01, 1.005, 1.002, 1.001, 1.001];
 /// Random moves of a bend by one size; few where limits bind that take long to check.
 const NUDGES: usize = 12;
 const FEW_NUDGES: usize = 3;
@@ -78,9 +83,9 @@ impl<'a> Taut<'a> {
 }
 
 impl Guide<Point> for Taut<'_> {
-    fn shortened(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
+    fn shortened(&self, path: &[Point], worth: f64, watch: &Watch) -> Result<Vec<Point>, Error> {
         let Some(mut string) = Strand::new(self, path, watch)? else { return Ok(path.to_vec()) };
-        string.pull_and_slide(watch)?;
+        string.pull_roughly(worth, watch)?;
         Ok(string.places())
     }
 
@@ -160,10 +165,12 @@ impl<'a> Strand<'a> {
         self.path.into_iter().map(|bend| bend.place).collect()
     }
 
-    /// How far a bend can slide along its edge both ways before it meets another polyhedron or leaves the box.
-    fn range(&mut self, bend: &Bend) -> [f64; 2] {
+    /// How far a bend can slide along its edge both ways before it meets another polyhedron, leaves the box, or has gone as
+    /// far as a shorter way over the edge can lead: no farther than to its neighbours, `reach`.
+    fn range(&mut self, bend: &Bend, reach: f64) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
-        let [mut low, mut high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
+        let [low, high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
+        let [mut low, mut high] = [low.max(-reach), high.min(reach)];
         let ends = [bend.place + along * low, bend.place + along * high];
         for hull in self.hulls.near(&ends, &mut self.near) {
             match hull.inside(&bend.place, along) {
@@ -173,6 +180,14 @@ impl<'a> Strand<'a> {
             }
         }
         [low.min(0.0), high.max(0.0)]
+    }
+
+    fn ranges(&mut self, path: &[Bend]) -> Vec<[f64; 2]> {
+        let reach = |k: usize| {
+            let beside = [k.saturating_sub(1), (k + 1).min(path.len() - 1)];
+            beside.map(|other| (path[other].place - path[k].place).norm()).iter().sum()
+        };
+        (0..path.len()).map(|k| self.range(&path[k], reach(k))).collect()
     }
 
     /// The directions of all edges through a place.
@@ -187,6 +202,22 @@ impl<'a> Strand<'a> {
         let mut rng = ChaCha8Rng::seed_from_u64(0); // so that a path always gives the same one
         while self.nudge(&mut rng, watch)? {
             self.pull_and_slide(watch)?;
+        }
+        Ok(())
+    }
+
+    /// Pulls and slides as long as that gains much, and as long as the path may become shorter than it is worth.
+    fn pull_roughly(&mut self, worth: f64, watch: &Watch) -> Result<(), Error> {
+        let mut before = f64::INFINITY;
+        for hope in HOPES {
+            if self.shortcut(watch)? || self.pull(watch)? || length(&self.path) > hope * worth || self.slide(watch)? {
+                break;
+            }
+            let now = length(&self.path);
+            if !(now < (1.0 - ROUGH) * before) {
+                break;
+            }
+            before = now;
         }
         Ok(())
     }
@@ -349,7 +380,7 @@ impl<'a> Strand<'a> {
         if path.iter().all(|bend| bend.edge.is_none()) {
             return Ok(None);
         }
-        let ranges: Vec<[f64; 2]> = path.iter().map(|bend| self.range(bend)).collect();
+        let ranges = self.ranges(path);
         let slides = slide::best_slides(path, &ranges);
         let most = length(path) - TAUT;
         for halving in 0..HALVINGS {
