@@ -102,12 +102,13 @@ pub const SLACK_RELATIVE: f64 = 1e-9;
 /// Least length of a piece that certifying a motion still divides, m: below it lies rounding of positions.
 pub const CERTIFY_PIECE: f64 = 1e-11;
 
-/// Divisions of a motion (of four margins each) after which certifying gives up and refuses it: some 30 ms, spent only
-/// by motions that stay close to the boundary over a long way.
-pub const CERTIFY_DIVISIONS: usize = 1 << 14;
+/// A normal shorter than this share of the product of the columns that it is orthogonal to, all along a motion, is
+/// rounding of zero: the columns are dependent and span no facet.
+pub const FACET_NO_NORMAL: f64 = 1e-14;
 
-/// Divisions that certifying may always make, however long a margin takes.
-pub const LEAST_DIVISIONS: usize = 64;
+/// Rounding of the slack to a facet along a motion, as a share of the longest edge of the set times the product of the
+/// columns in the facet: some five products and sums for each, times 6 for the step from values to coefficients.
+pub const FACET_ROUNDING: f64 = 3e-14;
 
 /// Share by which a largest scale is taken back where rounding has it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;

@@ -7,6 +7,7 @@ mod cells;
 pub mod certify;
 pub mod checker;
 pub mod constraint;
+mod facets;
 mod interior_point;
 mod kernel;
 pub mod linear_program;
@@ -22,7 +23,7 @@ pub mod tensions;
 pub mod zonotope;
 
 pub use capacity::CapacityMargin;
-pub use certify::{certified, first_failure, least_slack};
+pub use certify::{Verdict, certified, first_failure, least_slack, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, measures};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};

@@ -1,200 +1,300 @@
 //! Proofs about the slack along a straight motion: that it is nowhere too small, where it first is, how small it gets.
 //!
-//! Slack is computed at four places at a time; between two of them it cannot sag by more than [`sagging`] allows. Pieces
-//! for which that is not enough are cut into five.
+//! Two bounds work together. Slack is computed at four places at a time, and between two of them it cannot sag by more
+//! than [`sagging`] allows: that takes little and settles most motions, but near the limit it would need pieces as short
+//! as the slack is small. What it leaves open is proved facet by facet ([`Facets`]): there a piece may be as long as the
+//! root of the slack, and each facet is divided only where it limits.
 
+use super::facets::{FacetPair, Facets};
 use super::measure::{Measure, sagging};
 use crate::geometry::Point;
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 
-/// A piece of a motion between two fractions of it, with the slack at both.
-#[derive(Debug, Clone, Copy, Default)]
-struct Piece {
-    from: f64,
-    to: f64,
-    slack: [f64; 2],
+/// What can be said about a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// The slack is at least the measure's floor everywhere.
+    Holds,
+    /// At this fraction of the motion it is not.
+    Fails(f64),
+    /// Up to this fraction nothing fails, and from there on neither could be shown.
+    Undecided(f64),
 }
 
-/// Pieces that wait: each division leaves four more than it takes, and there are at most some thirty in a row.
-const WAITING: usize = 160;
+/// Bounds of facets on pieces of a motion after which certifying gives up: some 3 ms, spent only by motions whose slack is
+/// next to nothing over a long way.
+const MOST_BOUNDS: usize = 10_000;
+/// What the slack of four positions costs in such bounds, by the kernel; by definition each facet costs as much as several.
+const KERNEL_COST: usize = 8;
+const DEFINITION_COST: usize = 8;
+/// Divisions of pieces before facets are looked at.
+const DIVISIONS: usize = 2;
+/// Halvings after which a piece that no facet settles is tried by its slack, every so many.
+const HALVINGS: u32 = 6;
+/// Share of a motion to which the place of its first failure is found.
+const PLACE: f64 = 1e-10;
 
-/// A motion cut into pieces; the ones that wait stand with the first one on top.
-struct March<'a> {
+/// A motion, and what may still be spent on it.
+struct Way<'a> {
     measure: &'a Measure,
     from: &'a Point,
     to: &'a Point,
     length: f64,
-    waiting: [Piece; WAITING],
-    count: usize,
-    divisions: usize,
-    most: usize,
+    bounds: usize,
 }
 
-impl<'a> March<'a> {
-    /// The motion as one piece.
+/// A piece of a motion between two fractions of it, and how often it was halved.
+#[derive(Debug, Clone, Copy, Default)]
+struct Piece {
+    from: f64,
+    to: f64,
+    halved: u32,
+}
+
+/// Pieces of one facet that wait, the first one on top; each halving leaves one more.
+struct Waiting {
+    pieces: [Piece; 64],
+    count: usize,
+}
+
+impl Waiting {
+    fn of(piece: Piece) -> Self {
+        let mut pieces = [Piece::default(); 64];
+        pieces[0] = piece;
+        Waiting { pieces, count: 1 }
+    }
+
+    fn pop(&mut self) -> Option<Piece> {
+        self.count = self.count.checked_sub(1)?;
+        Some(self.pieces[self.count])
+    }
+
+    fn halve(&mut self, piece: &Piece) {
+        let middle = 0.5 * (piece.from + piece.to);
+        let halved = piece.halved + 1;
+        self.push(Piece { from: middle, halved, ..*piece });
+        self.push(Piece { to: middle, halved, ..*piece });
+    }
+
+    fn push(&mut self, piece: Piece) {
+        self.pieces[self.count] = piece;
+        self.count += 1;
+    }
+}
+
+impl<'a> Way<'a> {
     fn new(measure: &'a Measure, from: &'a Point, to: &'a Point) -> Self {
-        let length = (to - from).norm();
-        March {
-            measure,
-            from,
-            to,
-            length,
-            waiting: [Piece::default(); WAITING],
-            count: 0,
-            divisions: 0,
-            most: measure.divisions(),
-        }
+        Way { measure, from, to, length: (to - from).norm(), bounds: MOST_BOUNDS }
     }
 
     fn at(&self, t: f64) -> Point {
         self.from + (self.to - self.from) * t
     }
 
-    fn push(&mut self, piece: Piece) {
-        self.waiting[self.count] = piece;
-        self.count += 1;
+    fn slack_at_four(&self, fractions: &[f64; WIDTH]) -> [f64; WIDTH] {
+        self.measure.slack_at_four(&fractions.map(|t| self.at(t)))
     }
 
-    fn pop(&mut self) -> Option<Piece> {
-        self.count = self.count.checked_sub(1)?;
-        Some(self.waiting[self.count])
+    /// Whether slack at both ends of a piece proves that there is enough between them.
+    fn proved_by_ends(&self, [from, to]: [f64; 2], [a, b]: [f64; 2]) -> bool {
+        sagging(a, b, self.measure.sag(&self.at(from), &self.at(to))) >= 0.0
     }
 
-    /// The least slack that there can be on a piece whose ends have some.
-    fn bound(&self, piece: &Piece) -> f64 {
-        let [a, b] = piece.slack;
-        sagging(a, b, self.measure.sag(&self.at(piece.from), &self.at(piece.to)))
+    fn spend(&mut self, bounds: usize) {
+        self.bounds = self.bounds.saturating_sub(bounds);
     }
 
-    /// Both ends of the motion and two places between them: three pieces.
-    fn start(&mut self) -> [Piece; 3] {
-        let fractions = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-        let slack = self.measure.slack_at_four(&fractions.map(|t| self.at(t)));
-        std::array::from_fn(|k| Piece { from: fractions[k], to: fractions[k + 1], slack: [slack[k], slack[k + 1]] })
-    }
-
-    /// A piece in five.
-    fn divide(&mut self, piece: &Piece) -> [Piece; WIDTH + 1] {
-        self.divisions += 1;
-        let fraction = |k: usize| piece.from + (piece.to - piece.from) * k as f64 / (WIDTH + 1) as f64;
-        let inner = self.measure.slack_at_four(&std::array::from_fn(|k| self.at(fraction(k + 1))));
-        let slack = |k: usize| match k {
-            0 => piece.slack[0],
-            k if k <= WIDTH => inner[k - 1],
-            _ => piece.slack[1],
-        };
-        let end = |k: usize| if k == WIDTH + 1 { piece.to } else { fraction(k) };
-        std::array::from_fn(|k| Piece {
-            from: if k == 0 { piece.from } else { fraction(k) },
-            to: end(k + 1),
-            slack: [slack(k), slack(k + 1)],
-        })
+    /// Whether a piece is proved by the slack at its ends; tried seldom, since it costs more than a bound.
+    fn closed(&mut self, piece: &Piece) -> bool {
+        if piece.halved == 0 || !piece.halved.is_multiple_of(HALVINGS) {
+            return false;
+        }
+        self.spend(if self.measure.by_kernel() { KERNEL_COST } else { DEFINITION_COST * self.measure.facets() });
+        let [a, b] = [piece.from, piece.to].map(|t| self.measure.slack(&self.at(t)));
+        let floor = self.measure.floor();
+        a >= floor && b >= floor && self.proved_by_ends([piece.from, piece.to], [a, b])
     }
 
     /// Whether a piece is too short, or the work too much, to go on.
     fn exhausted(&self, piece: &Piece) -> bool {
-        (piece.to - piece.from) * self.length <= CERTIFY_PIECE
-            || self.divisions >= self.most
-            || self.count + WIDTH + 1 > WAITING
+        (piece.to - piece.from) * self.length <= CERTIFY_PIECE || piece.halved >= 60 || self.bounds == 0
+    }
+
+    /// The verdict on one pair of facets on a piece of the motion, which `facets` are those of.
+    fn judged(&mut self, facets: &Facets, pair: &FacetPair, [start, end]: [f64; 2], floor: f64) -> Verdict {
+        let inner = |t: f64| (t - start) / (end - start);
+        let mut waiting = Waiting::of(Piece { from: start, to: end, halved: 0 });
+        while let Some(piece) = waiting.pop() {
+            let bounds = facets.bounds(pair, inner(piece.from), inner(piece.to), floor);
+            if bounds.holds {
+                continue;
+            }
+            let middle = 0.5 * (piece.from + piece.to);
+            if bounds.middle.is_some_and(|slack| slack < floor) {
+                return Verdict::Fails(middle);
+            }
+            self.spend(1);
+            if self.closed(&piece) {
+                continue;
+            }
+            if self.exhausted(&piece) {
+                return Verdict::Undecided(piece.from);
+            }
+            waiting.halve(&piece);
+        }
+        Verdict::Holds
+    }
+
+    /// The verdict by facets on a piece of the motion.
+    fn by_facets(&mut self, from: f64, to: f64) -> Verdict {
+        let floor = self.measure.floor();
+        let (start, end) = (self.at(from), self.at(to));
+        let Some(facets) = Facets::new(self.measure, &start, &end) else { return Verdict::Undecided(from) };
+        let mut verdict = Verdict::Holds;
+        let through = facets.all(|pair| {
+            match self.judged(&facets, pair, [from, to], floor) {
+                Verdict::Holds => {}
+                Verdict::Fails(at) => verdict = Verdict::Fails(at),
+                Verdict::Undecided(at) => verdict = Verdict::Undecided(at),
+            }
+            verdict == Verdict::Holds
+        });
+        if through || verdict != Verdict::Holds { verdict } else { Verdict::Undecided(from) }
     }
 }
 
-/// Whether the slack is at least the measure's floor all along a motion, both ends included. What cannot be proved, because
-/// slack is too small over too long a way, is refused.
+/// Whether the slack is at least the measure's floor all along a motion, both ends included.
 pub fn certified(measure: &Measure, from: &Point, to: &Point) -> bool {
+    verdict(measure, from, to) == Verdict::Holds
+}
+
+/// What can be said about a motion, both ends included.
+pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
     let floor = measure.floor();
-    let enough = |pieces: &[Piece]| pieces.iter().all(|piece| piece.slack.iter().all(|slack| *slack >= floor));
+    let enough = |slack: f64| slack >= floor;
     if from == to {
-        return measure.slack(from) >= floor;
+        return if enough(measure.slack(from)) { Verdict::Holds } else { Verdict::Fails(0.0) };
     }
-    let mut march = March::new(measure, from, to);
-    let first = march.start();
-    if !enough(&first) {
-        return false;
+    let mut way = Way::new(measure, from, to);
+    let fractions = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+    let slack = way.slack_at_four(&fractions);
+    if let Some(k) = slack.iter().position(|slack| !enough(*slack)) {
+        return Verdict::Fails(fractions[k]);
     }
-    first.into_iter().rev().for_each(|piece| march.push(piece));
-    while let Some(piece) = march.pop() {
-        if march.bound(&piece) >= 0.0 {
+    // From where to where it is open.
+    let mut open: Option<[f64; 2]> = None;
+    let mut leave = |from: f64, to: f64| open = Some([open.map_or(from, |[start, _]| start), to]);
+    let mut divisions = if measure.by_kernel() { DIVISIONS } else { 0 };
+    for k in 0..WIDTH - 1 {
+        let ends = [fractions[k], fractions[k + 1]];
+        if way.proved_by_ends(ends, [slack[k], slack[k + 1]]) {
             continue;
         }
-        if march.exhausted(&piece) {
-            return false;
+        if divisions == 0 {
+            leave(ends[0], ends[1]);
+            continue;
         }
-        let pieces = march.divide(&piece);
-        if !enough(&pieces) {
-            return false;
+        divisions -= 1;
+        let inner: [f64; WIDTH] =
+            std::array::from_fn(|n| ends[0] + (ends[1] - ends[0]) * (n + 1) as f64 / (WIDTH + 1) as f64);
+        let within = way.slack_at_four(&inner);
+        if let Some(n) = within.iter().position(|slack| !enough(*slack)) {
+            return Verdict::Fails(inner[n]);
         }
-        pieces.into_iter().rev().for_each(|piece| march.push(piece));
+        let place = |n: usize| if n == 0 { ends[0] } else { inner.get(n - 1).copied().unwrap_or(ends[1]) };
+        let slack_at = |n: usize| if n == 0 { slack[k] } else { within.get(n - 1).copied().unwrap_or(slack[k + 1]) };
+        for n in 0..=WIDTH {
+            let piece = [place(n), place(n + 1)];
+            if !way.proved_by_ends(piece, [slack_at(n), slack_at(n + 1)]) {
+                leave(piece[0], piece[1]);
+            }
+        }
     }
-    true
+    open.map_or(Verdict::Holds, |[start, end]| way.by_facets(start, end))
 }
 
 /// The fraction of a motion up to which it is certified; none if all of it is.
 pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64> {
-    let floor = measure.floor();
-    let enough = |slack: f64| slack >= floor;
-    let mut march = March::new(measure, from, to);
-    let first = march.start();
-    let push_up_to_failure = |march: &mut March, pieces: &[Piece]| {
-        let failing = pieces.iter().position(|piece| !enough(piece.slack[1]));
-        let wanted = failing.map_or(pieces.len(), |k| k + 1);
-        if failing.is_some() {
-            march.count = 0; // whatever comes later fails later
-        }
-        pieces[..wanted].iter().rev().for_each(|piece| march.push(*piece));
+    let known = match verdict(measure, from, to) {
+        Verdict::Holds => return None,
+        Verdict::Fails(at) | Verdict::Undecided(at) => at,
     };
-    if !enough(first[0].slack[0]) {
+    let floor = measure.floor();
+    if from == to || !(measure.slack(from) >= floor) {
         return Some(0.0);
     }
-    if from == to {
-        return None;
-    }
-    push_up_to_failure(&mut march, &first);
-    while let Some(piece) = march.pop() {
-        if enough(piece.slack[1]) && march.bound(&piece) >= 0.0 {
-            continue;
+    let mut way = Way::new(measure, from, to);
+    let Some(facets) = Facets::new(measure, from, &way.at(known)).filter(|_| known > 0.0) else { return Some(known) };
+    let mut end = known;
+    facets.all(|pair| {
+        let mut waiting = Waiting::of(Piece { from: 0.0, to: end, halved: 0 });
+        while let Some(mut piece) = waiting.pop() {
+            piece.to = piece.to.min(end);
+            if piece.from >= end {
+                break;
+            }
+            let bounds = facets.bounds(pair, piece.from / known, piece.to / known, floor);
+            if bounds.holds {
+                continue;
+            }
+            way.spend(1);
+            let middle = 0.5 * (piece.from + piece.to);
+            if bounds.middle.is_some_and(|slack| slack < floor) {
+                end = middle;
+            } else if way.closed(&piece) {
+                continue;
+            }
+            if piece.to - piece.from <= PLACE || way.exhausted(&piece) {
+                end = piece.from;
+                break;
+            }
+            waiting.halve(&piece);
         }
-        if march.exhausted(&piece) {
-            return Some(piece.from);
-        }
-        let pieces = march.divide(&piece);
-        push_up_to_failure(&mut march, &pieces);
-    }
-    None
+        true
+    });
+    Some(end)
 }
 
 /// The least slack along a motion and the fraction at which it is, up to [`LEAST_SLACK_RELATIVE`] of the largest tension
-/// where it is positive (there the bound between two places holds; elsewhere the least of the places looked at); NaN where
-/// a cable has no direction.
+/// unless slack stays next to nothing over a long way; NaN where a cable has no direction.
 pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
     let tolerance = LEAST_SLACK_RELATIVE * measure.statics().largest_tension();
-    let mut march = March::new(measure, from, to);
-    let first = march.start();
-    let mut least = (first[0].slack[0], 0.0);
-    let mut note = |pieces: &[Piece]| {
-        for piece in pieces {
-            if piece.slack[1] < least.0 || piece.slack[1].is_nan() {
-                least = (piece.slack[1], piece.to);
-            }
+    let mut way = Way::new(measure, from, to);
+    let fractions = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+    let slack = way.slack_at_four(&fractions);
+    let mut least = (slack[0], 0.0);
+    for (slack, at) in slack.into_iter().zip(fractions) {
+        if slack < least.0 || slack.is_nan() {
+            least = (slack, at);
         }
-        least.0
-    };
-    let mut known = note(&first);
-    if from == to {
+    }
+    if from == to || least.0.is_nan() {
         return least;
     }
-    first.into_iter().rev().for_each(|piece| march.push(piece));
-    while let Some(piece) = march.pop() {
-        if known.is_nan() {
-            return least;
+    let Some(facets) = Facets::new(measure, from, to) else {
+        return (f64::NAN, 0.5);
+    };
+    facets.all(|pair| {
+        let mut waiting = Waiting::of(Piece { from: 0.0, to: 1.0, halved: 0 });
+        while let Some(piece) = waiting.pop() {
+            let bounds = facets.bounds(pair, piece.from, piece.to, least.0 - tolerance);
+            if bounds.holds {
+                continue;
+            }
+            way.spend(1);
+            let middle = 0.5 * (piece.from + piece.to);
+            if bounds.middle.is_some_and(|slack| slack < least.0) {
+                let slack = measure.slack(&way.at(middle));
+                if slack < least.0 || slack.is_nan() {
+                    least = (slack, middle);
+                }
+            }
+            if !way.exhausted(&piece) {
+                waiting.halve(&piece);
+            }
         }
-        if march.bound(&piece) >= known - tolerance || march.exhausted(&piece) {
-            continue;
-        }
-        let pieces = march.divide(&piece);
-        known = note(&pieces);
-        pieces.into_iter().rev().for_each(|piece| march.push(piece));
-    }
+        !least.0.is_nan()
+    });
     least
 }

@@ -7,8 +7,8 @@ use super::capacity::CapacityMargin;
 use super::margins::{Limit, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
 use crate::geometry::Point;
+use crate::numerics::SLACK_RELATIVE;
 use crate::numerics::simd::WIDTH;
-use crate::numerics::{CERTIFY_DIVISIONS, LEAST_DIVISIONS, SLACK_RELATIVE};
 
 /// What a demand is measured by.
 #[derive(Debug, Clone)]
@@ -65,21 +65,26 @@ impl Measure {
 
     /// The least slack that counts: below it rounding could decide. A share of the longest edge of the measured set.
     pub fn floor(&self) -> f64 {
-        let edge = |cable: &StaticCable| cable.tension[1] * self.lever(cable);
-        SLACK_RELATIVE * self.statics().cables().iter().map(edge).fold(0.0, f64::max)
+        SLACK_RELATIVE * self.edge()
     }
 
-    /// Divisions of a motion after which certifying gives up; fewer where a slack takes long.
-    pub fn divisions(&self) -> usize {
-        match self {
-            Measure::Capacity(margin) if margin.by_kernel() => CERTIFY_DIVISIONS,
-            Measure::Capacity(margin) if !margin.statics().point_mass() => {
-                let m = margin.statics().cables().len();
-                let facets = (0..5).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1));
-                (CERTIFY_DIVISIONS / facets.max(1)).max(LEAST_DIVISIONS)
-            }
-            _ => CERTIFY_DIVISIONS / 8,
-        }
+    /// The longest edge that the measured set can have.
+    pub fn edge(&self) -> f64 {
+        let edge = |cable: &StaticCable| cable.tension[1] * self.lever(cable);
+        self.statics().cables().iter().map(edge).fold(0.0, f64::max)
+    }
+
+    /// Whether slack is computed for four positions at a time, in about the time of two.
+    pub fn by_kernel(&self) -> bool {
+        matches!(self, Measure::Capacity(margin) if margin.by_kernel())
+    }
+
+    /// How many pairs of facets its set has at most.
+    pub fn facets(&self) -> usize {
+        let statics = self.statics();
+        let m = statics.cables().len();
+        let chosen = if matches!(self, Measure::Capacity(_)) && !statics.point_mass() { 5 } else { 2 };
+        (0..chosen).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
     }
 
     /// How much a cable's column of the measured set moves at most for each unit that its direction moves.
