@@ -35,6 +35,8 @@ class Violation:
         Cables at their greatest and least tension there.
     corner : tuple of float or None
         Corner of the grid cell for which the grid rule refused, m.
+    unproved : bool
+        For the kind "wrench": nothing is known to be lacking, but what is left is too little to prove that nothing is.
 
     Examples
     --------
@@ -56,6 +58,7 @@ class Violation:
     at_greatest: tuple[str, ...] = ()
     at_least: tuple[str, ...] = ()
     corner: tuple[float, float, float] | None = None
+    unproved: bool = False
 
     def __repr__(self) -> str:
         """Say what is in whose way, where, and how badly."""
@@ -64,6 +67,8 @@ class Violation:
             parts.append(f"margin {self.margin:.4f} m")
         if self.wrench_margin is not None:
             parts.append(f"margin {self.wrench_margin:.4f} {self.unit}")
+        if self.unproved:
+            parts.append("unproved")
         return f"Violation({', '.join(part for part in parts if part)})"
 
 

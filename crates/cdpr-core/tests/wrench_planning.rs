@@ -2,15 +2,17 @@
 
 mod support;
 
-use cdpr_core::collision::{Engine, Interference, Kind, check_path};
-use cdpr_core::geometry::Point;
+use cdpr_core::collision::{Checker, Engine, Interference, Kind, Validity, check_path};
+use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec};
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::{Measure, measures};
-use support::built_robot;
+use cdpr_core::wrench::{Measure, certified, first_failure, least_slack, measures};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use support::{built_robot, built_scene, rng};
 
 /// CoGiRo in its hall with two pillars, from one side to the other.
 fn cogiro(wrench: WrenchSpec) -> Scene {
@@ -140,4 +142,113 @@ fn what_a_scene_lacks_for_wrench_work_is_named() {
     assert!(wrench(|w| w.vertices = Some(vec![[0.0; 6]])).starts_with("wrench.vertices: found beside force"));
     let fine = wrench(|w| (w.rule, w.grid) = (Some(RuleSpec::Grid), Some(1e-3)));
     assert!(fine.starts_with("wrench.grid: found 0.001 m, which makes"), "{fine}");
+}
+
+fn nine_cables() -> Scene {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../testdata/cases/nine_cables.json");
+    cdpr_core::io::load_scene(&path).expect("a sound scene")
+}
+
+#[test]
+fn slack_all_along_a_motion_is_enough_for_nine_cables_and_short_lengths_too() {
+    let scene = nine_cables();
+    let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+    let from = Point::new(0.5774323780167936, 1.5622352012666123, 0.24382217475722873);
+    let to = Point::new(1.206660607603306, 0.6870908608852255, -0.2258442046841302);
+    let measure = &measures(&scene).unwrap()[0];
+    assert!((slack_along(std::slice::from_ref(measure), &[from, to]) - 8.927).abs() < 0.01);
+    assert!((least_slack(measure, &from, &to).0 - 8.927).abs() < 0.01);
+    assert!(engine.motion_valid(&from, &to) && engine.explain(&from, &to).is_none());
+    let mut rng = rng(5);
+    let (mut accepted, mut tried) = (0, 0);
+    while accepted < 40 && tried < 20_000 {
+        tried += 1;
+        let (from, to) = (within(&mut rng, &*engine), within(&mut rng, &*engine));
+        let to = from + (to - from) * 0.3;
+        if [from, from + (to - from) * 0.4, to].iter().any(|place| measure.slack(place) < 0.0) {
+            continue;
+        }
+        let least = slack_along(std::slice::from_ref(measure), &[from, to]);
+        if least > 0.0 {
+            assert!(certified(measure, &from, &to), "{from} to {to}: {least}");
+            accepted += 1;
+        }
+    }
+    assert!(accepted == 40, "{accepted} of {tried}");
+}
+
+fn within(rng: &mut ChaCha8Rng, engine: &dyn Checker) -> Point {
+    let (low, high) = engine.constraints().position_box();
+    Point::from(Vector::from_fn(|axis, _| rng.random_range(low[axis]..=high[axis])))
+}
+
+#[test]
+fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positive_is_no_failure() {
+    let mut rng = rng(6);
+    let (mut valid, mut refused, mut near) = (0, 0, 0);
+    for scene in
+        ["cogiro", "caroca", "ipanema2", "acrobot", "mpi_simulator"].map(built_scene).into_iter().chain([nine_cables()])
+    {
+        let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+        let all = measures(&scene).unwrap();
+        let mut judge = |from: &Point, to: &Point| {
+            let violations = engine.violations(from, to);
+            assert_eq!(engine.motion_valid(from, to), violations.is_empty(), "{from} to {to}: {violations:?}");
+            for violation in violations.iter().filter(|violation| violation.kind == Kind::Wrench) {
+                let limit = violation.wrench.as_ref().expect("a limit");
+                assert_eq!(
+                    violation.unproved,
+                    limit.wrench_margin.is_some_and(|margin| margin >= 0.0),
+                    "{violation:?}"
+                );
+            }
+            if violations.is_empty() { valid += 1 } else { refused += 1 }
+        };
+        for _ in 0..60 {
+            let (from, to) = (within(&mut rng, &*engine), within(&mut rng, &*engine));
+            judge(&from, &to);
+            let Some(at) = first_failure(&all[0], &from, &to).filter(|at| *at > 0.0) else { continue };
+            // As far as it is feasible and a hair less or more; along the boundary and back.
+            for share in [-1e-4, -1e-7, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-7] {
+                let end = from + (to - from) * (at + share).clamp(0.0, 1.0);
+                judge(&from, &end);
+                judge(&end, &end);
+                judge(&end, &from);
+                near += 1;
+            }
+        }
+    }
+    assert!(valid > 100 && refused > 1000 && near > 500, "{valid} valid, {refused} refused, {near} near the limit");
+}
+
+#[test]
+fn slack_that_is_next_to_nothing_is_told_apart_from_slack_that_is_lacking() {
+    let here = Point::new(0.5, 1.0, 2.0);
+    // Slack falls with the demand, but for rounding: some demand leaves less than the floor and more than nothing.
+    let (mut low, mut high) = (0.0, 1e4);
+    let slack = |force: f64| {
+        let measure = &measures(&cogiro(balls(force, 10.0))).unwrap()[0];
+        (measure.slack(&here), measure.floor())
+    };
+    let demand = loop {
+        let middle = 0.5 * (low + high);
+        match slack(middle) {
+            (slack, _) if slack < 0.0 => high = middle,
+            (slack, floor) if slack >= 0.5 * floor => low = middle,
+            _ => break middle,
+        }
+    };
+    let engine = engine_for(&cogiro(balls(demand, 10.0)), Engine::Cspace, Interference::Exact).unwrap();
+    let violation = engine.explain(&here, &here).expect("refused");
+    assert!(violation.unproved && !engine.state_valid(&here));
+    let sentence = violation.sentence();
+    assert!(
+        sentence.starts_with("it could not be proved that the cables balance the required wrenches: "),
+        "{sentence}"
+    );
+    assert_eq!(serde_json::json!(violation)["unproved"], true);
+    let lacking = engine_for(&cogiro(balls(demand + 1.0, 10.0)), Engine::Cspace, Interference::Exact).unwrap();
+    let violation = lacking.explain(&here, &here).expect("refused");
+    assert!(!violation.unproved && violation.sentence().starts_with("the cables cannot balance"));
+    assert_eq!(serde_json::json!(violation).get("unproved"), None);
 }

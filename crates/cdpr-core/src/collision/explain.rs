@@ -168,6 +168,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         }),
     };
     Violation {
+        unproved: false,
         wrench: None,
         at: first,
         kind: constraints.kind(constraint),

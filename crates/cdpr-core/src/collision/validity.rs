@@ -114,6 +114,10 @@ pub struct Violation {
     /// Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross,
     /// positive where only a demanded clearance is missed. None where no gap is defined (wrench).
     pub margin: Option<f64>,
+    /// Whether nothing is known to be broken, but that it holds could not be proved either: the slack that is left is next
+    /// to nothing. Only where the kind is wrench.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub unproved: bool,
     /// What the wrenches lack, and which cables limit them; only where the kind is wrench.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchLimit>,
@@ -156,7 +160,7 @@ impl WrenchLimit {
             Some(_) if self.rank_deficient => {
                 format!(": its wrench matrix has rank {}, so some wrenches cannot be had at any tension", self.rank)
             }
-            Some(_) => ": what is left is too little to be certain".to_string(),
+            Some(margin) => format!(": the least {} margin found is {margin:.3e} {}", self.measure, self.unit),
         };
         let side = |cables: &[String], which: &str| {
             (!cables.is_empty()).then(|| format!("{} at {which} tension", cables.join(", ")))
@@ -174,7 +178,12 @@ impl Violation {
     /// The violation in plain words: "cable 3 meets pillar, 12.0 mm deep".
     pub fn sentence(&self) -> String {
         let limit = self.wrench.as_ref().map_or(String::new(), WrenchLimit::sentence);
-        sentence(self.kind, &self.culprits, self.margin) + &limit
+        let what = if self.unproved {
+            "it could not be proved that the cables balance the required wrenches".to_string()
+        } else {
+            sentence(self.kind, &self.culprits, self.margin)
+        };
+        what + &limit
     }
 }
 

@@ -5,7 +5,7 @@
 //! as the slack is small. What it leaves open is proved facet by facet ([`Facets`]): there a piece may be as long as the
 //! root of the slack, and each facet is divided only where it limits.
 
-use super::facets::{FacetPair, Facets};
+use super::facets::{Bounds, FacetPair, Facets};
 use super::measure::{Measure, sagging};
 use crate::geometry::Point;
 use crate::numerics::simd::WIDTH;
@@ -92,6 +92,11 @@ impl<'a> Way<'a> {
         self.from + (self.to - self.from) * t
     }
 
+    /// The fraction of the motion at which it is nearest to a position.
+    fn nearest(&self, position: &Point) -> f64 {
+        ((position - self.from).dot(&(self.to - self.from)) / (self.length * self.length)).clamp(0.0, 1.0)
+    }
+
     fn slack_at_four(&self, fractions: &[f64; WIDTH]) -> [f64; WIDTH] {
         self.measure.slack_at_four(&fractions.map(|t| self.at(t)))
     }
@@ -110,10 +115,23 @@ impl<'a> Way<'a> {
         if piece.halved == 0 || !piece.halved.is_multiple_of(HALVINGS) {
             return false;
         }
-        self.spend(if self.measure.by_kernel() { KERNEL_COST } else { DEFINITION_COST * self.measure.facets() });
+        self.spend(2 * self.slack_cost());
         let [a, b] = [piece.from, piece.to].map(|t| self.measure.slack(&self.at(t)));
         let floor = self.measure.floor();
         a >= floor && b >= floor && self.proved_by_ends([piece.from, piece.to], [a, b])
+    }
+
+    /// Whether the slack at a place is too little, where a facet's polynomial suspects it.
+    fn lacking(&mut self, bounds: &Bounds, at: f64, floor: f64) -> bool {
+        if !bounds.middle.is_some_and(|slack| slack < floor) {
+            return false;
+        }
+        self.spend(self.slack_cost());
+        !(self.measure.slack(&self.at(at)) >= floor)
+    }
+
+    fn slack_cost(&self) -> usize {
+        if self.measure.by_kernel() { KERNEL_COST } else { DEFINITION_COST * self.measure.facets() }
     }
 
     /// Whether a piece is too short, or the work too much, to go on.
@@ -131,7 +149,7 @@ impl<'a> Way<'a> {
                 continue;
             }
             let middle = 0.5 * (piece.from + piece.to);
-            if bounds.middle.is_some_and(|slack| slack < floor) {
+            if self.lacking(&bounds, middle, floor) {
                 return Verdict::Fails(middle);
             }
             self.spend(1);
@@ -240,7 +258,7 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
             }
             way.spend(1);
             let middle = 0.5 * (piece.from + piece.to);
-            if bounds.middle.is_some_and(|slack| slack < floor) {
+            if way.lacking(&bounds, middle, floor) {
                 end = middle;
             } else if way.closed(&piece) {
                 continue;
@@ -273,7 +291,10 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
         return least;
     }
     let Some(facets) = Facets::new(measure, from, to) else {
-        return (f64::NAN, 0.5);
+        // A cable without direction, if the slack there is none; or more cables than facets are followed of.
+        let places = measure.statics().cables().iter().map(|cable| way.nearest(&(cable.outlet - cable.arm)));
+        let without = places.map(|at| (measure.slack(&way.at(at)), at)).find(|(slack, _)| slack.is_nan());
+        return without.unwrap_or(least);
     };
     facets.all(|pair| {
         let mut waiting = Waiting::of(Piece { from: 0.0, to: 1.0, halved: 0 });

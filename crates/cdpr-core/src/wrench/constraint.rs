@@ -114,7 +114,7 @@ impl WrenchConstraint {
         }
     }
 
-    /// The violation of a motion, if it does not keep the demand.
+    /// The violation of a motion, if it does not keep the demand; marked as unproved if nothing is known to be lacking.
     pub fn violation(&self, from: &Point, to: &Point) -> Option<Violation> {
         let (at, limit) = match &self.rule {
             Rule::Certified => {
@@ -131,7 +131,8 @@ impl WrenchConstraint {
             }
         };
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        Some(Violation { at, kind: Kind::Wrench, culprits, margin: None, wrench: Some(limit) })
+        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.rank_deficient;
+        Some(Violation { at, kind: Kind::Wrench, culprits, margin: None, unproved, wrench: Some(limit) })
     }
 
     /// The measure with the least slack on a motion, and the fraction where it is least.

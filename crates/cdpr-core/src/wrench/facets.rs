@@ -10,6 +10,7 @@ use super::margins::Required;
 use super::measure::Measure;
 use super::statics::Statics;
 use crate::geometry::Point;
+use crate::numerics::simd::{Kernel, Lanes, Task};
 use crate::numerics::{FACET_NO_NORMAL, FACET_ROUNDING, MIN_CABLE_LENGTH, MOST_WRENCH_CABLES};
 
 /// Coefficients of a cubic in Bernstein form, or its values at 0, 1/3, 2/3 and 1.
@@ -74,8 +75,9 @@ pub struct Facets<'a> {
     rows: usize,
     balance: [f64; ROWS],
     step: [f64; 3],
-    /// Longest edge of the measured set there can be, N or N·m.
+    /// Longest edge of the measured set there can be, and what is to be balanced, N or N·m.
     edge: f64,
+    kernel: Kernel,
 }
 
 /// How far the required set reaches in a direction.
@@ -151,6 +153,7 @@ impl<'a> Facets<'a> {
             balance,
             step: step.into(),
             edge: measure.edge() + size(&balance),
+            kernel: Kernel::best(),
         };
         for (column, cable) in facets.columns.iter_mut().zip(statics.cables()) {
             let start = cable.outlet - (from + cable.arm);
@@ -237,13 +240,30 @@ impl<'a> Facets<'a> {
         }
         for cable in next..(self.cables + 2 + level).saturating_sub(N) {
             let column = &self.columns[cable];
-            expand::<N>(level + 1, own, &column.places, &mut larger[0]);
+            self.expand::<N>(level + 1, own, &column.places, &mut larger[0]);
             chosen[level] = cable;
             if !self.descend::<N>(level + 1, cable + 1, larger, scale * column.largest, chosen, pair, visit) {
                 return false;
             }
         }
         true
+    }
+
+    #[inline]
+    fn expand<const N: usize>(
+        &self,
+        level: usize,
+        minors: &[Cubic; SETS],
+        column: &[Cubic; ROWS],
+        larger: &mut [Cubic; SETS],
+    ) {
+        match level {
+            1 => self.kernel.run(Expand::<N, 1> { minors, column, larger }),
+            2 => self.kernel.run(Expand::<N, 2> { minors, column, larger }),
+            3 => self.kernel.run(Expand::<N, 3> { minors, column, larger }),
+            4 => self.kernel.run(Expand::<N, 4> { minors, column, larger }),
+            _ => self.kernel.run(Expand::<N, 5> { minors, column, larger }),
+        }
     }
 
     /// The pair of facets of the chosen columns; false where they are dependent all along the motion.
@@ -382,40 +402,55 @@ fn shape<'a>(measure: &'a Measure, statics: &Statics) -> (Reach<'a>, usize, [boo
     }
 }
 
-/// Minors of `level` columns by the last one, from those of the columns before.
-#[inline]
-fn expand<const N: usize>(level: usize, minors: &[Cubic; SETS], column: &[Cubic; ROWS], larger: &mut [Cubic; SETS]) {
-    for set in &SETS_OF[level] {
-        let set = *set as usize;
-        if set == 0 || set >= 1 << N {
-            break;
+/// Minors of `LEVEL` columns of N rows by the last one, from those of the columns before: Laplace's expansion.
+struct Expand<'x, const N: usize, const LEVEL: usize> {
+    minors: &'x [Cubic; SETS],
+    column: &'x [Cubic; ROWS],
+    larger: &'x mut [Cubic; SETS],
+}
+
+impl<const N: usize, const LEVEL: usize> Task for Expand<'_, N, LEVEL> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let mut column = [l.splat(0.0); ROWS];
+        for row in 0..N {
+            column[row] = l.load(&self.column[row]);
         }
-        let mut sum = [0.0; 4];
-        let mut sign = if level % 2 == 1 { 1.0 } else { -1.0 };
-        let mut rows = set;
-        while rows != 0 {
-            let row = rows.trailing_zeros() as usize;
-            rows &= rows - 1;
-            let minor = &minors[set ^ (1 << row)];
-            for k in 0..4 {
-                sum[k] += sign * column[row][k] * minor[k];
+        for (set, terms) in &EXPANSIONS[LEVEL] {
+            if *set == 0 || *set as usize >= 1 << N {
+                break;
             }
-            sign = -sign;
+            let mut sum = l.splat(0.0);
+            for k in 0..LEVEL {
+                let [row, rest] = terms[k];
+                let term = l.mul(column[row as usize % ROWS], l.load(&self.minors[rest as usize % SETS]));
+                sum = if (k + LEVEL) % 2 == 1 { l.add(sum, term) } else { l.sub(sum, term) };
+            }
+            self.larger[*set as usize % SETS] = l.store(sum);
         }
-        larger[set] = sum;
     }
 }
 
-/// The sets of so many rows as masks, ascending, filled up with zeros.
-const SETS_OF: [[u8; 20]; ROWS] = sets_of();
+/// By the number of columns: the sets of so many rows as masks, ascending, filled up with zeros, each with its rows and
+/// what it is without them.
+const EXPANSIONS: [[(u8, [[u8; 2]; ROWS - 1]); 20]; ROWS] = expansions();
 
-const fn sets_of() -> [[u8; 20]; ROWS] {
-    let mut all = [[0; 20]; ROWS];
+const fn expansions() -> [[(u8, [[u8; 2]; ROWS - 1]); 20]; ROWS] {
+    let mut all = [[(0, [[0; 2]; ROWS - 1]); 20]; ROWS];
     let mut counts = [0; ROWS];
-    let mut set = 1usize;
+    let mut set = 1;
     while set < SETS - 1 {
         let level = set.count_ones() as usize;
-        all[level][counts[level]] = set as u8;
+        let (mut rows, mut k) = (set, 0);
+        while rows != 0 {
+            let row = rows.trailing_zeros();
+            all[level][counts[level]].1[k] = [row as u8, (set ^ (1 << row)) as u8];
+            rows &= rows - 1;
+            k += 1;
+        }
+        all[level][counts[level]].0 = set as u8;
         counts[level] += 1;
         set += 1;
     }
