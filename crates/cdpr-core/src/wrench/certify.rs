@@ -30,7 +30,7 @@ const KERNEL_COST: usize = 8;
 const DEFINITION_COST: usize = 8;
 /// Divisions of pieces before facets are looked at.
 const DIVISIONS: usize = 2;
-/// Halvings after which a piece that no facet settles is tried by its slack, every so many.
+/// A piece that its facet does not settle is tried by the slack at its ends each time it was halved so often.
 const HALVINGS: u32 = 6;
 /// Share of a motion to which the place of its first failure is found.
 const PLACE: f64 = 1e-10;
