@@ -2,7 +2,7 @@
 
 mod support;
 
-use cdpr_core::collision::{Checker, Engine, Interference, Kind, Validity, check_path};
+use cdpr_core::collision::{Checker, Engine, Interference, Kind, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec};
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
