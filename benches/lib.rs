@@ -33,13 +33,20 @@ pub fn random_scene(count: usize, seed: u64, obstacles_only: bool) -> Scene {
 
 /// The paper's robot among `count` small boxes anywhere in its hall, 5 to 15 mm wide.
 pub fn scattered_scene(count: usize, seed: u64) -> Scene {
+    scattered_with_clearance(count, seed, 0.0)
+}
+
+/// The same with a demanded clearance, m.
+pub fn scattered_with_clearance(count: usize, seed: u64, clearance: f64) -> Scene {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut number = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
     let crumb = |k: usize| {
         let sides = std::array::from_fn(|_| number(0.005, 0.015));
         block(&format!("crumb {k}"), sides, std::array::from_fn(|_| number(0.02, 1.98)))
     };
-    scene(paper_scene("scattered", (0..count).map(crumb).collect()))
+    let mut spec = paper_scene("scattered", (0..count).map(crumb).collect());
+    spec.clearance = Some(clearance);
+    scene(spec)
 }
 
 /// How motions for a benchmark are drawn.

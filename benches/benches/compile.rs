@@ -1,8 +1,10 @@
-//! Time to compile a scene for the cspace engine, whole and after one obstacle moved; prints the memory it takes.
+//! Time to compile a scene for the cspace engine, whole and after one obstacle moved, and to get the polyhedra that paths
+//! are pulled taut around; prints the memory it takes.
 
-use cdpr_benches::{random_scene, scattered_scene};
+use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance};
 use cdpr_core::Scene;
-use cdpr_core::collision::{CspaceEngine, Interference};
+use cdpr_core::collision::{Checker, CspaceEngine, Interference};
+use cdpr_core::watch::Watch;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn compiled(scene: &Scene) -> CspaceEngine {
@@ -28,6 +30,17 @@ fn compile(c: &mut Criterion) {
         group.bench_function(format!("one obstacle moved, {count}"), |b| {
             b.iter(|| engine.recompiled(&moved).expect("no wrench"))
         });
+    }
+    let halls = [300, 1000].map(|count| (format!("hall of {count}"), hall(count, 0.0, 1), hall(count, 0.02, 1)));
+    let scattered = ("1000 scattered".to_string(), scattered_scene(1000, 1), scattered_with_clearance(1000, 1, 0.02));
+    for (name, plain, with_clearance) in halls.into_iter().chain([scattered]) {
+        for (scene, clearance) in [(plain, "no"), (with_clearance, "2 cm")] {
+            let engine = compiled(&scene);
+            let label = format!("{name}, {clearance} clearance");
+            eprintln!("{label}: {:.1} kB", engine.bytes() as f64 * 1e-3);
+            group.bench_function(format!("whole, {label}"), |b| b.iter(|| compiled(&scene)));
+            group.bench_function(format!("polyhedra, {label}"), |b| b.iter(|| engine.polyhedra(&Watch::NONE)));
+        }
     }
     group.finish();
 }

@@ -7,6 +7,7 @@ pub mod gjk;
 pub mod half_space;
 mod hull;
 pub mod mesh;
+pub mod minkowski;
 pub mod polytope;
 pub mod seam;
 pub mod segment_segment;

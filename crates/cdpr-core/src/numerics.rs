@@ -33,6 +33,10 @@ pub const MAX_COORDINATE: f64 = 1e6;
 /// narrower than rounding, so nothing is lost by leaving it out.
 pub const PARALLEL: f64 = 1e-10;
 
+/// Cosine up to which two planes count as square to each other, where a box is enlarged by moving its planes: its corners
+/// are then off by this share of the way.
+pub const RIGHT_ANGLE: f64 = 1e-12;
+
 /// Sine of the angle below which the plane of two directions is too uncertain to bound a set by.
 pub const NEARLY_PARALLEL: f64 = 1e-4;
 

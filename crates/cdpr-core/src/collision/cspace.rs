@@ -19,9 +19,9 @@ use rayon::prelude::*;
 
 use super::constraint::{Constraint, Constraints};
 use super::explain;
-use super::forbidden::rounded;
+use super::forbidden::{Fattened, rounded_with};
 use super::gjk_engine::GjkEngine;
-use super::validity::{Checker, Clearance, Interference, Validity, Violation};
+use super::validity::{Checker, Clearance, Interference, Polyhedra, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::model::Scene;
@@ -29,7 +29,7 @@ use crate::numerics::TOUCH_DEPTH;
 use crate::numerics::simd::{ALL_LANES, Kernel, Lanes, Task};
 use crate::watch::Watch;
 use clip::{Planes, Segment};
-use grid::{Cells, FULL, Lists, Reach, Reached, holds, outside};
+use grid::{Cells, FULL, Lists, Reached};
 use region::{Inner, Region, Scale, regions};
 
 /// Answers the constraints of a scene at its orientation by clipping segments in the space of positions.
@@ -124,10 +124,10 @@ impl CspaceEngine {
         watch: &Watch,
     ) -> Result<Self, Error> {
         let constraints = reference.constraints();
-        let (scale, cells) = (Scale::of(constraints), cells_for(constraints));
+        let (scale, cells, fat) = (Scale::of(constraints), cells_for(constraints), Fattened::of(constraints));
         let compile = |index: usize| {
             watch.check()?;
-            Ok(known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells).into()))
+            Ok(known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells, &fat).into()))
         };
         let indices = 0..constraints.list.len();
         let compiled: Vec<Arc<[Compiled]>> = if indices.len() >= IN_PARALLEL {
@@ -147,7 +147,7 @@ impl CspaceEngine {
             regions_of.push(first..heads.len());
         }
         let pieces = compiled.iter().flat_map(|pieces| pieces.iter());
-        let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())));
+        let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())), watch)?;
         let (min, max) = constraints.position_box();
         let touch = Vector::repeat(TOUCH_DEPTH);
         Ok(CspaceEngine {
@@ -329,12 +329,21 @@ impl Checker for CspaceEngine {
         self.reference.interference()
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
-        if self.constraints().list.iter().any(Constraint::demands_distance) {
-            return outer_polyhedra(self.constraints(), watch);
-        }
-        let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter()).filter(|piece| !piece.reached.is_empty());
-        Ok(pieces.filter_map(|piece| piece.region.outer.clone()).collect())
+    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+        let fat = Fattened::of(self.constraints());
+        // A constraint that reaches nowhere has no pieces.
+        for_all(self.constraints(), watch, |index| match &self.compiled[index] {
+            pieces if pieces.is_empty() => Vec::new(),
+            pieces => {
+                let planes = || pieces.iter().filter_map(|piece| piece.region.outer.clone());
+                outer_polyhedra_of(self.constraints(), index, &fat, planes)
+            }
+        })
+    }
+
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+        let pieces = |index: usize| self.compiled[index].iter().filter_map(|piece| piece.region.certain()).collect();
+        for_all(self.constraints(), watch, pieces)
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
@@ -371,42 +380,51 @@ impl Validity for CspaceEngine {
 }
 
 /// As [`Checker::polyhedra`].
-pub(super) fn outer_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
-    let scale = Scale::of(constraints);
-    // What is known to hold all crossings of two cables at a distance holds much else.
-    let vague = |index: usize| matches!(&constraints.list[index], Constraint::CableCable(pair) if pair.gap > 0.0);
-    let of = |index: usize| match rounded(constraints, &constraints.list[index]) {
-        _ if vague(index) => Vec::new(),
-        Some(planes) => vec![planes],
-        None => regions(constraints, index, &scale).into_iter().filter_map(|region| region.outer).collect(),
-    };
-    of_all(constraints, of, watch)
+pub(super) fn outer_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Polyhedra, Error> {
+    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
+    for_all(constraints, watch, |index| {
+        let planes = || regions(constraints, index, &scale, &fat).into_iter().filter_map(|region| region.outer);
+        outer_polyhedra_of(constraints, index, &fat, planes)
+    })
 }
 
 /// As [`Checker::certain_polyhedra`].
-pub(super) fn inner_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
-    let scale = Scale::of(constraints);
-    let inner = |region: Region| match region.inner {
-        Inner::Unknown => None,
-        Inner::Shrunk(by) => region.outer.map(|planes| planes.iter().map(|h| h.widened(by)).collect()),
-        Inner::Own(planes) => Some(planes),
-    };
-    let of = |index: usize| regions(constraints, index, &scale).into_iter().filter_map(inner).collect();
-    of_all(constraints, of, watch)
+pub(super) fn inner_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Polyhedra, Error> {
+    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
+    for_all(constraints, watch, |index| {
+        regions(constraints, index, &scale, &fat).iter().filter_map(Region::certain).collect()
+    })
 }
 
-/// What `of` gives for each constraint, in order.
-fn of_all<T: Send>(
+/// What holds all that one constraint forbids, and not much more; `planes` gives its outer polyhedra.
+fn outer_polyhedra_of<I: Iterator<Item = Vec<HalfSpace>>>(
     constraints: &Constraints,
-    of: impl Fn(usize) -> Vec<T> + Sync,
+    index: usize,
+    fat: &Fattened,
+    planes: impl Fn() -> I,
+) -> Polyhedra {
+    match &constraints.list[index] {
+        // What is known to hold all crossings of two cables at a distance holds much else.
+        Constraint::CableCable(pair) if pair.gap > 0.0 => Vec::new(),
+        constraint => match rounded_with(constraints, constraint, fat) {
+            Some(planes) => vec![planes],
+            None => planes().collect(),
+        },
+    }
+}
+
+/// The polyhedra of all constraints, in their order.
+fn for_all(
+    constraints: &Constraints,
     watch: &Watch,
-) -> Result<Vec<T>, Error> {
-    let watched = |index: usize| watch.check().map(|()| of(index));
+    of: impl Fn(usize) -> Polyhedra + Sync,
+) -> Result<Polyhedra, Error> {
+    let one = |index: usize| watch.check().map(|()| of(index));
     let indices = 0..constraints.list.len();
-    let found: Vec<Vec<T>> = if indices.len() >= IN_PARALLEL {
-        indices.into_par_iter().map(watched).collect::<Result<_, _>>()?
+    let found: Vec<Polyhedra> = if indices.len() >= IN_PARALLEL {
+        indices.into_par_iter().map(one).collect::<Result<_, Error>>()?
     } else {
-        indices.map(watched).collect::<Result<_, _>>()?
+        indices.map(one).collect::<Result<_, Error>>()?
     };
     Ok(found.into_iter().flatten().collect())
 }
@@ -427,32 +445,18 @@ fn cells_for(constraints: &Constraints) -> Cells {
     Cells::new(min - touch, max + touch, n)
 }
 
-fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells) -> Vec<Compiled> {
+/// The regions of a constraint that reach into the box of positions.
+fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
     let piece = |region: Region| {
-        let reached = cells.reached(&|center, half| reach(constraints, index, &region, center, half));
+        let reached = match &region.outer {
+            Some(outer) => cells.reached_by(outer, &region.inner),
+            None => cells
+                .reached(&|center, half| explain::slack(constraints, &constraints.list[index], center) <= half.norm()),
+        };
         Compiled { region, reached }
     };
-    regions(constraints, index, scale).into_iter().map(piece).collect()
-}
-
-/// How a region lies to a box of positions.
-fn reach(constraints: &Constraints, index: usize, region: &Region, center: &Point, half: &Vector) -> Reach {
-    let Some(outer) = &region.outer else {
-        let far = explain::slack(constraints, &constraints.list[index], center) > half.norm();
-        return if far { Reach::Outside } else { Reach::Partly };
-    };
-    let full = || match &region.inner {
-        Inner::Unknown => false,
-        Inner::Shrunk(widen) => holds(outer, *widen, center, half),
-        Inner::Own(inner) => holds(inner, 0.0, center, half),
-    };
-    if outside(outer, center, half) {
-        Reach::Outside
-    } else if full() {
-        Reach::Full
-    } else {
-        Reach::Partly
-    }
+    let pieces = regions(constraints, index, scale, fat).into_iter().map(piece);
+    pieces.filter(|piece| !piece.reached.is_empty()).collect()
 }
 
 fn head(constraint: usize, region: &Region, outer: &Range<u32>, planes: &mut Planes) -> Head {

@@ -9,10 +9,11 @@
 //! - a cable and a body that it ends on: the cone of directions below all facets that are active there.
 
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
 use super::constraint::{Constraint, Constraints, Demand};
 use crate::geometry::{HalfSpace, Point, Polytope, Vector, shadow};
-use crate::numerics::{ON_SURFACE, PARALLEL};
+use crate::numerics::{FATTENED, ON_SURFACE, PARALLEL, RIGHT_ANGLE};
 
 /// An open convex polyhedron of positions.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,28 +37,89 @@ impl Forbidden {
 /// None where that has no volume, no planes that rounding leaves alone (a flat part seen edge-on), or is no polyhedron: the
 /// workspace, lengths, pairs of cables (for them see [`super::cable_cable::CablePair::wedges`]).
 pub fn forbidden(constraints: &Constraints, constraint: &Constraint, gap: f64) -> Option<Forbidden> {
-    let c = constraints;
+    forbidden_with(constraints, constraint, gap, &Fattened::default())
+}
+
+/// As [`forbidden`], with the obstacles that others have fattened already.
+pub fn forbidden_with(c: &Constraints, constraint: &Constraint, gap: f64, fat: &Fattened) -> Option<Forbidden> {
     match constraint {
         Constraint::PlatformObstacle { part, body, .. } => {
-            let (part, obstacle) = (&c.platform[*part], &c.obstacles[*body].body);
-            let differences =
-                obstacle.vertices().iter().flat_map(|o| part.vertices().iter().map(move |p| o - p.coords));
-            let sum = Polytope::hull_of(&differences.collect::<Vec<_>>()).ok()?;
+            let sum = difference(c, *part, *body)?;
+            if sum.has_volume() {
+                return Some(Forbidden::exact(around(&sum, gap)));
+            }
             let fat = fattened(&sum, gap)?;
             fat.has_volume().then(|| Forbidden::exact(fat.half_spaces()))
         }
         Constraint::CableObstacle { cable, body, demand } => {
             let cable = &c.cables[*cable];
-            let found = behind(&c.obstacles[*body].body, &cable.outlet, demand, gap)?;
+            let found = match fat.obstacle(c, *body, gap) {
+                Some(fat) => behind(fat.as_ref()?, &cable.outlet, demand)?,
+                None => behind(&*fattened(&c.obstacles[*body].body, gap)?, &cable.outlet, demand)?,
+            };
             Some(found.placed(|h| h.moved(&-cable.arm)))
         }
         Constraint::CablePlatform { cable, body, demand } => {
             let cable = &c.cables[*cable];
-            let found = behind(&c.platform[*body], &Point::from(cable.arm), demand, gap)?;
+            let found = behind(&*fattened(&c.platform[*body], gap)?, &Point::from(cable.arm), demand)?;
             Some(found.placed(|h| h.reflected(&cable.outlet.coords)))
         }
         Constraint::Workspace { .. } | Constraint::CableLength { .. } | Constraint::CableCable(_) => None,
     }
+}
+
+/// Obstacle ⊕ (-platform part); none if it has no hull.
+fn difference(c: &Constraints, part: usize, body: usize) -> Option<Polytope> {
+    c.obstacles[body].body.sum(&c.platform[part].reflected()).ok()
+}
+
+/// Obstacles fattened by the distances that cables keep, each when it is first asked for: all cables share them.
+#[derive(Debug, Default)]
+pub struct Fattened {
+    gaps: Vec<f64>,
+    bodies: Vec<OnceLock<Option<Polytope>>>,
+    /// The [`directions`] of each obstacle.
+    directions: Vec<OnceLock<Vec<Vector>>>,
+}
+
+impl Fattened {
+    /// Room for what the constraints of a scene ask for.
+    pub fn of(c: &Constraints) -> Self {
+        let flat = c.obstacles.iter().any(|o| !o.body.has_volume());
+        let gaps = c.list.iter().filter_map(|constraint| match constraint {
+            Constraint::CableObstacle { demand: Demand::Apart { gap }, .. } => Some(*gap),
+            _ => None,
+        });
+        let gaps = gaps.flat_map(|gap| [gap, if flat { gap.max(FATTENED) } else { gap }]);
+        let mut gaps: Vec<f64> = gaps.filter(|gap| *gap > 0.0).collect();
+        gaps.sort_by(f64::total_cmp);
+        gaps.dedup();
+        let bodies = (0..gaps.len() * c.obstacles.len()).map(|_| OnceLock::new()).collect();
+        let directions = c.obstacles.iter().map(|_| OnceLock::new()).collect();
+        Fattened { gaps, bodies, directions }
+    }
+
+    /// An obstacle fattened by a distance, if there is room for it; inside that, none if it has no hull.
+    fn obstacle(&self, c: &Constraints, body: usize, gap: f64) -> Option<&Option<Polytope>> {
+        let which = self.gaps.iter().position(|known| *known == gap)?;
+        let fatten = || fattened(&c.obstacles[body].body, gap).map(Cow::into_owned);
+        Some(self.bodies[which * c.obstacles.len() + body].get_or_init(fatten))
+    }
+}
+
+/// Half-spaces that hold everything nearer than `gap` to a body with volume: its own moved outward, and those of a box, so
+/// that sharp edges do not reach far.
+fn around(body: &Polytope, gap: f64) -> Vec<HalfSpace> {
+    let mut half_spaces: Vec<HalfSpace> = body.half_spaces().iter().map(|h| h.widened(gap)).collect();
+    if gap > 0.0 {
+        for k in 0..6 {
+            let normal = Vector::ith(k / 2, if k % 2 == 0 { 1.0 } else { -1.0 });
+            if !half_spaces.iter().any(|h| h.normal.dot(&normal) >= 1.0) {
+                half_spaces.push(HalfSpace::around(body.vertices(), normal).widened(gap));
+            }
+        }
+    }
+    half_spaces
 }
 
 impl Forbidden {
@@ -67,44 +129,61 @@ impl Forbidden {
 }
 
 /// Where a cable from `apex` cannot end because of a body: in its shadow, or, if it starts on the body, below the surface.
-fn behind(body: &Polytope, apex: &Point, demand: &Demand, gap: f64) -> Option<Forbidden> {
+fn behind(body: &Polytope, apex: &Point, demand: &Demand) -> Option<Forbidden> {
     if let Demand::Leave { normals } = demand {
         return Some(Forbidden::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
     }
-    let found = shadow(&*fattened(body, gap)?, apex)?;
+    let found = shadow(body, apex)?;
     Some(Forbidden { half_spaces: found.half_spaces, tilt: found.tilt })
 }
 
-/// A body that holds everything nearer than `gap` to another: its sum with a cube around the ball. None if it has no hull.
+/// A body that holds everything nearer than `gap` to another: a box is enlarged, others are summed with a cube around the
+/// ball. None if it has no hull.
 fn fattened(body: &Polytope, gap: f64) -> Option<Cow<'_, Polytope>> {
     if gap == 0.0 {
         return Some(Cow::Borrowed(body));
     }
-    let corner = |k: usize| Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { gap } else { -gap });
-    let points: Vec<Point> = body.vertices().iter().flat_map(|p| (0..8).map(move |k| p + corner(k))).collect();
-    Polytope::hull_of(&points).ok().map(Cow::Owned)
+    if is_box(body) {
+        return body.with_planes_moved(gap).map(Cow::Owned);
+    }
+    body.sum(&Polytope::cuboid([2.0 * gap; 3]).ok()?).ok().map(Cow::Owned)
+}
+
+/// Whether a body is a box, however turned.
+fn is_box(body: &Polytope) -> bool {
+    let axes = body.normal_axes();
+    let square = |k: usize| axes[k].dot(&axes[(k + 1) % 3]).abs() <= RIGHT_ANGLE;
+    body.facets().len() == 6 && body.vertices().len() == 8 && axes.len() == 3 && (0..3).all(square)
 }
 
 /// The positions that break a constraint with a demanded distance, as half-spaces that hold them and not much more: where
 /// [`forbidden`] sums with a cube, this rounds edges and corners off by bevels. None where there is no such polyhedron.
 pub fn rounded(constraints: &Constraints, constraint: &Constraint) -> Option<Vec<HalfSpace>> {
-    let c = constraints;
+    rounded_with(constraints, constraint, &Fattened::default())
+}
+
+/// As [`rounded`], with what others have found of the obstacles already.
+pub fn rounded_with(c: &Constraints, constraint: &Constraint, fat: &Fattened) -> Option<Vec<HalfSpace>> {
     match constraint {
         Constraint::PlatformObstacle { part, body, gap } if *gap > 0.0 => {
-            let (part, obstacle) = (&c.platform[*part], &c.obstacles[*body].body);
-            let differences =
-                obstacle.vertices().iter().flat_map(|o| part.vertices().iter().map(move |p| o - p.coords));
-            let sum = Polytope::hull_of(&differences.collect::<Vec<_>>()).ok().filter(Polytope::has_volume)?;
+            let sum = difference(c, *part, *body).filter(Polytope::has_volume)?;
             Some(directions(&sum).into_iter().map(|n| HalfSpace::around(sum.vertices(), n).widened(*gap)).collect())
         }
         Constraint::CableObstacle { cable, body, demand: Demand::Apart { gap } } if *gap > 0.0 => {
             let cable = &c.cables[*cable];
-            let planes = rounded_shadow(&c.obstacles[*body].body, &cable.outlet, *gap)?;
+            let obstacle = &c.obstacles[*body].body;
+            let planes = match fat.directions.get(*body) {
+                Some(known) => {
+                    rounded_shadow(obstacle, &cable.outlet, *gap, known.get_or_init(|| directions(obstacle)))?
+                }
+                None => rounded_shadow(obstacle, &cable.outlet, *gap, &directions(obstacle))?,
+            };
             Some(planes.iter().map(|h| h.moved(&-cable.arm)).collect())
         }
         Constraint::CablePlatform { cable, body, demand: Demand::Apart { gap } } if *gap > 0.0 => {
             let cable = &c.cables[*cable];
-            let planes = rounded_shadow(&c.platform[*body], &Point::from(cable.arm), *gap)?;
+            let part = &c.platform[*body];
+            let planes = rounded_shadow(part, &Point::from(cable.arm), *gap, &directions(part))?;
             Some(planes.iter().map(|h| h.reflected(&cable.outlet.coords)).collect())
         }
         _ => None,
@@ -139,19 +218,23 @@ fn between(a: &Vector, b: &Vector) -> Vec<Vector> {
 }
 
 /// What is hidden from a point by everything nearer than `gap` to a body: planes that face the point, and planes through it.
-fn rounded_shadow(body: &Polytope, apex: &Point, gap: f64) -> Option<Vec<HalfSpace>> {
+/// `directions` are those of the body.
+fn rounded_shadow(body: &Polytope, apex: &Point, gap: f64, directions: &[Vector]) -> Option<Vec<HalfSpace>> {
     let around = |n: Vector| HalfSpace::around(body.vertices(), n).widened(gap);
     let exact = shadow(body, apex).filter(|_| body.has_volume())?;
-    let facing = directions(body).into_iter().map(around).filter(|plane| plane.height(apex) > 0.0);
+    let facing = directions.iter().copied().map(around).filter(|plane| plane.height(apex) > 0.0);
     let axis = (nalgebra::Point::from(
         body.vertices().iter().map(|v| v.coords).sum::<Vector>() / body.vertices().len() as f64,
     ) - apex)
         .try_normalize(PARALLEL)?;
-    let mut sides: Vec<Vector> =
+    let sides: Vec<Vector> =
         exact.half_spaces.iter().filter(|h| h.height(apex).abs() <= ON_SURFACE).map(|h| h.normal).collect();
     let across = sides.first()?.cross(&axis).try_normalize(PARALLEL)?;
     let up = axis.cross(&across);
-    sides.sort_by(|a, b| f64::atan2(a.dot(&up), a.dot(&across)).total_cmp(&f64::atan2(b.dot(&up), b.dot(&across))));
+    let angles = sides.iter().map(|n| f64::atan2(n.dot(&up), n.dot(&across)));
+    let mut by_angle: Vec<(f64, Vector)> = angles.zip(sides.iter().copied()).collect();
+    by_angle.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let sides: Vec<Vector> = by_angle.into_iter().map(|(_, n)| n).collect();
     let corners = (0..sides.len()).flat_map(|k| between(&sides[k], &sides[(k + 1) % sides.len()])).collect::<Vec<_>>();
     let cone: Option<Vec<HalfSpace>> =
         sides.iter().chain(&corners).map(|n| tangent(body, apex, n, &axis, gap)).collect();
@@ -161,13 +244,26 @@ fn rounded_shadow(body: &Polytope, apex: &Point, gap: f64) -> Option<Vec<HalfSpa
 /// The plane through a point, turned from the normal `n` away from the axis just so far that it keeps `gap` from a body.
 fn tangent(body: &Polytope, apex: &Point, n: &Vector, axis: &Vector, gap: f64) -> Option<HalfSpace> {
     let forward = (axis - n * n.dot(axis)).try_normalize(PARALLEL)?;
-    // For normals n cos φ - forward sin φ a corner is at A cos φ - C sin φ, which must be at most -gap.
-    let turn = |corner: &Point| {
+    // For normals n cos φ - forward sin φ a corner is at A cos φ - C sin φ, which must be at most -gap: for a corner at the
+    // distance R in this plane φ is at least asin(gap / R) + atan2(A, C). Of angles between -π/2 and π/2 the sines have the
+    // same order.
+    let (mut sine, mut cosine) = (0.0, 1.0);
+    for corner in body.vertices() {
         let (a, c) = (n.dot(&(corner - apex)), forward.dot(&(corner - apex)));
-        let reach = a.hypot(c);
-        (reach > gap).then(|| (gap / reach).asin() + f64::atan2(a, c))
-    };
-    let turns: Option<Vec<f64>> = body.vertices().iter().map(turn).collect();
-    let most = turns?.into_iter().fold(0.0, f64::max);
-    (most < std::f64::consts::FRAC_PI_2).then(|| HalfSpace::through(apex, n * most.cos() - forward * most.sin()))
+        let reach = (a * a + c * c).sqrt();
+        if !(reach > gap) {
+            return None;
+        }
+        let (s, t) = (gap / reach, ((reach - gap) * (reach + gap)).sqrt() / reach);
+        let (sin, cos) = ((s * c + t * a) / reach, (t * c - s * a) / reach);
+        if !(cos > 0.0) {
+            // Beyond a right angle to one side there is no such plane, to the other any will do.
+            if s.asin() + f64::atan2(a, c) > 0.0 {
+                return None;
+            }
+        } else if sin > sine {
+            (sine, cosine) = (sin, cos);
+        }
+    }
+    Some(HalfSpace::through(apex, (n * cosine - forward * sine).normalize()))
 }

@@ -9,6 +9,9 @@ use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
 use crate::watch::Watch;
 
+/// Convex polyhedra, each as a list of half-spaces.
+pub type Polyhedra = Vec<Vec<HalfSpace>>;
+
 /// An engine that answers the constraints of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
     /// The constraints that the engine answers.
@@ -26,7 +29,7 @@ pub trait Checker: Validity + Send {
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
         super::cspace::outer_polyhedra(self.constraints(), watch)
     }
 
@@ -34,7 +37,7 @@ pub trait Checker: Validity + Send {
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
         super::cspace::inner_polyhedra(self.constraints(), watch)
     }
 

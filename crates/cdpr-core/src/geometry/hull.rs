@@ -255,7 +255,7 @@ fn corners_and_facets(vertices: &[Point], planes: &[(Vector, Vec<usize>)]) -> Op
 }
 
 /// Sorts corners of a convex facet counter-clockwise as seen from the tip of `normal`.
-fn around(corners: &[Point], mut members: Vec<usize>, normal: &Vector) -> Vec<usize> {
+pub(super) fn around(corners: &[Point], mut members: Vec<usize>, normal: &Vector) -> Vec<usize> {
     let middle = members.iter().map(|&i| corners[i].coords).sum::<Vector>() / members.len() as f64;
     let u = (corners[members[0]].coords - middle).normalize();
     let v = normal.cross(&u);
@@ -267,7 +267,7 @@ fn around(corners: &[Point], mut members: Vec<usize>, normal: &Vector) -> Vec<us
     members
 }
 
-fn is_closed(hull: &Hull) -> bool {
+pub(super) fn is_closed(hull: &Hull) -> bool {
     let mut edges: Vec<[usize; 2]> = hull.facets.iter().flat_map(Facet::edges).collect();
     let forward = edges.len();
     edges.sort_unstable();

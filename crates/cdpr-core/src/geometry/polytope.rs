@@ -193,7 +193,7 @@ impl Polytope {
         Self::hull_of(&std::array::from_fn::<_, 8, _>(corner))
     }
 
-    fn from_hull(hull: Hull, dimension: usize) -> Self {
+    pub(super) fn from_hull(hull: Hull, dimension: usize) -> Self {
         let Hull { corners: vertices, facets } = hull;
         let normals = facets.iter().map(|f| f.normal);
         let spans = if dimension == 1 { vec![[0, 1]] } else { facets.iter().flat_map(Facet::edges).collect() };
@@ -209,6 +209,22 @@ impl Polytope {
         let vertices = self.vertices.iter().map(|v| rotation * v + translation).collect::<Vec<_>>();
         let facets = self.facets.iter().map(|f| Facet::through(&vertices, f.corners.clone())).collect();
         Self::from_hull(Hull { corners: vertices, facets }, self.dimension)
+    }
+
+    /// A box with its six planes moved outward, m; also other bodies of three square facets to each corner.
+    pub(crate) fn with_planes_moved(&self, by: f64) -> Option<Self> {
+        let at = |corner: usize| self.facets.iter().filter(move |f| f.corners.contains(&corner)).map(|f| f.normal);
+        let moved = |(k, v): (usize, &Point)| v + at(k).sum::<Vector>() * by;
+        let corners: Vec<Point> = self.vertices.iter().enumerate().map(moved).collect();
+        let facets = self.facets.iter().map(|f| {
+            let height = |&k: &usize| f.normal.dot(&corners[k].coords);
+            let offset = f.corners.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            Facet { normal: f.normal, offset, corners: f.corners.clone() }
+        });
+        let facets = facets.collect();
+        (0..self.vertices.len())
+            .all(|k| at(k).count() == 3)
+            .then(|| Self::from_hull(Hull { corners, facets }, self.dimension))
     }
 
     /// Corners, m.

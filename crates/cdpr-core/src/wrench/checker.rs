@@ -1,9 +1,9 @@
 //! An engine that asks for wrench feasibility as well, after everything that is cheaper.
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Constraints, Interference, Validity, Violation};
+use crate::collision::{Checker, Clearance, Constraints, Interference, Polyhedra, Validity, Violation};
 use crate::error::Error;
-use crate::geometry::{HalfSpace, Point};
+use crate::geometry::Point;
 use crate::watch::Watch;
 
 /// An engine of geometry with the constraint on wrenches behind it.
@@ -32,8 +32,12 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Vec<HalfSpace>>, Error> {
+    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
         self.geometry.polyhedra(watch)
+    }
+
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+        self.geometry.certain_polyhedra(watch)
     }
 }
 

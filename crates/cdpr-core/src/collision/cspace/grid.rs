@@ -2,19 +2,29 @@
 //! cells it passes.
 
 use super::clip::CoarseGroup;
-use super::region::Region;
+use super::region::{Inner, Region};
+use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_ROUNDING;
-use crate::numerics::simd::WIDTH;
+use crate::numerics::simd::{Kernel, Lanes, Task, WIDTH};
+use crate::watch::Watch;
 
 /// Cells of equal size, `n` along each axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Cells {
     min: Point,
     size: Vector,
     /// Cells per metre.
     density: Vector,
     n: usize,
+    kernel: Kernel,
+}
+
+impl PartialEq for Cells {
+    fn eq(&self, other: &Self) -> bool {
+        let all = |cells: &Cells| (cells.min, cells.size, cells.density, cells.n);
+        all(self) == all(other)
+    }
 }
 
 /// How far a list reaches beyond its cell, in cells.
@@ -23,32 +33,27 @@ const OVERLAP: f64 = 0.5;
 /// A piece of a segment may extend by half of it on both sides of its middle; a little less, for rounding.
 const PIECES_PER_CELL: f64 = 0.5 / (OVERLAP - CELL_ROUNDING);
 
-/// How a region lies to a box.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reach {
-    /// It does not meet the box.
-    Outside,
-    /// It may meet the box.
-    Partly,
-    /// The box is inside of it.
-    Full,
-}
-
-/// A cell that a region reaches into, and whether the cell is all inside of it.
+/// A cell that a region reaches into.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reached {
     /// Index of the cell.
     pub cell: u32,
+    /// The outer plane of the region that the middle of the cell is farthest outside of, or least inside, or
+    /// [`NO_WITNESS`].
+    pub witness: u16,
     /// Whether every position in the cell is forbidden.
     pub full: bool,
 }
 
+/// Stands for a plane that has everything inside.
+pub const NO_WITNESS: u16 = u16::MAX;
+
 impl Cells {
-    /// Divides a box into n³ cells; n must be a power of two.
+    /// Divides a box into n³ cells; n must be a power of two, at least 2.
     pub fn new(min: Point, max: Point, n: usize) -> Self {
         let extent = max - min;
         let density = extent.map(|e| if e > 0.0 { n as f64 / e } else { 0.0 });
-        Cells { min, size: extent / n as f64, density, n }
+        Cells { min, size: extent / n as f64, density, n, kernel: Kernel::best() }
     }
 
     /// How many cells there are.
@@ -56,11 +61,11 @@ impl Cells {
         self.n * self.n * self.n
     }
 
-    /// The cells that a region reaches into, found by halving the box again and again. `reach(center, half)` tells how the
-    /// region lies to a box given by its centre and half its sides.
-    pub fn reached(&self, reach: &dyn Fn(&Point, &Vector) -> Reach) -> Vec<Reached> {
+    /// The cells that a region reaches into, found by halving the box again and again. `may_reach(center, half)` tells
+    /// whether it may reach into a box given by its centre and half its sides.
+    pub fn reached(&self, may_reach: &dyn Fn(&Point, &Vector) -> bool) -> Vec<Reached> {
         let mut found = Vec::new();
-        self.descend([0; 3], self.n, reach, &mut found);
+        self.descend([0; 3], self.n, may_reach, &mut found);
         found
     }
 
@@ -68,28 +73,49 @@ impl Cells {
         &self,
         corner: [usize; 3],
         n: usize,
-        reach: &dyn Fn(&Point, &Vector) -> Reach,
+        may_reach: &dyn Fn(&Point, &Vector) -> bool,
         found: &mut Vec<Reached>,
     ) {
         let half = self.size * (0.5 * n as f64);
         let low = self.min + self.size.component_mul(&Vector::from_fn(|axis, _| corner[axis] as f64));
-        match reach(&(low + half), &(half + self.size * OVERLAP)) {
-            Reach::Outside => {}
-            Reach::Full => self.take_all(corner, n, found),
-            Reach::Partly if n == 1 => found.push(Reached { cell: self.index(corner) as u32, full: false }),
-            Reach::Partly => {
-                for k in 0..8 {
-                    let child = std::array::from_fn(|axis| corner[axis] + (k >> axis & 1) * n / 2);
-                    self.descend(child, n / 2, reach, found);
-                }
-            }
+        if !may_reach(&(low + half), &(half + self.size * OVERLAP)) {
+            return;
         }
+        if n == 1 {
+            found.push(Reached { cell: self.index(corner) as u32, witness: NO_WITNESS, full: false });
+            return;
+        }
+        for k in 0..8 {
+            let child = std::array::from_fn(|axis| corner[axis] + (k >> axis & 1) * n / 2);
+            self.descend(child, n / 2, may_reach, found);
+        }
+    }
+
+    /// The cells that a polyhedral region reaches into. Going down, only those planes are kept that still matter: a plane
+    /// that has a box inside has all boxes in it inside.
+    pub fn reached_by(&self, outer: &[HalfSpace], inner: &Inner) -> Vec<Reached> {
+        let mut descent = Descent::new(self, outer, inner);
+        let center = self.min + self.size * (0.5 * self.n as f64);
+        let reach = 0.5 * self.n as f64 + OVERLAP;
+        let over = |cut: &Cut| cut.plane.height(&center);
+        if descent.cuts.iter().any(|cut| cut.outer && over(cut) >= cut.extent * reach) {
+            return Vec::new();
+        }
+        let matters = |cut: &Cut| over(cut) > cut.limit - cut.extent * reach;
+        descent.active = (0..descent.cuts.len() as u32).filter(|&k| matters(&descent.cuts[k as usize])).collect();
+        if descent.fills && descent.own_filled(descent.active.iter().copied()) {
+            self.take_all([0; 3], self.n, &mut descent.found);
+        } else {
+            descent.children([0; 3], self.n, 0);
+        }
+        descent.found.shrink_to_fit();
+        descent.found
     }
 
     fn take_all(&self, corner: [usize; 3], n: usize, found: &mut Vec<Reached>) {
         for k in 0..n * n * n {
             let cell = [corner[0] + k % n, corner[1] + k / n % n, corner[2] + k / (n * n)];
-            found.push(Reached { cell: self.index(cell) as u32, full: true });
+            found.push(Reached { cell: self.index(cell) as u32, witness: NO_WITNESS, full: true });
         }
     }
 
@@ -102,12 +128,6 @@ impl Cells {
     fn largest(&self) -> f64 {
         let extent = self.size * self.n as f64;
         self.min.coords.abs().sup(&(self.min.coords + extent).abs()).sum()
-    }
-
-    /// The middle of a cell.
-    fn center(&self, cell: usize) -> Point {
-        let at = [cell % self.n, cell / self.n % self.n, cell / (self.n * self.n)];
-        self.min + self.size.component_mul(&Vector::from(at.map(|k| k as f64 + 0.5)))
     }
 
     /// Into how many equal pieces a segment must be cut so that each is covered by the list of the cell in its middle.
@@ -127,6 +147,228 @@ impl Cells {
     }
 }
 
+/// A plane on the way down.
+struct Cut {
+    plane: HalfSpace,
+    /// How far half a cell reaches from its middle along each axis of the normal, twice, m.
+    across: Vector,
+    /// The sum of their amounts: how far a box of cells reaches along the normal for each cell of half its side, m.
+    extent: f64,
+    /// A box matters to the plane as long as some of it is higher than this, m.
+    limit: f64,
+    /// Whether what is outside of the plane is outside of the region.
+    outer: bool,
+}
+
+/// How a plane lies to the eight boxes that make up a larger one.
+#[derive(Clone, Copy)]
+struct Sides {
+    /// Which plane.
+    cut: u32,
+    /// One bit for each box that the plane has outside.
+    outside: u8,
+    /// One bit for each box to which the plane matters.
+    matters: u8,
+}
+
+/// Finds the cells that a region reaches into.
+struct Descent<'a> {
+    cells: &'a Cells,
+    cuts: Vec<Cut>,
+    /// Whether a box may be inside of the region.
+    fills: bool,
+    /// Whether that is a matter of the planes that are not outer ones.
+    own: bool,
+    /// The planes that matter, of each box on the way down.
+    active: Vec<u32>,
+    sides: Vec<Sides>,
+    found: Vec<Reached>,
+}
+
+/// Looks at the eight boxes of half the side `n`, in cells, around a place.
+struct Classify<'a, 'b> {
+    descent: &'b mut Descent<'a>,
+    center: Point,
+    n: usize,
+    first: usize,
+}
+
+impl Task for Classify<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let Descent { cuts, active, sides, .. } = self.descent;
+        let reach = 0.25 * self.n as f64 + OVERLAP;
+        let aside = 0.25 * self.n as f64;
+        for &k in &active[self.first..] {
+            let cut = &cuts[k as usize];
+            let middle = cut.plane.height(&self.center);
+            let [x, y, z] = [cut.across.x * aside, cut.across.y * aside, cut.across.z * aside];
+            let flat = l.load(&[-x - y, x - y, y - x, x + y]);
+            let (low, high) = (l.add(l.splat(middle - z), flat), l.add(l.splat(middle + z), flat));
+            let (top, floor) = (cut.extent * reach, cut.limit - cut.extent * reach);
+            let out = l.not_negative(l.sub(low, l.splat(top))) | l.not_negative(l.sub(high, l.splat(top))) << WIDTH;
+            let below =
+                l.not_negative(l.sub(l.splat(floor), low)) | l.not_negative(l.sub(l.splat(floor), high)) << WIDTH;
+            sides.push(Sides { cut: k, outside: out as u8, matters: !below as u8 });
+        }
+    }
+}
+
+/// How the planes lie to the eight cells of a box of two cells a side.
+struct Leaves {
+    /// One bit for each cell that is outside of the region.
+    outside: u8,
+    /// One bit for each cell to which an outer plane matters, and to which one of the inner polyhedron does.
+    matters: [u8; 2],
+    /// The outer plane that the middle of each cell is highest over.
+    witnesses: [[f64; WIDTH]; 2],
+}
+
+/// Looks at the cells around a place.
+struct ClassifyLeaves<'a, 'b> {
+    descent: &'b Descent<'a>,
+    center: Point,
+    first: usize,
+}
+
+impl Task for ClassifyLeaves<'_, '_> {
+    type Output = Leaves;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> Leaves {
+        const ASIDE: f64 = 0.5;
+        const REACH: f64 = ASIDE + OVERLAP;
+        let Descent { cuts, active, .. } = self.descent;
+        let (mut outside, mut inside) = (0, [ALL_LEAVES; 2]);
+        let mut highest = [l.splat(f64::NEG_INFINITY); 2];
+        let mut witnesses = [l.splat(f64::from(NO_WITNESS)); 2];
+        for &k in &active[self.first..] {
+            let cut = &cuts[k as usize];
+            let middle = cut.plane.height(&self.center);
+            let [x, y, z] = [cut.across.x * ASIDE, cut.across.y * ASIDE, cut.across.z * ASIDE];
+            let flat = l.load(&[-x - y, x - y, y - x, x + y]);
+            let over = [l.add(l.splat(middle - z), flat), l.add(l.splat(middle + z), flat)];
+            let (top, floor) = (l.splat(cut.extent * REACH), l.splat(cut.limit - cut.extent * REACH));
+            let below = l.not_negative(l.sub(floor, over[0])) | l.not_negative(l.sub(floor, over[1])) << WIDTH;
+            if cut.outer {
+                inside[0] &= below;
+                outside |= l.not_negative(l.sub(over[0], top)) | l.not_negative(l.sub(over[1], top)) << WIDTH;
+                let index = l.splat(f64::from(k.min(u32::from(NO_WITNESS))));
+                for half in 0..2 {
+                    let higher = l.sub(over[half], highest[half]);
+                    witnesses[half] = l.where_not_negative(higher, index, witnesses[half]);
+                    highest[half] = l.max(highest[half], over[half]);
+                }
+            } else {
+                inside[1] &= below;
+            }
+        }
+        Leaves {
+            outside: outside as u8,
+            matters: [!inside[0] as u8, !inside[1] as u8],
+            witnesses: [l.store(witnesses[0]), l.store(witnesses[1])],
+        }
+    }
+}
+
+/// One bit for each of eight cells.
+const ALL_LEAVES: u32 = 0xff;
+
+impl<'a> Descent<'a> {
+    fn new(cells: &'a Cells, outer: &[HalfSpace], inner: &Inner) -> Self {
+        let cut = |plane: &HalfSpace, limit: f64, outer: bool| {
+            let across = plane.normal.component_mul(&cells.size);
+            Cut { plane: *plane, across, extent: across.abs().sum(), limit, outer }
+        };
+        let limit = if let Inner::Shrunk(widen) = inner { *widen } else { 0.0 };
+        let mut cuts: Vec<Cut> = outer.iter().map(|h| cut(h, limit, true)).collect();
+        if let Inner::Own(planes) = inner {
+            cuts.extend(planes.iter().map(|h| cut(h, 0.0, false)));
+        }
+        Descent {
+            cells,
+            cuts,
+            fills: !matches!(inner, Inner::Unknown),
+            own: matches!(inner, Inner::Own(_)),
+            active: Vec::new(),
+            sides: Vec::new(),
+            found: Vec::new(),
+        }
+    }
+
+    /// Whether a box to which these planes matter is inside of the inner polyhedron.
+    fn own_filled(&self, mut active: impl Iterator<Item = u32>) -> bool {
+        active.all(|k| self.own && self.cuts[k as usize].outer)
+    }
+
+    /// Looks at the eight boxes that make up a box of `n` cells a side. The planes that matter to it are those from `first`
+    /// on in `active`; what this adds there it removes again.
+    fn children(&mut self, corner: [usize; 3], n: usize, first: usize) {
+        let cells = self.cells;
+        let at = Vector::from_fn(|axis, _| (corner[axis] + n / 2) as f64);
+        let center = cells.min + cells.size.component_mul(&at);
+        if n == 2 {
+            return self.leaves(corner, center, first);
+        }
+        let (base, last) = (self.sides.len(), self.active.len());
+        cells.kernel.run(Classify { descent: self, center, n, first });
+        let (mut outside, mut beyond) = (0u8, 0u8);
+        for sides in &self.sides[base..] {
+            if self.cuts[sides.cut as usize].outer {
+                outside |= sides.outside;
+            } else {
+                beyond |= sides.outside;
+            }
+        }
+        for c in (0..8).filter(|c| outside >> c & 1 == 0) {
+            let child = std::array::from_fn(|axis| corner[axis] + (c >> axis & 1) * n / 2);
+            let mut full = self.fills;
+            // A box outside of one plane of the inner polyhedron is not inside of that, and all others of its planes do not
+            // matter.
+            let mut kept_beyond = false;
+            for slot in base..self.sides.len() {
+                let sides = &self.sides[slot];
+                if sides.matters >> c & 1 == 0 {
+                    continue;
+                }
+                if self.cuts[sides.cut as usize].outer {
+                    full &= self.own;
+                } else {
+                    full = false;
+                    if beyond >> c & 1 == 1 {
+                        if kept_beyond || sides.outside >> c & 1 == 0 {
+                            continue;
+                        }
+                        kept_beyond = true;
+                    }
+                }
+                self.active.push(sides.cut);
+            }
+            if full {
+                cells.take_all(child, n / 2, &mut self.found);
+            } else {
+                self.children(child, n / 2, last);
+            }
+            self.active.truncate(last);
+        }
+        self.sides.truncate(base);
+    }
+
+    /// Looks at the eight cells of a box of two cells a side.
+    fn leaves(&mut self, corner: [usize; 3], center: Point, first: usize) {
+        let leaves = self.cells.kernel.run(ClassifyLeaves { descent: self, center, first });
+        let free_of = |planes: usize, c: usize| leaves.matters[planes] >> c & 1 == 0;
+        for c in (0..8).filter(|c| leaves.outside >> c & 1 == 0) {
+            let cell = std::array::from_fn(|axis| corner[axis] + (c >> axis & 1));
+            let full = self.fills && free_of(1, c) && (self.own || free_of(0, c));
+            let witness = leaves.witnesses[c / WIDTH][c % WIDTH] as u16;
+            self.found.push(Reached { cell: self.cells.index(cell) as u32, witness, full });
+        }
+    }
+}
+
 /// For each cell the regions that reach into it, four to a group, each with the plane most likely to rule it out there.
 #[derive(Debug, Clone, Default)]
 pub struct Lists {
@@ -139,13 +381,26 @@ pub struct Lists {
 /// Marks the one entry of a cell that lies inside a region.
 pub const FULL: u32 = 1 << 31;
 
+/// Regions that are sorted into cells between two looks at the watch: a fraction of a millisecond, as a rule.
+const REGIONS_TO_A_POLL: usize = 64;
+
 impl Lists {
     /// Sorts regions by the cells they reach into.
-    pub fn new<'a>(cells: &Cells, pieces: impl Iterator<Item = (&'a Region, &'a [Reached])> + Clone) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn new<'a>(
+        cells: &Cells,
+        pieces: impl Iterator<Item = (&'a Region, &'a [Reached])> + Clone,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
         const NONE: u32 = u32::MAX;
         let mut full = vec![NONE; cells.len()];
         let mut count = vec![0; cells.len()];
         for (region, (_, reached)) in pieces.clone().enumerate() {
+            if region % REGIONS_TO_A_POLL == 0 {
+                watch.check()?;
+            }
             for reached in reached {
                 count[reached.cell as usize] += 1;
                 if reached.full {
@@ -161,22 +416,31 @@ impl Lists {
         let groups = starts[cells.len()] as usize;
         let mut planes = vec![CoarseGroup::ALL_OUTSIDE; groups];
         let mut regions = vec![[0; WIDTH]; groups];
+        let largest = cells.largest();
         let mut put = |cell: usize, lane: usize, plane: &HalfSpace, region: u32| {
             let group = starts[cell] as usize + lane / WIDTH;
-            planes[group].set(lane % WIDTH, plane, cells.largest());
+            planes[group].set(lane % WIDTH, plane, largest);
             regions[group][lane % WIDTH] = region;
         };
         let mut filled = vec![0; cells.len()];
         for (region, (bounds, reached)) in pieces.enumerate() {
-            for cell in reached.iter().map(|r| r.cell as usize).filter(|&cell| full[cell] == NONE) {
-                put(cell, filled[cell], &witness(bounds, &cells.center(cell)), region as u32);
-                filled[cell] += 1;
+            if region % REGIONS_TO_A_POLL == 0 {
+                watch.check()?;
+            }
+            let outer = bounds.outer.as_deref().unwrap_or_default();
+            for reached in reached {
+                let cell = reached.cell as usize;
+                if full[cell] == NONE {
+                    let witness = outer.get(reached.witness as usize).unwrap_or(&NOTHING_OUTSIDE);
+                    put(cell, filled[cell], witness, region as u32);
+                    filled[cell] += 1;
+                }
             }
         }
         for cell in (0..cells.len()).filter(|&cell| full[cell] != NONE) {
             put(cell, 0, &NOTHING_OUTSIDE, full[cell]);
         }
-        Lists { starts, planes, regions }
+        Ok(Lists { starts, planes, regions })
     }
 
     /// The planes and the regions of a cell.
@@ -195,18 +459,55 @@ impl Lists {
 /// A half-space that holds everything.
 const NOTHING_OUTSIDE: HalfSpace = HalfSpace { normal: Vector::new(0.0, 0.0, 0.0), offset: f64::INFINITY };
 
-/// The plane of a region that a place is farthest outside of, or least inside.
-fn witness(region: &Region, place: &Point) -> HalfSpace {
-    let planes = region.outer.iter().flatten();
-    planes.max_by(|a, b| a.height(place).total_cmp(&b.height(place))).copied().unwrap_or(NOTHING_OUTSIDE)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Polytope, Rotation};
+    use rand::{RngExt, SeedableRng};
 
-/// Whether one plane of a polyhedron has a whole box outside.
-pub fn outside(polyhedron: &[HalfSpace], center: &Point, half: &Vector) -> bool {
-    polyhedron.iter().any(|h| h.height(center) >= h.normal.abs().dot(half))
-}
+    /// The cells of a region, each looked at by itself.
+    fn one_by_one(cells: &Cells, outer: &[HalfSpace], inner: &Inner) -> Vec<(u32, bool)> {
+        let half = cells.size * (0.5 + OVERLAP);
+        let extent = |h: &HalfSpace| h.normal.abs().dot(&half);
+        let mut found = Vec::new();
+        for cell in 0..cells.len() {
+            let at = [cell % cells.n, cell / cells.n % cells.n, cell / (cells.n * cells.n)];
+            let center = cells.min + cells.size.component_mul(&Vector::from(at.map(|k| k as f64 + 0.5)));
+            let holds = |planes: &[HalfSpace], by: f64| planes.iter().all(|h| h.height(&center) - by <= -extent(h));
+            let full = match inner {
+                Inner::Unknown => false,
+                Inner::Shrunk(by) => holds(outer, *by),
+                Inner::Own(planes) => holds(planes, 0.0),
+            };
+            if !outer.iter().any(|h| h.height(&center) >= extent(h)) {
+                found.push((cell as u32, full));
+            }
+        }
+        found
+    }
 
-/// Whether a polyhedron, its planes moved outward by `widen`, holds a whole box.
-pub fn holds(polyhedron: &[HalfSpace], widen: f64, center: &Point, half: &Vector) -> bool {
-    polyhedron.iter().all(|h| h.height(center) - widen <= -h.normal.abs().dot(half))
+    #[test]
+    fn halving_finds_the_cells_that_looking_at_each_finds() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(9);
+        let mut filled = 0;
+        for case in 0..300 {
+            let mut number = |low: f64, high: f64| rng.random_range(low..high);
+            let cells = Cells::new(Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.1, 0.9), [4, 8, 16][case % 3]);
+            let turn = Rotation::new(Vector::new(number(-2.0, 2.0), number(-2.0, 2.0), number(-2.0, 2.0)));
+            let at = Vector::new(number(-1.5, 1.5), number(-1.5, 1.5), number(-1.5, 1.5));
+            let body = |grown: f64, sides: [f64; 3]| {
+                let body = Polytope::cuboid(sides.map(|side| side + grown)).unwrap();
+                body.transformed(&turn, &at).half_spaces()
+            };
+            let sides = [number(0.1, 3.0), number(0.1, 3.0), number(0.1, 3.0)];
+            let inner = [Inner::Unknown, Inner::Shrunk(-1e-3), Inner::Own(body(0.0, sides))][case / 3 % 3].clone();
+            let outer = body(0.1, sides);
+            let mut found: Vec<(u32, bool)> =
+                cells.reached_by(&outer, &inner).iter().map(|reached| (reached.cell, reached.full)).collect();
+            found.sort_unstable();
+            filled += found.iter().filter(|(_, full)| *full).count();
+            assert_eq!(found, one_by_one(&cells, &outer, &inner), "case {case}");
+        }
+        assert!(filled > 1000, "{filled}");
+    }
 }

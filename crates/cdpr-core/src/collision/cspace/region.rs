@@ -5,7 +5,7 @@
 //! with a clearance, the rounded corners: there the gjk engine decides.
 
 use crate::collision::constraint::{CableAt, Constraint, Constraints, Demand};
-use crate::collision::forbidden::{Forbidden, forbidden};
+use crate::collision::forbidden::{Fattened, Forbidden, forbidden_with};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{FATTENED, MIN_CABLE_LENGTH, ROUNDING, SUPERSET, TOUCH_DEPTH};
 
@@ -19,18 +19,21 @@ fn sorted(half_spaces: Vec<HalfSpace>, min: &Point, max: &Point) -> Vec<HalfSpac
         let share = |axis: i32| ((k / SAMPLES.pow(axis as u32) % SAMPLES) as f64 + 0.5) / SAMPLES as f64;
         min + (max - min).component_mul(&Vector::new(share(0), share(1), share(2)))
     };
-    let mut places: Vec<Point> = (0..SAMPLES.pow(3)).map(place).collect();
+    // One bit for each place that a plane rules out.
+    let ruled_out =
+        |h: &HalfSpace| (0..SAMPLES.pow(3)).fold(0, |set, k| set | u64::from(h.height(&place(k)) >= 0.0) << k);
+    let mut sets: Vec<u64> = left.iter().map(ruled_out).collect();
+    let mut open = u64::MAX;
     let mut sorted = Vec::with_capacity(left.len());
     while !left.is_empty() {
-        let ruled_out = |h: &HalfSpace| places.iter().filter(|p| h.height(p) >= 0.0).count();
-        let best = (0..left.len()).max_by_key(|&k| ruled_out(&left[k])).expect("some are left");
-        places.retain(|p| left[best].height(p) < 0.0);
+        let best = (0..left.len()).max_by_key(|&k| (sets[k] & open).count_ones()).expect("some are left");
+        open &= !sets.swap_remove(best);
         sorted.push(left.swap_remove(best));
     }
     sorted
 }
 
-/// Places along each axis at which planes are tried.
+/// Places along each axis at which planes are tried: 64 in all, one to a bit.
 const SAMPLES: usize = 4;
 
 /// What one constraint forbids, or a convex piece of it, bracketed.
@@ -43,6 +46,15 @@ pub struct Region {
 }
 
 impl Region {
+    /// The polyhedron inside of which every position breaks the constraint, if one is known.
+    pub fn certain(&self) -> Option<Vec<HalfSpace>> {
+        match &self.inner {
+            Inner::Unknown => None,
+            Inner::Shrunk(by) => self.outer.as_ref().map(|planes| widened(planes, *by)),
+            Inner::Own(planes) => Some(planes.clone()),
+        }
+    }
+
     /// Bytes that the planes take.
     pub fn bytes(&self) -> usize {
         let own = if let Inner::Own(planes) = &self.inner { planes.len() } else { 0 };
@@ -84,9 +96,9 @@ impl Scale {
 
 /// The regions, within the box of positions, of the constraint at an index of the list; empty if it forbids nothing or is no matter of regions (the
 /// workspace).
-pub fn regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<Region> {
+pub fn regions(constraints: &Constraints, index: usize, scale: &Scale, fat: &Fattened) -> Vec<Region> {
     let (min, max) = constraints.position_box();
-    let mut regions = exact_regions(constraints, index, scale);
+    let mut regions = exact_regions(constraints, index, scale, fat);
     for region in &mut regions {
         region.outer = region.outer.take().map(|planes| sorted(planes, &min, &max));
         if let Inner::Own(planes) = &mut region.inner {
@@ -96,7 +108,7 @@ pub fn regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<Re
     regions
 }
 
-fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<Region> {
+fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale, fat: &Fattened) -> Vec<Region> {
     let constraint = &constraints.list[index];
     match constraint {
         Constraint::Workspace { .. } => Vec::new(),
@@ -110,7 +122,7 @@ fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<
         }
         Constraint::PlatformObstacle { body, gap, .. } => {
             let touch = constraints.obstacles[*body].seam.unwrap_or(TOUCH_DEPTH);
-            vec![bracketed(constraints, index, *gap, touch, scale)]
+            vec![bracketed(constraints, index, [*gap, touch], scale, fat)]
         }
         Constraint::CableObstacle { demand, .. } | Constraint::CablePlatform { demand, .. } => {
             let (gap, touch) = match demand {
@@ -118,14 +130,14 @@ fn exact_regions(constraints: &Constraints, index: usize, scale: &Scale) -> Vec<
                 Demand::Outside { touch } => (0.0, *touch),
                 Demand::Leave { .. } => (0.0, TOUCH_DEPTH),
             };
-            vec![bracketed(constraints, index, gap, touch, scale)]
+            vec![bracketed(constraints, index, [gap, touch], scale, fat)]
         }
     }
 }
 
 /// The region of a constraint with this gap and this depth that still counts as touching.
-fn bracketed(constraints: &Constraints, index: usize, gap: f64, touch: f64, scale: &Scale) -> Region {
-    let set = |gap: f64| forbidden(constraints, &constraints.list[index], gap);
+fn bracketed(c: &Constraints, index: usize, [gap, touch]: [f64; 2], scale: &Scale, fat: &Fattened) -> Region {
+    let set = |gap: f64| forbidden_with(c, &c.list[index], gap, fat);
     let error = |f: &Forbidden| f.tilt * scale.reach + scale.rounding;
     let grown = |f: &Forbidden| widened(&f.half_spaces, error(f));
     let region = |outer, inner| Region { outer, inner };
