@@ -94,7 +94,7 @@ pub fn hall(count: usize, clearance: f64, seed: u64) -> Scene {
         cdpr_core::io::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));
     let mut base = forest.expect("a sound scene").spec().clone();
     (base.obstacles, base.clearance) = (Vec::new(), Some(clearance));
-    let side = (4.0 / count as f64).sqrt();
+    let side = (2.0 / count as f64).sqrt();
     let boxes = serde_json::json!({
         "count": count, "width": [0.5 * side, side], "depth": [0.5 * side, side], "height": [0.5 * side, side],
         "floating": true, "turned": true, "redraw_straight": true,

@@ -70,6 +70,9 @@ pub fn plan_choosing(
     Ok(Planned { result: PlanResult { stats: total, ..best.result }, ..best })
 }
 
+/// The engine, unless time was over before it was there, and the answer.
+type Found = (Option<Box<dyn Checker>>, PlanResult);
+
 /// Plans at one orientation; none if no path there is shorter than the shortest so far.
 fn at_one(
     scene: &Scene,
@@ -77,7 +80,7 @@ fn at_one(
     shortest: f64,
     watch: &Watch,
     listener: &Listener<Point>,
-) -> Result<Option<(Option<Box<dyn Checker>>, PlanResult)>, Error> {
+) -> Result<Option<Found>, Error> {
     let engine = match engine_within(scene, options.engine, options.interference, watch) {
         Err(error) if error.class() == ErrorClass::OutOfTime => return Ok(Some((None, PlanResult::out_of_time()))),
         engine => engine?,

@@ -34,6 +34,11 @@ pub trait Guide<State>: Sync {
         self.shortened(path, f64::INFINITY, watch)
     }
 
+    /// How many things it knows of that paths may bend around.
+    fn complexity(&self) -> usize {
+        0
+    }
+
     /// Whether it met limits that it does not know, which makes its work long.
     fn hindered(&self) -> bool {
         false
@@ -78,15 +83,18 @@ impl Default for AnytimeOptions {
 
 /// Without other limits: samples without any path after which it gives up.
 const HOPELESS: usize = 100_000;
-/// Without other limits: effort since the last better path after which it is content, in samples.
-const LEAST_EFFORT: usize = 2_000;
+/// Without other limits: effort since the last better path after which it is content, in samples, for each place around
+/// which paths bend; and its least and greatest value.
+const EFFORT: usize = 20;
+const LEAST_EFFORT: usize = 500;
+const GREATEST_EFFORT: usize = 4_000;
 /// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
-const EFFORT_SHARE: f64 = 1.0;
+const EFFORT_SHARE: f64 = 0.5;
 /// Effort of making a way taut, in samples; and where the guide is hindered.
 const PULL: usize = 20;
 const HINDERED_PULL: usize = 40;
 /// A path shorter by this share is a better one, for which the search goes on.
-const BETTER: f64 = 1e-5;
+const BETTER: f64 = 1e-3;
 /// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
 const UNGUIDED: usize = 500;
 /// Ways longer than the best path by more than this factor are not made taut.
@@ -159,10 +167,12 @@ struct Patience {
 }
 
 impl Patience {
-    fn lost(&self) -> bool {
+    /// Whether to give up, or to be content, where paths may bend around so many things.
+    fn lost(&self, complexity: usize) -> bool {
         let Some(first) = self.first else { return self.effort >= self.hopeless };
         let earned = (EFFORT_SHARE * (self.last - first) as f64) as usize;
-        self.effort - self.last > earned.max(LEAST_EFFORT)
+        let least = EFFORT.saturating_mul(complexity).clamp(LEAST_EFFORT, GREATEST_EFFORT);
+        self.effort - self.last > earned.max(least)
     }
 
     fn take(&mut self, cost: f64) {
@@ -232,7 +242,7 @@ impl<S: StateSpace> Run<'_, S> {
     fn patience_lost(&mut self) -> bool {
         self.patience.as_mut().is_some_and(|patience| {
             patience.effort += 1;
-            patience.lost()
+            patience.lost(self.guide.complexity())
         })
     }
 

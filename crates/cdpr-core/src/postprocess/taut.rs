@@ -43,6 +43,15 @@ pub struct Bend {
     pub place: Point,
     /// Unit vector along the edge; none for a waypoint that is on no edge.
     pub edge: Option<Vector>,
+    /// Its neighbours when the string over it was last found to be taut.
+    settled: Option<[Point; 2]>,
+}
+
+impl Bend {
+    /// A waypoint that may be on an edge.
+    pub fn new(place: Point, edge: Option<Vector>) -> Self {
+        Bend { place, edge, settled: None }
+    }
 }
 
 /// What is known of a scene for pulling paths taut in it.
@@ -93,6 +102,10 @@ impl Guide<Point> for Taut<'_> {
         let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
         let hulls = Hulls::new(polyhedra.into_iter().map(Hull::exact), self.low, self.high);
         bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
+    }
+
+    fn complexity(&self) -> usize {
+        self.hulls.get().map_or(0, Hulls::count)
     }
 
     fn hindered(&self) -> bool {
@@ -154,7 +167,7 @@ impl<'a> Strand<'a> {
     /// None if time is over before the polyhedra are there.
     fn new(taut: &'a Taut<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
         let Some(hulls) = taut.hulls(watch)? else { return Ok(None) };
-        let mut path: Vec<Bend> = path.iter().map(|place| Bend { place: *place, edge: None }).collect();
+        let mut path: Vec<Bend> = path.iter().map(|place| Bend::new(*place, None)).collect();
         path.dedup_by(|a, b| a.place == b.place);
         path.extend((path.len() == 1).then(|| path[0])); // a path has two ends, even if it stays
         let (pull, near, chain) = (Pull::default(), Near::default(), Vec::new());
@@ -170,10 +183,11 @@ impl<'a> Strand<'a> {
     fn range(&mut self, bend: &Bend, reach: f64) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
         let [low, high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
-        let [mut low, mut high] = [low.max(-reach), high.min(reach)];
+        let window = [low.max(-reach), high.min(reach)];
+        let [mut low, mut high] = window;
         let ends = [bend.place + along * low, bend.place + along * high];
         for hull in self.hulls.near(&ends, &mut self.near) {
-            match hull.inside(&bend.place, along) {
+            match hull.inside_within(&bend.place, along, window) {
                 Some([_, end]) if end <= SAME_POINT => low = low.max(end),
                 Some([start, _]) if start >= -SAME_POINT => high = high.min(start),
                 _ => {}
@@ -210,9 +224,10 @@ impl<'a> Strand<'a> {
     fn pull_roughly(&mut self, worth: f64, watch: &Watch) -> Result<(), Error> {
         let mut before = f64::INFINITY;
         for hope in HOPES {
-            if self.shortcut(watch)? || self.pull(watch)? || length(&self.path) > hope * worth || self.slide(watch)? {
+            if self.shortcut(watch)? || self.pull(watch)? || length(&self.path) > hope * worth {
                 break;
             }
+            self.slide_together(watch)?;
             let now = length(&self.path);
             if !(now < (1.0 - ROUGH) * before) {
                 break;
@@ -284,6 +299,9 @@ impl<'a> Strand<'a> {
 
     fn pull_over(&mut self, at: usize) -> bool {
         let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
+        if v.settled == Some([u.place, w.place]) {
+            return false;
+        }
         let mut chain = std::mem::take(&mut self.chain);
         self.pull.over(self.hulls, &u.place, &v.place, &w.place, &mut chain);
         if let [same] = chain[..]
@@ -303,13 +321,17 @@ impl<'a> Strand<'a> {
             self.refused = true;
             self.taut.hindered.store(true, Ordering::Relaxed);
         }
-        free || (shorter && self.cut_corner(at))
+        let pulled = free || (shorter && self.cut_corner(at));
+        if !pulled {
+            self.path[at].settled = Some([u.place, w.place]);
+        }
+        pulled
     }
 
     /// Where something that is no polyhedron is in the way: the largest corner, by halves, that can be cut off.
     fn cut_corner(&mut self, at: usize) -> bool {
         let [u, v, w] = [self.path[at - 1].place, self.path[at].place, self.path[at + 1].place];
-        let toward = |end: &Point, share: f64| Bend { place: v + (end - v) * share, edge: None };
+        let toward = |end: &Point, share: f64| Bend::new(v + (end - v) * share, None);
         let cuts = (1..=SIZES).map(|k| 0.5f64.powi(k as i32)).map(|share| [toward(&u, share), toward(&w, share)]);
         let worth = |[a, b]: &[Bend; 2]| {
             let gain = (a.place - v).norm() + (b.place - v).norm() - (b.place - a.place).norm();
@@ -335,7 +357,7 @@ impl<'a> Strand<'a> {
                     let reach =
                         0.5f64.powi(halving as i32) * (u.place - v.place).norm().min((w.place - v.place).norm());
                     let by = Vector::from_fn(|_, _| rng.random_range(-1.0..=1.0)) * reach;
-                    let moved = [u, Bend { place: v.place + by, edge: None }, w];
+                    let moved = [u, Bend::new(v.place + by, None), w];
                     if length(&moved) < length(&[u, v, w]) - TAUT && self.all_free(&moved) {
                         self.path[at] = moved[1];
                     }
@@ -349,22 +371,18 @@ impl<'a> Strand<'a> {
     /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
     /// whether the time is over.
     fn slide(&mut self, watch: &Watch) -> Result<bool, Error> {
-        let path = std::mem::take(&mut self.path);
-        let slid = self.slid(&path, watch);
-        self.path = path;
-        if let Some(slid) = slid? {
-            self.path = slid;
+        if self.slide_together(watch)? {
             return Ok(false);
         }
         let mut at = 1;
         while at + 1 < self.path.len() {
             let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
-            let held = |bend: Bend| Bend { edge: None, ..bend };
+            let held = |bend: Bend| Bend::new(bend.place, None);
             for edge in self.edges_at(&v.place) {
                 if watch.expired()? {
                     return Ok(true);
                 }
-                let alone = [held(u), Bend { edge: Some(edge), ..v }, held(w)];
+                let alone = [held(u), Bend::new(v.place, Some(edge)), held(w)];
                 if let Some(slid) = self.slid(&alone, watch)? {
                     self.path.splice(at..=at, slid[1..slid.len() - 1].iter().copied());
                     break;
@@ -373,6 +391,17 @@ impl<'a> Strand<'a> {
             at += 1;
         }
         Ok(false)
+    }
+
+    /// Slides all bends at once; whether that made the path shorter.
+    fn slide_together(&mut self, watch: &Watch) -> Result<bool, Error> {
+        let path = std::mem::take(&mut self.path);
+        let slid = self.slid(&path, watch);
+        self.path = path;
+        let slid = slid?;
+        let shorter = slid.is_some();
+        self.path = slid.unwrap_or_else(|| std::mem::take(&mut self.path));
+        Ok(shorter)
     }
 
     /// The path with its bends slid to the best places on their edges, or as far on the way there as makes it shorter.
@@ -401,7 +430,7 @@ impl<'a> Strand<'a> {
         let mut led = vec![moved[0]];
         for (old, new) in path.windows(2).zip(moved.windows(2)) {
             if !self.free(&new[0], &new[1]) {
-                let over = old.iter().map(|bend| Bend { place: bend.place, edge: None });
+                let over = old.iter().map(|bend| Bend::new(bend.place, None));
                 let way = std::iter::once(new[0]).chain(over).chain([new[1]]);
                 let mut way: Vec<Bend> = way.collect();
                 way.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);

@@ -69,7 +69,7 @@ impl Hull {
     /// The interval of t for which `from + t along`, a line in one of the planes, is on the polyhedron's surface; where
     /// another plane says the same as that one but for rounding, both have the line.
     pub fn side(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
-        inside(self.planes.iter(), from, along, GRAZING)
+        inside(&self.planes, from, along, EVERYWHERE, GRAZING)
     }
 
     /// Whether a point is inside, more than by touching.
@@ -79,7 +79,12 @@ impl Hull {
 
     /// The interval of t for which `from + t along` is inside; none if it never is.
     pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
-        inside(self.planes.iter(), from, along, -GRAZING)
+        inside(&self.planes, from, along, EVERYWHERE, -GRAZING)
+    }
+
+    /// The part of an interval of t for which `from + t along` is inside; none if it never is.
+    pub fn inside_within(&self, from: &Point, along: &Vector, window: [f64; 2]) -> Option<[f64; 2]> {
+        inside(&self.planes, from, along, window, -GRAZING)
     }
 
     /// The directions of its edges through a place.
@@ -150,7 +155,8 @@ impl Piece {
 
     /// Its pieces outside of all hulls.
     pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>) -> Vec<Piece> {
-        let mut covered: Vec<[f64; 2]> = hulls.filter_map(|hull| hull.inside(&self.from, &self.along)).collect();
+        let mut covered: Vec<[f64; 2]> =
+            hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut free = Vec::new();
         let mut at = 0.0;
@@ -165,10 +171,13 @@ impl Piece {
     }
 }
 
-/// The interval of a line in an intersection of half-spaces; none if it is empty. Of a plane along the line the line is
+/// All of a line.
+const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// The interval of a line in an intersection of half-spaces and a window; none if it is empty. Of a plane along the line the line is
 /// outside where it is higher than `rim`, m.
-fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: &Vector, rim: f64) -> Option<[f64; 2]> {
-    let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
+fn inside(planes: &[HalfSpace], from: &Point, along: &Vector, window: [f64; 2], rim: f64) -> Option<[f64; 2]> {
+    let [mut low, mut high] = window;
     for plane in planes {
         let (height, slope) = (plane.height(from), plane.normal.dot(along));
         if slope > PARALLEL {
@@ -178,8 +187,11 @@ fn inside<'a>(planes: impl Iterator<Item = &'a HalfSpace>, from: &Point, along: 
         } else if height >= rim {
             return None;
         }
+        if low >= high {
+            return None;
+        }
     }
-    (low < high).then_some([low, high])
+    Some([low, high])
 }
 
 /// The interval of a line in a box; it may be empty.

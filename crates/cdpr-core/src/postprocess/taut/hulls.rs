@@ -49,7 +49,7 @@ const MARGIN: f64 = 2.0 * ON_SURFACE;
 /// How far from a drawn place on an edge free pieces are looked for, as a share of the size of the box.
 const NEARBY: f64 = 1.0 / 16.0;
 /// Edges drawn until one of them has a free and promising piece.
-const DRAWS: usize = 32;
+const DRAWS: usize = 8;
 
 impl Hulls {
     /// The hulls that reach into the box from `low` to `high`.
@@ -61,7 +61,7 @@ impl Hulls {
     }
 
     /// How many there are.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.list.len()
     }
 

@@ -76,7 +76,7 @@ impl Pull {
             if rest[0].hypot(rest[1]) <= SAME_POINT {
                 return;
             }
-            chain.push(Bend { place: frame.point(&next), edge });
+            chain.push(Bend::new(frame.point(&next), edge));
             at = next;
         }
     }

@@ -40,7 +40,7 @@ pub fn best_slides(path: &[Bend], ranges: &[[f64; 2]]) -> Vec<f64> {
 
 /// The bends, slid along their edges.
 pub fn slid(path: &[Bend], slides: &[f64], share: f64) -> Vec<Bend> {
-    let moved = path.iter().zip(slides).map(|(bend, t)| Bend { place: place(bend, share * t), edge: bend.edge });
+    let moved = path.iter().zip(slides).map(|(bend, t)| Bend::new(place(bend, share * t), bend.edge));
     moved.collect()
 }
 
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     fn bend(place: [f64; 3], edge: Option<[f64; 3]>) -> Bend {
-        Bend { place: Point::from(place), edge: edge.map(|e| Vector::from(e).normalize()) }
+        Bend::new(Point::from(place), edge.map(|e| Vector::from(e).normalize()))
     }
 
     const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
