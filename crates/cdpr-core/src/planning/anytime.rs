@@ -83,11 +83,9 @@ impl Default for AnytimeOptions {
 
 /// Without other limits: samples without any path after which it gives up.
 const HOPELESS: usize = 100_000;
-/// Without other limits: effort since the last better path after which it is content, in samples, for each place around
-/// which paths bend; and its least and greatest value.
-const EFFORT: usize = 20;
-const LEAST_EFFORT: usize = 500;
-const GREATEST_EFFORT: usize = 4_000;
+/// Without other limits: effort since the last better path after which it is content, in samples: this for one thing that
+/// paths may bend around, for n of them √n times as much.
+const EFFORT: f64 = 120.0;
 /// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
 const EFFORT_SHARE: f64 = 0.5;
 /// Effort of making a way taut, in samples; and where the guide is hindered.
@@ -171,7 +169,7 @@ impl Patience {
     fn lost(&self, complexity: usize) -> bool {
         let Some(first) = self.first else { return self.effort >= self.hopeless };
         let earned = (EFFORT_SHARE * (self.last - first) as f64) as usize;
-        let least = EFFORT.saturating_mul(complexity).clamp(LEAST_EFFORT, GREATEST_EFFORT);
+        let least = (EFFORT * (complexity as f64).sqrt()) as usize;
         self.effort - self.last > earned.max(least)
     }
 
@@ -253,8 +251,8 @@ impl<S: StateSpace> Run<'_, S> {
         let cost = self.cost;
         let promising = |state: &S::State| space.distance(start, state) + space.distance(state, goal) < cost;
         let sample = match samples % 4 {
-            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(&promising, rng, self.watch)?,
             1 if self.cost.is_infinite() => space.sample_around(self.halves.stuck(rng), rng),
+            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(&promising, rng, self.watch)?,
             _ => None,
         };
         let sample = sample.or_else(|| match self.cost {
