@@ -421,3 +421,25 @@ fn the_guide_is_not_waited_for_before_there_is_a_path() {
     assert!(first < 500 && asked(&hard1(), first).0 == 0, "{first}");
     assert!(asked(&hard1(), first + 100).0 >= 45);
 }
+
+#[test]
+fn the_way_back_is_as_short_as_the_way_there() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/scenes/forest.toml");
+    let forest = cdpr_core::io::load_scene(std::path::Path::new(file)).unwrap();
+    for seed in 0..3 {
+        let there = planned(&forest, &seeded(seed));
+        let (start, goal) = (forest.goal(), forest.start());
+        let back = planned(&forest, &PlanOptions { start, goal, ..seeded(seed) });
+        assert!((there.cost / back.cost - 1.0).abs() < 1e-3, "{seed}: {} and {}", there.cost, back.cost);
+        assert!((there.cost / 12.0087 - 1.0).abs() < 1e-3, "{seed}: {}", there.cost);
+    }
+}
+
+#[test]
+fn a_budget_counts_from_the_call() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/scenes/forest.toml");
+    let forest = cdpr_core::io::load_scene(std::path::Path::new(file)).unwrap();
+    let budget = Some(Duration::from_nanos(1));
+    let found = planned(&forest, &PlanOptions { budget, ..seeded(0) });
+    assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 0)); // over before the scene was compiled
+}

@@ -107,6 +107,9 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
     let reason = || found.reason.as_ref().map_or(String::new(), |r| format!(": {}", r.sentence()));
     match found.status {
         Status::Solved => solved(options, found),
+        Status::BudgetSpent if found.stats.samples == 0 => {
+            format!("{}: the budget ended while the scene was compiled", bad("no path found"))
+        }
         Status::BudgetSpent => format!(
             "{} after {} ({:.1} ms, seed {}); there may still be one",
             bad("no path found"),
@@ -162,6 +165,7 @@ fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
         (Status::Solved, None) if args.scene.format == Format::Text => {
             out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
         }
+        (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try --max-samples with a larger number, or another --seed"),
         (Status::StartInvalid | Status::GoalInvalid, _) => {
             out.say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
