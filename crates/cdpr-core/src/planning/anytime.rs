@@ -84,8 +84,9 @@ impl Default for AnytimeOptions {
 /// Without other limits: samples without any path after which it gives up.
 const HOPELESS: usize = 100_000;
 /// Without other limits: effort since the last better path after which it is content, in samples: this for one thing that
-/// paths may bend around, for n of them √n times as much.
+/// paths may bend around, for n of them √n times as much; and at least so much.
 const EFFORT: f64 = 120.0;
+const LEAST_EFFORT: f64 = 500.0;
 /// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
 const EFFORT_SHARE: f64 = 0.5;
 /// Effort of making a way taut, in samples; and where the guide is hindered.
@@ -169,7 +170,7 @@ impl Patience {
     fn lost(&self, complexity: usize) -> bool {
         let Some(first) = self.first else { return self.effort >= self.hopeless };
         let earned = (EFFORT_SHARE * (self.last - first) as f64) as usize;
-        let least = (EFFORT * (complexity as f64).sqrt()) as usize;
+        let least = (EFFORT * (complexity as f64).sqrt()).max(LEAST_EFFORT) as usize;
         self.effort - self.last > earned.max(least)
     }
 
@@ -216,7 +217,7 @@ impl<S: StateSpace> Run<'_, S> {
             if self.halves.len() > MOST_NODES {
                 self.past += self.halves.len();
                 self.halves = Halves::new(self.search.problem);
-                self.halves.keep(&self.best);
+                self.halves.keep(&self.best); // nothing, where there is no path yet
             }
         }
         Ok(())

@@ -58,9 +58,9 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         smaller.state(rng.random_range(0..smaller.len()))
     }
 
-    /// Puts the waypoints of a valid path from start to goal into both trees.
+    /// Puts the waypoints of a valid path from start to goal, or an empty one, into both trees.
     pub fn keep(&mut self, path: &[S::State]) {
-        let inner = &path[1..path.len().max(2) - 1];
+        let [_, inner @ .., _] = path else { return };
         let [from_start, from_goal] = &mut self.halves;
         from_start.append_chain(self.space, inner.iter());
         from_goal.append_chain(self.space, inner.iter().rev());
