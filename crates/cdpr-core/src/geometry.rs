@@ -1,14 +1,18 @@
 //! Convex bodies and what can be asked of two of them: distance (GJK), overlap depth (separating axes), contact.
 
+mod cell;
 pub mod clip;
 pub mod convex_parts;
 pub mod features;
 pub mod gjk;
 pub mod half_space;
 mod hull;
+mod inner_hull;
+mod merge;
 pub mod mesh;
 pub mod minkowski;
 pub mod polytope;
+mod reach;
 pub mod seam;
 pub mod segment_segment;
 pub mod separating_axes;
@@ -16,6 +20,7 @@ pub mod shadow;
 pub mod shape;
 pub mod solid;
 pub mod surface;
+mod wrap;
 
 pub use clip::{convex_mesh, wedge_mesh};
 pub use convex_parts::{ConvexParts, convex_parts};

@@ -6,6 +6,7 @@ mod caspr;
 pub mod experiment_file;
 mod gazebo;
 pub mod import_file;
+mod loader;
 mod mesh_bodies;
 pub mod mesh_file;
 pub mod mesh_reader;
@@ -22,6 +23,7 @@ pub use batch_folder::{BatchFolder, merge};
 pub use batch_tables::{BatchRows, Tables};
 pub use experiment_file::{experiment_from_text, load_experiment};
 pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
+pub use loader::Loader;
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
 pub use path_file::{

@@ -256,28 +256,63 @@ pub const FACE_SHARE: f64 = 0.02;
 /// Most corners of a convex mesh that is taken as it is; the fast engine sums them with the platform's.
 pub const MOST_CONVEX_CORNERS: usize = MOST_CORNERS;
 
-/// Most corners of a convex part of another mesh; with more it is enclosed in some planes that touch it.
+/// Most corners of a convex part that is the hull of what it stands for; around more, planes are laid that touch them.
 pub const MOST_PART_CORNERS: usize = 64;
 
-/// Cosine of the angle by which normals of such planes differ at least, about 20 degrees.
-pub const SPREAD_NORMALS: f64 = 0.94;
+/// Most planes around what a convex part stands for.
+pub const MOST_WRAP_PLANES: usize = 300;
+
+/// Share of the tolerance that planes around a part may reach beyond its hull: more makes more parts and takes room from
+/// paths, less makes parts of more faces.
+pub const TIGHT_WRAP: f64 = 0.25;
+
+/// Share of the tolerance that parts reach where that does not take more of them than there may be: what is left is room
+/// for paths.
+pub const CLOSE: f64 = 0.5;
 
 /// Most parts that one piece of a mesh is cut into.
 pub const MOST_PARTS: usize = 256;
 
+/// Share of the largest side of a piece: where its parts miss the tolerance and reach farther than this, the mesh is
+/// refused, since they leave no shape that paths could be planned around.
+pub const USELESS_REACH: f64 = 0.25;
+
+/// Cells that a piece may be cut into, for each part it may have after merging.
+pub const CELLS_PER_PART: usize = 4;
+
 /// Most parts of all pieces of a mesh together, if there are fewer pieces.
 pub const MOST_PARTS_IN_ALL: usize = 5_000;
 
-/// Steps after which a part counts as one that reaches too far: some tenths of a second.
-pub const MOST_REACH_STEPS: usize = 300_000;
+/// Steps (boxes, and eight triangles each) in the proof of how far one part reaches, after which it counts as one that
+/// reaches too far: about a second.
+pub const MOST_REACH_STEPS: usize = 1_000_000;
 
 /// The same for all parts of a piece together, for each part that it may be cut into: some seconds for the worst of
-/// meshes, whose parts then count as reaching as far as they are wide.
-pub const REACH_STEPS_PER_PART: usize = 4_000;
+/// meshes, which are not cut further then.
+pub const REACH_STEPS_PER_PART: usize = 8_000;
+
+/// Steps that measure how far a part reaches, for what is stated.
+pub const MEASURE_STEPS: usize = 2_000;
+
+/// The same for all parts of a piece together, if it has few.
+pub const MEASURE_STEPS_IN_ALL: usize = 20_000;
+
+/// Steps in the proof that two parts may be one.
+pub const MERGE_STEPS: usize = 20_000;
+
+/// The same for all such proofs of a piece, for each part that there is at first.
+pub const MERGE_STEPS_PER_PART: usize = 4_000;
+
+/// Polygons that cutting a piece may look at for each of its triangles, and besides. A sound mesh takes some 10 to 20 for
+/// each triangle; triangles that cross one another everywhere are cut into more and more of them.
+pub const POLYGONS_PER_TRIANGLE: usize = 40;
+
+/// See [`POLYGONS_PER_TRIANGLE`].
+pub const POLYGONS_BESIDES: usize = 500_000;
 
 /// Share of the tolerance beyond which a part counts as one that reaches too far: to tell just below from just above would
 /// take most of the time.
-pub const UNDECIDED: f64 = 0.75;
+pub const UNDECIDED: f64 = 0.85;
 
 /// Share of the volume that a cut beside a void must leave, against one across the part, to be preferred.
 pub const MUCH_SMALLER: f64 = 0.9;

@@ -14,6 +14,7 @@ use cdpr_core::numerics::{GAP_TOLERANCE, MOST_PARTS, SHEET, TOUCH_DEPTH};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::paper_scene;
+use cdpr_core::watch::Watch;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use support::meshes::*;
@@ -54,7 +55,7 @@ fn clear_of_triangles(scene: &Scene, mesh: &TriangleMesh, waypoints: &[Point]) -
 
 fn solved(scene: &Scene) -> Vec<Point> {
     let found = plan(scene, &PlanOptions::default(), &|| false).unwrap();
-    assert_eq!(found.status, Status::Solved, "{}", scene.name());
+    assert_eq!(found.status, Status::Solved, "{}: {:?}", scene.name(), scene.notes());
     found.waypoints
 }
 
@@ -99,9 +100,9 @@ fn polyhedra_with_flat_faces_are_cut_into_parts_that_fill_them_exactly() {
     let tilt = Rotation::from_euler_angles(0.3, -0.7, 1.1);
     for (name, mesh, count) in [("angle", angle(), 2), ("table", table(), 5), ("room", room(), 6)] {
         for mesh in [mesh.clone(), turned(&mesh, &tilt)] {
-            let (pieces, faults) = pieces(&mesh);
+            let (pieces, faults) = pieces(&mesh, &Watch::NONE).unwrap();
             assert_eq!((pieces.len(), faults.notes().len()), (1, 0), "{name}: {faults:?}");
-            let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS);
+            let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS, &Watch::NONE).unwrap();
             assert_eq!((parts.bodies.len(), parts.reach), (count, 0.0), "{name}");
         }
     }
@@ -140,8 +141,9 @@ fn parts_cover_the_mesh_and_reach_no_farther_than_told() {
         ("open box", turned(&open_box, &tilt), 0.02),
         ("one triangle", TriangleMesh { triangles: vec![[0, 1, 2]], vertices: angle().vertices[..3].to_vec() }, 0.01),
     ] {
-        let (pieces, _) = pieces(&mesh);
-        let parts: Vec<_> = pieces.iter().map(|piece| convex_parts(piece, tolerance, MOST_PARTS)).collect();
+        let (pieces, _) = pieces(&mesh, &Watch::NONE).unwrap();
+        let parts: Vec<_> =
+            pieces.iter().map(|piece| convex_parts(piece, tolerance, MOST_PARTS, &Watch::NONE).unwrap()).collect();
         let bodies = || parts.iter().flat_map(|p| &p.bodies);
         let covered = |p: &Point| bodies().any(|body| body.depth_of(p) >= -GAP_TOLERANCE);
         for triangle in &mesh.triangles {
@@ -418,8 +420,8 @@ fn a_flat_sheet_of_many_triangles_is_one_thin_part() {
     let triangles = quads
         .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]);
     let mesh = TriangleMesh { vertices: vertices.collect(), triangles: triangles.collect() };
-    let (pieces, _) = pieces(&mesh);
-    let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS);
+    let (pieces, _) = pieces(&mesh, &Watch::NONE).unwrap();
+    let parts = convex_parts(&pieces[0], 0.01, MOST_PARTS, &Watch::NONE).unwrap();
     assert_eq!(parts.bodies.len(), 1);
     assert!((parts.bodies[0].volume() / (1.0 * 2.0 * 2.0 * SHEET) - 1.0).abs() < 1e-3);
 }

@@ -54,14 +54,14 @@ pub fn wedge_mesh(apex: &Point, [a, b]: [Vector; 2], within: &Aabb) -> Option<Tr
 }
 
 /// A convex body while it is being cut; corners that were cut off stay in the list.
-struct Polyhedron {
-    vertices: Vec<Point>,
+pub(super) struct Polyhedron {
+    pub vertices: Vec<Point>,
     /// Corners in counter-clockwise order seen from outside.
-    faces: Vec<Vec<usize>>,
+    pub faces: Vec<Vec<usize>>,
 }
 
 impl Polyhedron {
-    fn cuboid(Aabb { min, max }: &Aabb) -> Option<Self> {
+    pub fn cuboid(Aabb { min, max }: &Aabb) -> Option<Self> {
         if !(0..3).all(|axis| max[axis] - min[axis] > TOUCH_DEPTH) {
             return None;
         }
@@ -72,7 +72,7 @@ impl Polyhedron {
     }
 
     /// Cuts off what lies outside a half-space; none if that is all. Corners up to [`TOUCH_DEPTH`] outside may stay.
-    fn cut(&mut self, half_space: &HalfSpace) -> Option<()> {
+    pub fn cut(&mut self, half_space: &HalfSpace) -> Option<()> {
         let heights: Vec<f64> = self.vertices.iter().map(|v| half_space.height(v)).collect();
         let corners = || self.faces.iter().flatten().copied();
         let highest = corners().max_by(|i, j| heights[*i].total_cmp(&heights[*j]))?;

@@ -3,8 +3,6 @@
 //! parry computes the triangles; here they become facets with all their corners, and the result is verified: every
 //! point inside every facet, every edge between exactly two facets, and Euler's formula.
 
-use std::collections::HashMap;
-
 use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::transformation::try_convex_hull;
 
@@ -170,27 +168,11 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     })
 }
 
-/// Corners of the hull of a point cloud and its triangles over them, as parry finds them, without triangles where the
-/// points lie in a plane: not verified, but fast for many points. None if they lie on a line.
-pub(super) fn hull_corners(points: &[Point]) -> Option<(Vec<Point>, Vec<[usize; 3]>)> {
+/// Corners of the hull of points that lie in a plane, as far as rounding tells; none if they lie on a line.
+pub(super) fn flat_ring(points: &[Point]) -> Option<Vec<Point>> {
     let extent = Extent::of(points);
-    if extent.dimension == 2 {
-        let ring = monotone_chain(&flattened(points, &extent));
-        return Some((ring.into_iter().map(|i| points[i]).collect(), Vec::new()));
-    }
-    let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
-    let (kept, triangles) = (extent.dimension == 3).then(|| try_convex_hull(&even).ok()).flatten()?;
-    let key = |v: &Glam| [v.x, v.y, v.z].map(f64::to_bits);
-    let places: HashMap<[u64; 3], usize> = even.iter().enumerate().map(|(k, v)| (key(v), k)).collect();
-    let corners = kept.iter().map(|v| places.get(&key(v)).map(|k| points[*k])).collect::<Option<_>>()?;
-    Some((corners, triangles.iter().map(|t| t.map(|i| i as usize)).collect()))
-}
-
-/// Volume of a hull from [`hull_corners`], m³.
-pub(super) fn hull_volume(corners: &[Point], triangles: &[[usize; 3]]) -> f64 {
-    let spoke = |i: usize| corners[i] - corners[0];
-    let volume: f64 = triangles.iter().map(|[a, b, c]| spoke(*a).dot(&spoke(*b).cross(&spoke(*c)))).sum();
-    volume.abs() / 6.0
+    let ring = |extent| monotone_chain(&flattened(points, extent)).into_iter().map(|i| points[i]).collect();
+    (extent.dimension >= 2).then(|| ring(&extent))
 }
 
 /// A plane of a hull: its outward normal and the vertices on it.

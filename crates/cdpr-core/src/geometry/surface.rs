@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use super::solid::SignedDistance;
+use super::solid::{LOOK, SignedDistance, sorted};
 use super::{Aabb, Point, TriangleMesh, Vector};
+use crate::error::Error;
 use crate::numerics::WELD_RELATIVE;
+use crate::watch::Watch;
 
 /// What is wrong with a mesh, counted. None of it keeps the triangles from being obstacles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -63,13 +65,19 @@ pub struct Piece {
 }
 
 /// Cuts a mesh into pieces.
-pub fn pieces(mesh: &TriangleMesh) -> (Vec<Piece>, Faults) {
-    let welded = Welded::new(mesh);
+///
+/// # Errors
+/// The watch's.
+pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<Piece>, Faults), Error> {
+    let welded = Welded::new(mesh, watch)?;
     let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };
-    let mut shells: Vec<Shell> = welded.connected().into_iter().map(|list| welded.shell(list, &mut faults)).collect();
+    let mut shells = Vec::new();
+    for list in welded.connected(watch)? {
+        shells.push(welded.shell(list, &mut faults, watch)?);
+    }
     let cavities: Vec<Shell> = shells.extract_if(.., |s| s.volume.is_some_and(|v| v < 0.0)).collect();
     for cavity in cavities {
-        match enclosing(&welded, &shells, &cavity) {
+        match enclosing(&welded, &shells, &cavity, watch)? {
             Some(k) => shells[k].join(cavity),
             None => {
                 faults.inside_out += 1;
@@ -78,7 +86,8 @@ pub fn pieces(mesh: &TriangleMesh) -> (Vec<Piece>, Faults) {
         }
     }
     faults.sheets = shells.iter().filter(|s| s.volume.is_none()).count();
-    (shells.into_iter().filter_map(|s| welded.piece(s)).collect(), faults)
+    let pieces: Vec<Option<Piece>> = shells.into_iter().map(|s| welded.piece(s, watch)).collect::<Result<_, _>>()?;
+    Ok((pieces.into_iter().flatten().collect(), faults))
 }
 
 /// A connected surface: indices of its triangles, and its volume if it is closed.
@@ -96,17 +105,19 @@ impl Shell {
 }
 
 /// The smallest closed shell around a cavity.
-fn enclosing(welded: &Welded, shells: &[Shell], cavity: &Shell) -> Option<usize> {
+fn enclosing(welded: &Welded, shells: &[Shell], cavity: &Shell, watch: &Watch) -> Result<Option<usize>, Error> {
     let around = |s: &Shell| {
         s.volume.is_some() && (0..3).all(|k| s.aabb.min[k] < cavity.aabb.min[k] && s.aabb.max[k] > cavity.aabb.max[k])
     };
-    let inside = |s: &Shell| {
-        let distance = welded.distance(&s.triangles, true);
-        distance.is_some_and(|d| d.at(&welded.corners[cavity.triangles[0]][0]).0 < 0.0)
-    };
     let mut candidates: Vec<usize> = (0..shells.len()).filter(|k| around(&shells[*k])).collect();
     candidates.sort_by(|a, b| shells[*a].volume.partial_cmp(&shells[*b].volume).expect("finite"));
-    candidates.into_iter().find(|k| inside(&shells[*k]))
+    for k in candidates {
+        let distance = welded.distance(&shells[k].triangles, true, watch)?;
+        if distance.is_some_and(|d| d.at(&welded.corners[cavity.triangles[0]][0]).0 < 0.0) {
+            return Ok(Some(k));
+        }
+    }
+    Ok(None)
 }
 
 /// Triangles over corners of which nearly equal ones are one, for questions of what hangs together; where the triangles
@@ -122,7 +133,7 @@ struct Welded {
 }
 
 impl Welded {
-    fn new(mesh: &TriangleMesh) -> Self {
+    fn new(mesh: &TriangleMesh, watch: &Watch) -> Result<Self, Error> {
         let aabb = Aabb::around(&mesh.vertices);
         let cell = WELD_RELATIVE * (aabb.max - aabb.min).amax().max(f64::MIN_POSITIVE);
         let mut places: HashMap<[i64; 3], usize> = HashMap::new();
@@ -134,17 +145,26 @@ impl Welded {
                 points.len() - 1
             })
         };
-        let vertex_ids: Vec<usize> = mesh.vertices.iter().map(&mut id_of).collect();
+        let mut vertex_ids = Vec::with_capacity(mesh.vertices.len());
+        for (k, p) in mesh.vertices.iter().enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
+            vertex_ids.push(id_of(p));
+        }
         let ids: Vec<[usize; 3]> = mesh.triangles.iter().map(|t| t.map(|i| vertex_ids[i])).collect();
         let corners: Vec<[Point; 3]> = mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i])).collect();
         let mut welded = Welded { counts: vec![true; ids.len()], corners, points, ids, degenerate: 0, doubled: 0 };
-        welded.sort_out();
-        welded
+        welded.sort_out(watch)?;
+        Ok(welded)
     }
 
-    fn sort_out(&mut self) {
+    fn sort_out(&mut self, watch: &Watch) -> Result<(), Error> {
         let mut known = HashSet::new();
         for (k, [a, b, c]) in self.ids.iter().copied().enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
             let collapsed = a == b || b == c || c == a;
             let first = [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().expect("three");
             let doubled = !collapsed && !known.insert(first);
@@ -153,6 +173,7 @@ impl Welded {
             self.doubled += usize::from(doubled);
             self.counts[k] = !collapsed && !doubled;
         }
+        Ok(())
     }
 
     fn doubled_area(&self, k: usize) -> Vector {
@@ -161,7 +182,7 @@ impl Welded {
     }
 
     /// Triangles by the surface that they are part of.
-    fn connected(&self) -> Vec<Vec<usize>> {
+    fn connected(&self, watch: &Watch) -> Result<Vec<Vec<usize>>, Error> {
         let mut parent: Vec<usize> = (0..self.points.len()).collect();
         fn root(parent: &mut [usize], mut i: usize) -> usize {
             while parent[i] != i {
@@ -178,20 +199,27 @@ impl Welded {
         }
         let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (k, [a, ..]) in self.ids.iter().enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
             groups.entry(root(&mut parent, *a)).or_default().push(k);
         }
-        groups.into_values().collect()
+        Ok(groups.into_values().collect())
     }
 
-    fn shell(&self, triangles: Vec<usize>, faults: &mut Faults) -> Shell {
-        let mut uses: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
-        for [a, b, c] in self.counted(&triangles) {
-            for [i, j] in [[a, b], [b, c], [c, a]] {
-                uses.entry([i.min(j), i.max(j)]).or_default()[usize::from(i > j)] += 1;
-            }
+    fn shell(&self, triangles: Vec<usize>, faults: &mut Faults, watch: &Watch) -> Result<Shell, Error> {
+        let counted = self.counted(&triangles);
+        let mut uses: Vec<(usize, usize, bool)> = Vec::with_capacity(3 * counted.len());
+        for [a, b, c] in counted {
+            uses.extend([[a, b], [b, c], [c, a]].map(|[i, j]| (i.min(j), i.max(j), i > j)));
         }
-        let open = uses.values().filter(|[forth, back]| forth + back == 1).count();
-        let turned = uses.values().filter(|[forth, back]| forth != back && forth + back > 1).count();
+        sorted(&mut uses, watch)?;
+        let (mut open, mut turned) = (0, 0);
+        for same in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let back = same.iter().filter(|(_, _, back)| *back).count();
+            open += usize::from(same.len() == 1);
+            turned += usize::from(same.len() > 1 && 2 * back != same.len());
+        }
         faults.open_edges += open;
         faults.turned_edges += turned;
         let corners: Vec<Point> = triangles.iter().flat_map(|k| self.corners[*k]).collect();
@@ -199,7 +227,7 @@ impl Welded {
         let volume = self.volume(&triangles);
         let bulk = WELD_RELATIVE * (aabb.max - aabb.min).iter().product::<f64>();
         let closed = open + turned == 0 && volume.abs() > bulk;
-        Shell { triangles, volume: closed.then_some(volume), aabb }
+        Ok(Shell { triangles, volume: closed.then_some(volume), aabb })
     }
 
     fn counted(&self, triangles: &[usize]) -> Vec<[usize; 3]> {
@@ -216,7 +244,7 @@ impl Welded {
         self.counted(triangles).into_iter().map(cone).sum()
     }
 
-    fn distance(&self, triangles: &[usize], closed: bool) -> Option<SignedDistance> {
+    fn distance(&self, triangles: &[usize], closed: bool, watch: &Watch) -> Result<Option<SignedDistance>, Error> {
         let with_area = triangles.iter().filter(|k| self.counts[**k] && self.doubled_area(**k).norm() > 0.0);
         let mut place: HashMap<usize, usize> = HashMap::new();
         let mut points = Vec::new();
@@ -227,14 +255,14 @@ impl Welded {
             })
         };
         let list: Vec<[usize; 3]> = with_area.map(|k| self.ids[*k].map(&mut compact)).collect();
-        SignedDistance::new(&points, &list, closed)
+        SignedDistance::new(&points, &list, closed, watch)
     }
 
     /// A piece; none of a shell of triangles that all have no area.
-    fn piece(&self, shell: Shell) -> Option<Piece> {
-        let distance = self.distance(&shell.triangles, shell.volume.is_some())?;
+    fn piece(&self, shell: Shell, watch: &Watch) -> Result<Option<Piece>, Error> {
+        let Some(distance) = self.distance(&shell.triangles, shell.volume.is_some(), watch)? else { return Ok(None) };
         let triangles = shell.triangles.iter().map(|k| self.corners[*k]).collect();
-        Some(Piece { triangles, distance, volume: shell.volume })
+        Ok(Some(Piece { triangles, distance, volume: shell.volume }))
     }
 }
 
@@ -262,7 +290,7 @@ mod tests {
     #[test]
     fn bodies_apart_are_pieces_and_a_cavity_belongs_to_the_body_around_it() {
         let room = joined(&[cube(0.0, 4.0), inside_out(cube(1.0, 3.0)), cube(1.5, 2.5), cube(5.0, 6.0)]);
-        let (pieces, faults) = pieces(&room);
+        let (pieces, faults) = pieces(&room, &Watch::NONE).unwrap();
         assert_eq!(faults, Faults::default());
         let volumes: Vec<f64> = pieces.iter().map(|p| p.volume.unwrap().round()).collect();
         assert_eq!(volumes, [56.0, 1.0, 1.0]);
@@ -278,7 +306,7 @@ mod tests {
             vertices: mesh.triangles.iter().flatten().map(|i| mesh.vertices[*i]).collect(),
             triangles: (0..mesh.triangles.len()).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
         };
-        let (pieces, faults) = pieces(&soup);
+        let (pieces, faults) = pieces(&soup, &Watch::NONE).unwrap();
         assert_eq!((pieces.len(), faults), (1, Faults::default()));
         assert!((pieces[0].volume.unwrap() - 1.0).abs() < 1e-12);
     }
@@ -289,13 +317,13 @@ mod tests {
         let with = |change: &dyn Fn(&mut Vec<[usize; 3]>)| {
             let mut mesh = sound.clone();
             change(&mut mesh.triangles);
-            pieces(&mesh).1
+            pieces(&mesh, &Watch::NONE).unwrap().1
         };
         assert_eq!(with(&|t| t.truncate(t.len() - 1)), Faults { open_edges: 3, sheets: 1, ..Faults::default() });
         assert_eq!(with(&|t| t[0].swap(0, 1)), Faults { turned_edges: 3, sheets: 1, ..Faults::default() });
         assert_eq!(with(&|t| t.push(t[0])), Faults { doubled: 1, ..Faults::default() });
         assert_eq!(with(&|t| t.push([t[0][0], t[0][1], t[0][1]])), Faults { degenerate: 1, ..Faults::default() });
-        let turned = pieces(&inside_out(sound.clone())).1;
+        let turned = pieces(&inside_out(sound.clone()), &Watch::NONE).unwrap().1;
         assert_eq!(turned, Faults { inside_out: 1, sheets: 1, ..Faults::default() });
         assert_eq!(turned.notes().len(), 2);
         assert!(Faults::default().notes().is_empty());

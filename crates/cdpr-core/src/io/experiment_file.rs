@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::scene_file::{in_place, load_scene};
+use super::loader::Loader;
+use super::scene_file::in_place;
 use super::text::{self, Notation};
 use crate::batch::{Experiment, ExperimentSpec, SceneSource};
 use crate::error::Error;
@@ -12,11 +13,7 @@ use crate::error::Error;
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
 pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
-    let mut spec: ExperimentSpec = text::parse(&text::read(path)?, Notation::of(path)?).map_err(|e| e.in_file(path))?;
-    if spec.name.is_none() {
-        spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    }
-    checked(spec, Some(path.parent().unwrap_or(Path::new(".")))).map_err(|e| e.in_file(path))
+    Loader::PATIENT.experiment(path)
 }
 
 /// An experiment from text; scenes it names are read relative to `folder`, or to where the program runs.
@@ -24,13 +21,41 @@ pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
 /// # Errors
 /// As [`load_experiment`].
 pub fn experiment_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Experiment, Error> {
-    checked(text::parse(text, notation)?, folder)
+    Loader::PATIENT.experiment_from_text(text, notation, folder)
 }
 
-fn checked(spec: ExperimentSpec, folder: Option<&Path>) -> Result<Experiment, Error> {
+impl Loader<'_> {
+    /// As [`load_experiment`].
+    ///
+    /// # Errors
+    /// As [`load_experiment`], and the watch's.
+    pub fn experiment(&self, path: &Path) -> Result<Experiment, Error> {
+        let notation = Notation::of(path)?;
+        let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+        if spec.name.is_none() {
+            spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        }
+        checked(spec, Some(path.parent().unwrap_or(Path::new("."))), self).map_err(|e| e.in_file(path))
+    }
+
+    /// As [`experiment_from_text`].
+    ///
+    /// # Errors
+    /// As [`load_experiment`], and the watch's.
+    pub fn experiment_from_text(
+        &self,
+        text: &str,
+        notation: Notation,
+        folder: Option<&Path>,
+    ) -> Result<Experiment, Error> {
+        checked(text::parse(text, notation)?, folder, self)
+    }
+}
+
+fn checked(spec: ExperimentSpec, folder: Option<&Path>, loader: &Loader) -> Result<Experiment, Error> {
     let folder = folder.unwrap_or(Path::new(""));
     Experiment::new(spec, |scene| match scene {
-        SceneSource::File(path) => load_scene(&folder.join(path)),
-        SceneSource::Inline(spec) => in_place((**spec).clone(), Some(folder)),
+        SceneSource::File(path) => loader.scene(&folder.join(path)),
+        SceneSource::Inline(spec) => in_place((**spec).clone(), Some(folder), &loader.watch),
     })
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::loader::Loader;
 use super::text::{Notation, relative, shown, write_atomically};
 use super::{caspr, gazebo, mesh_bodies};
 use crate::error::Error;
@@ -48,26 +49,36 @@ pub(super) struct Source {
 /// # Errors
 /// Names the file, the element with its line, what was found and what was expected.
 pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
-    let extension = path.extension().and_then(|e| e.to_str());
-    let Source { robot, origin, notes } = match extension {
-        Some("yaml" | "yml") => gazebo::import(path)?,
-        Some("xml") => caspr::import(path, options)?,
-        _ if path.is_dir() => caspr::import(path, options)?,
-        other => {
-            let problem =
-                format!("found the extension {}, expected .xml (CASPR), a folder of it, or .yaml", shown(other));
-            return Err(Error::file(path, problem));
+    Loader::PATIENT.import(path, options)
+}
+
+impl Loader<'_> {
+    /// As [`import_robot`].
+    ///
+    /// # Errors
+    /// As [`import_robot`], and the watch's.
+    pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
+        let extension = path.extension().and_then(|e| e.to_str());
+        let Source { robot, origin, notes } = match extension {
+            Some("yaml" | "yml") => gazebo::import(path)?,
+            Some("xml") => caspr::import(path, options)?,
+            _ if path.is_dir() => caspr::import(path, options)?,
+            other => {
+                let problem =
+                    format!("found the extension {}, expected .xml (CASPR), a folder of it, or .yaml", shown(other));
+                return Err(Error::file(path, problem));
+            }
+        };
+        let mut imported = Imported { whole: robot.clone(), robot, origin, notes };
+        if let Some((mesh, unit)) = &options.platform {
+            imported.robot.platform = vec![mesh_body(mesh, *unit)?];
         }
-    };
-    let mut imported = Imported { whole: robot.clone(), robot, origin, notes };
-    if let Some((mesh, unit)) = &options.platform {
-        imported.robot.platform = vec![mesh_body(mesh, *unit)?];
+        hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
+        imported.whole = imported.robot.clone();
+        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut imported.notes, &self.watch)?;
+        Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
+        Ok(imported)
     }
-    hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
-    imported.whole = imported.robot.clone();
-    mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut imported.notes)?;
-    Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
-    Ok(imported)
 }
 
 fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {

@@ -10,12 +10,14 @@ use sha2::{Digest, Sha256};
 use super::mesh_reader::{bytes_of, mesh_from, mesh_of};
 use super::text::{read_bytes_at_most, write_atomically};
 use crate::error::Error;
-use crate::geometry::{Aabb, ConvexParts, Piece, Point, TriangleMesh, convex_parts, pieces};
+use crate::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
 use crate::model::body::{coordinates, one_shape, positive};
 use crate::model::{BodySpec, MeshSource, Unit};
 use crate::numerics::{
     EXACT_VOLUME, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES,
+    SHEET, USELESS_REACH,
 };
+use crate::watch::Watch;
 
 /// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
 /// places in messages stay right. What the user should know goes to the notes.
@@ -24,6 +26,7 @@ pub(super) fn in_place(
     list: &str,
     folder: Option<&Path>,
     notes: &mut Vec<String>,
+    watch: &Watch,
 ) -> Result<(), Error> {
     if bodies.iter().all(|body| body.mesh.is_none()) {
         return Ok(());
@@ -39,12 +42,12 @@ pub(super) fn in_place(
         let (what, parts) = match source {
             MeshSource::File(name) => {
                 let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
-                (format!("{place}: {name}"), of_file(&path, body, &place)?)
+                (format!("{place}: {name}"), of_file(&path, body, &place, watch)?)
             }
             MeshSource::Inline(mesh) => {
                 let size = (scale(body, &place)?, tolerance(body, &place)?);
                 let mesh = mesh_of(mesh).map_err(|e| e.under(&format!("{place}.mesh")))?;
-                (place.clone(), parts_of(&mesh, size).map_err(|e| e.under(&format!("{place}.mesh")))?)
+                (place.clone(), parts_of(&mesh, size, watch).map_err(|e| e.under(&format!("{place}.mesh")))?)
             }
         };
         notes.extend(parts.notes.iter().map(|note| format!("{what}: {note}")));
@@ -77,7 +80,7 @@ struct Parts {
     notes: Vec<String>,
 }
 
-fn of_file(path: &Path, body: &BodySpec, place: &str) -> Result<Parts, Error> {
+fn of_file(path: &Path, body: &BodySpec, place: &str, watch: &Watch) -> Result<Parts, Error> {
     let size = (scale(body, place)?, tolerance(body, place)?);
     let bytes = bytes_of(path)?;
     let key = key(&bytes, size);
@@ -89,7 +92,7 @@ fn of_file(path: &Path, body: &BodySpec, place: &str) -> Result<Parts, Error> {
     if let Some(parts) = kept_parts(&kept, &key) {
         return Ok(parts);
     }
-    let parts = parts_of(&mesh_from(path, &bytes)?, size).map_err(|e| e.in_file(path))?;
+    let parts = parts_of(&mesh_from(path, &bytes)?, size, watch).map_err(|e| e.in_file(path))?;
     if parts.parts.len() > 1 {
         keep(&kept, &key, &parts);
     }
@@ -97,12 +100,12 @@ fn of_file(path: &Path, body: &BodySpec, place: &str) -> Result<Parts, Error> {
 }
 
 /// The convex parts of a mesh, scaled to metres.
-fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Result<Parts, Error> {
+fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: &Watch) -> Result<Parts, Error> {
     let scaled =
         TriangleMesh { vertices: mesh.vertices.iter().map(|v| v * scale).collect(), triangles: mesh.triangles.clone() };
     let numbers: Vec<f64> = scaled.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
     coordinates("", &numbers)?;
-    let (pieces, faults) = pieces(&scaled);
+    let (pieces, faults) = pieces(&scaled, watch)?;
     if pieces.is_empty() {
         return Err(Error::invalid("", "found no triangle with an area, expected at least one"));
     }
@@ -113,15 +116,19 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>)) -> Resu
     }
     let whole = largest_side(&scaled.vertices);
     let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
-    let parts: Vec<ConvexParts> = pieces
-        .par_iter()
-        .map(|piece| {
-            let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
-            convex_parts(piece, tolerance.unwrap_or(usual), most)
-        })
-        .collect();
+    let asked = |piece: &Piece| {
+        let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
+        tolerance.unwrap_or(usual).max(4.0 * SHEET)
+    };
+    let found = |piece: &Piece| convex_parts(piece, asked(piece), most, watch);
+    let parts: Vec<ConvexParts> = pieces.par_iter().map(found).collect::<Result<_, _>>()?;
+    let asked: Vec<f64> = pieces.iter().map(asked).collect();
+    if let Some(problem) = useless(&asked, &pieces, &parts, &faults) {
+        return Err(Error::invalid("", problem));
+    }
     let mut notes = faults.notes();
     notes.extend(told(&scaled, &pieces, &parts));
+    notes.extend(missed(&asked, &parts, most));
     let corners = parts.iter().flat_map(|p| &p.bodies).map(|b| b.vertices().iter().map(|v| [v.x, v.y, v.z]).collect());
     Ok(Parts { parts: corners.collect(), notes })
 }
@@ -157,6 +164,47 @@ fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<
     Some(format!("{} triangles in {count} convex parts, {beyond}", mesh.triangles.len()))
 }
 
+/// What is wrong with a piece whose parts reach too far to be of use; nothing if there is none.
+fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faults) -> Option<String> {
+    let share = |k: usize| parts[k].reach / extent(&pieces[k]);
+    let useless = (0..pieces.len()).filter(|k| parts[*k].reach > asked[*k] && share(*k) > USELESS_REACH);
+    let worst = useless.max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
+    let what = match (pieces[worst].volume, faults.notes().is_empty()) {
+        (Some(_), _) => "closed, so it probably cuts itself".to_string(),
+        (None, true) => "open".to_string(),
+        (None, false) => format!("open ({})", faults.notes().join("; ")),
+    };
+    let found = format!(
+        "found a piece of {} triangles, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was asked",
+        pieces[worst].triangles.len(),
+        1e3 * parts[worst].reach,
+        1e3 * asked[worst],
+    );
+    let most = 1e3 * USELESS_REACH * extent(&pieces[worst]);
+    let expected = format!("expected at most {most:.1} mm, {:.0} % of its largest side", 100.0 * USELESS_REACH);
+    Some(format!("{found}; {expected}: mend the mesh so that it neither crosses itself nor has holes, or replace it"))
+}
+
+/// Where parts reach farther than asked, by how much; nothing where none do.
+fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
+    let missed: Vec<(f64, f64)> = asked
+        .iter()
+        .zip(parts)
+        .map(|(asked, parts)| (*asked, parts.reach))
+        .filter(|(asked, reach)| reach > asked)
+        .collect();
+    let worst = missed.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))?;
+    let (count, noun) = (missed.len(), if missed.len() == 1 { "piece" } else { "pieces" });
+    let by = format!(
+        "by up to {:.1} mm (asked {:.1} mm, reached {:.1} mm)",
+        1e3 * (worst.1 - worst.0),
+        1e3 * worst.0,
+        1e3 * worst.1
+    );
+    let why = format!("a piece may have {most} parts and limited time");
+    Some(format!("the tolerance is missed in {count} {noun}, {by}: {why}; mend or thin the mesh, or ask for less"))
+}
+
 /// What the file of kept parts holds. The sum tells whether it is whole.
 #[derive(Serialize, Deserialize)]
 struct Kept {
@@ -168,7 +216,7 @@ struct Kept {
 
 /// Identifies a decomposition: the mesh, what was asked, and the way it is done.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
-    const METHOD: &str = "convex parts 3";
+    const METHOD: &str = "convex parts 5";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
     hex(&[asked.as_bytes(), bytes])
 }

@@ -4,24 +4,21 @@ use std::path::{Path, PathBuf};
 
 use schemars::schema_for;
 
+use super::loader::Loader;
 use super::mesh_bodies;
 use super::text::{self, Notation};
 use crate::batch::ExperimentSpec;
 use crate::choice::choices;
 use crate::error::Error;
 use crate::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
+use crate::watch::Watch;
 
 /// Loads a scene; a robot file it names is read relative to the scene file.
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
 pub fn load_scene(path: &Path) -> Result<Scene, Error> {
-    let notation = Notation::of(path)?;
-    let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
-    if spec.name.is_none() {
-        spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    }
-    in_place(spec, path.parent()).map_err(|e| e.in_file(path))
+    Loader::PATIENT.scene(path)
 }
 
 /// A scene from text; robot files it names are read relative to `folder`.
@@ -29,7 +26,7 @@ pub fn load_scene(path: &Path) -> Result<Scene, Error> {
 /// # Errors
 /// As [`load_scene`].
 pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
-    in_place(text::parse(text, notation)?, folder)
+    Loader::PATIENT.scene_from_text(text, notation, folder)
 }
 
 /// Loads a robot file.
@@ -37,7 +34,7 @@ pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) ->
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
 pub fn load_robot(path: &Path) -> Result<Robot, Error> {
-    Robot::try_from(robot_spec(path, &mut Vec::new())?).map_err(|e| e.in_file(path))
+    Loader::PATIENT.robot(path)
 }
 
 /// A robot from text; mesh files it names are read relative to `folder`.
@@ -45,30 +42,69 @@ pub fn load_robot(path: &Path) -> Result<Robot, Error> {
 /// # Errors
 /// As [`load_robot`].
 pub fn robot_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
-    let mut spec: RobotSpec = text::parse(text, notation)?;
-    mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Vec::new())?;
-    Robot::try_from(spec)
+    Loader::PATIENT.robot_from_text(text, notation, folder)
+}
+
+impl Loader<'_> {
+    /// As [`load_scene`].
+    ///
+    /// # Errors
+    /// As [`load_scene`], and the watch's.
+    pub fn scene(&self, path: &Path) -> Result<Scene, Error> {
+        let notation = Notation::of(path)?;
+        let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+        if spec.name.is_none() {
+            spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        }
+        in_place(spec, path.parent(), &self.watch).map_err(|e| e.in_file(path))
+    }
+
+    /// As [`scene_from_text`].
+    ///
+    /// # Errors
+    /// As [`load_scene`], and the watch's.
+    pub fn scene_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
+        in_place(text::parse(text, notation)?, folder, &self.watch)
+    }
+
+    /// As [`load_robot`].
+    ///
+    /// # Errors
+    /// As [`load_robot`], and the watch's.
+    pub fn robot(&self, path: &Path) -> Result<Robot, Error> {
+        Robot::try_from(robot_spec(path, &mut Vec::new(), &self.watch)?).map_err(|e| e.in_file(path))
+    }
+
+    /// As [`robot_from_text`].
+    ///
+    /// # Errors
+    /// As [`load_robot`], and the watch's.
+    pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
+        let mut spec: RobotSpec = text::parse(text, notation)?;
+        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Vec::new(), &self.watch)?;
+        Robot::try_from(spec)
+    }
 }
 
 /// A robot file with its meshes in place; what is to be said about them goes to the notes.
-fn robot_spec(path: &Path, notes: &mut Vec<String>) -> Result<RobotSpec, Error> {
+fn robot_spec(path: &Path, notes: &mut Vec<String>, watch: &Watch) -> Result<RobotSpec, Error> {
     let notation = Notation::of(path)?;
     let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
     if spec.version.is_none() {
         let problem = "found none, expected version = 1 at the top of a robot file";
         return Err(Error::invalid("version", problem).in_file(path));
     }
-    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), notes).map_err(|e| e.in_file(path))?;
+    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), notes, watch).map_err(|e| e.in_file(path))?;
     Ok(spec)
 }
 
 /// Reads the robot file, if the scene names one, and all meshes, and checks the whole.
-pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
+pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch) -> Result<Scene, Error> {
     let mut notes = Vec::new();
     match &mut spec.robot {
         RobotSource::File(name) => {
             let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
-            let robot = robot_spec(&path, &mut notes)?;
+            let robot = robot_spec(&path, &mut notes, watch)?;
             Robot::try_from(robot.clone()).map_err(|e| e.in_file(&path))?;
             spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
         }
@@ -79,10 +115,10 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>) -> Result<Sce
             ));
         }
         RobotSource::Inline(robot) => {
-            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut notes)?;
+            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut notes, watch)?;
         }
     }
-    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut notes)?;
+    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut notes, watch)?;
     Scene::new(spec).map(|scene| scene.with_notes(notes))
 }
 

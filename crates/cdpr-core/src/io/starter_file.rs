@@ -10,7 +10,7 @@ use crate::model::spec::FORMAT_VERSION;
 use crate::model::{BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec};
 use crate::numerics::MAX_COORDINATE;
 use crate::proposal;
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 
 /// What a new scene is made of.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ pub fn starter_scene(
 ) -> Result<(SceneSpec, Scene, bool), Error> {
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
-    let dense = in_place(spec.clone(), folder)?;
+    let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
     let cables = dense.robot().cables();
     if dense.robot().mass().is_some() && cables.iter().all(|cable| cable.tension.is_some()) {
         spec.wrench = Some(WrenchSpec::default());

@@ -123,3 +123,78 @@ pub fn write_stl(path: &Path, mesh: &TriangleMesh) {
     stl_io::write_stl(&mut bytes, mesh.triangles.iter().map(triangle)).unwrap();
     fs::write(path, bytes).unwrap();
 }
+
+/// A closed surface of revolution around the z axis: radius and height by the way from one pole to the other, 0 to 1.
+pub fn revolved(around: usize, across: usize, outline: impl Fn(f64) -> [f64; 2]) -> TriangleMesh {
+    let mut vertices = Vec::new();
+    for i in 1..across {
+        let [radius, height] = outline(i as f64 / across as f64);
+        for j in 0..around {
+            let turn = std::f64::consts::TAU * j as f64 / around as f64;
+            vertices.push(Point::new(radius * turn.cos(), radius * turn.sin(), height));
+        }
+    }
+    let poles = [vertices.len(), vertices.len() + 1];
+    vertices.extend([0.0, 1.0].map(|way| Point::new(0.0, 0.0, outline(way)[1])));
+    let at = |i: usize, j: usize| (i - 1) * around + j % around;
+    let mut triangles = Vec::new();
+    for j in 0..around {
+        triangles.push([poles[0], at(1, j + 1), at(1, j)]);
+        triangles.push([poles[1], at(across - 1, j), at(across - 1, j + 1)]);
+        for i in 1..across - 1 {
+            triangles.extend([[at(i, j), at(i, j + 1), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i + 1, j)]]);
+        }
+    }
+    TriangleMesh { vertices, triangles }
+}
+
+/// A ball of radius 0.5 m.
+pub fn ball(around: usize, across: usize) -> TriangleMesh {
+    revolved(around, across, |way| {
+        let angle = std::f64::consts::PI * way;
+        [0.5 * angle.sin(), -0.5 * angle.cos()]
+    })
+}
+
+/// A capsule 1.2 m long, 0.4 m wide.
+pub fn capsule(around: usize, across: usize) -> TriangleMesh {
+    revolved(around, across, |way| {
+        let angle = std::f64::consts::PI * way;
+        [0.2 * angle.sin(), -0.2 * angle.cos() + if way > 0.5 { 0.4 } else { -0.4 }]
+    })
+}
+
+/// A ball whose triangles are about equal: an icosahedron, each triangle cut into four as often as asked.
+pub fn icosphere(levels: usize, radius: f64) -> TriangleMesh {
+    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+    let corner = |k: usize| {
+        let mut v = [0.0; 3];
+        v[k / 4] = if k & 1 == 0 { 1.0 } else { -1.0 };
+        v[(k / 4 + 1) % 3] = if k & 2 == 0 { golden } else { -golden };
+        Point::from(Vector::from(v).normalize() * radius)
+    };
+    let mut vertices: Vec<Point> = (0..12).map(corner).collect();
+    let side = 2.0 * radius / (1.0 + golden * golden).sqrt();
+    let mut triangles = Vec::new();
+    for [a, b, c] in (0..12).flat_map(|a| (0..a).flat_map(move |b| (0..b).map(move |c| [a, b, c]))) {
+        let [p, q, r] = [a, b, c].map(|i| vertices[i].coords);
+        if [p - q, q - r, r - p].iter().all(|edge| (edge.norm() - side).abs() < 1e-6 * radius) {
+            triangles.push(if (q - p).cross(&(r - p)).dot(&p) > 0.0 { [a, b, c] } else { [a, c, b] });
+        }
+    }
+    for _ in 0..levels {
+        let mut middles = std::collections::HashMap::new();
+        let mut finer = Vec::new();
+        for [a, b, c] in triangles {
+            let [ab, bc, ca] = [[a, b], [b, c], [c, a]].map(|[i, j]: [usize; 2]| {
+                *middles.entry([i.min(j), i.max(j)]).or_insert_with(|| {
+                    vertices.push(Point::from((vertices[i].coords + vertices[j].coords).normalize() * radius));
+                    vertices.len() - 1
+                })
+            });
+            finer.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
+        }
+        triangles = finer;
+    }
+    TriangleMesh { vertices, triangles }
+}

@@ -1,0 +1,219 @@
+//! What lies in one cell of the cuts through a surface: polygons over points, and the planes of the cuts.
+
+use std::collections::HashMap;
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use super::{Aabb, HalfSpace, Point, Vector};
+use crate::error::Error;
+use crate::watch::Watch;
+
+/// Polygons between two looks at the watch.
+const LOOK: usize = 1 << 12;
+
+/// An intersection of half-spaces, and the flat convex polygons of the surface in it.
+pub(super) struct Cell {
+    pub sides: Vec<HalfSpace>,
+    pub points: Vec<Point>,
+    /// Corners of the polygons one after the other, as indices into the points.
+    corners: Vec<u32>,
+    /// Of each polygon: the plane it lies in, and where its corners end.
+    ends: Vec<(u32, u32)>,
+}
+
+impl Cell {
+    /// All triangles, which lie in planes of these numbers.
+    pub fn whole(triangles: &[[Point; 3]], plane_of: &[u32], watch: &Watch) -> Result<Self, Error> {
+        let mut cell = Cell { sides: Vec::new(), points: Vec::new(), corners: Vec::new(), ends: Vec::new() };
+        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
+        for (k, (triangle, plane)) in triangles.iter().zip(plane_of).enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
+            for p in triangle {
+                let points = &mut cell.points;
+                cell.corners.push(*places.entry([p.x, p.y, p.z].map(f64::to_bits)).or_insert_with(|| {
+                    points.push(*p);
+                    points.len() as u32 - 1
+                }));
+            }
+            cell.ends.push((*plane, cell.corners.len() as u32));
+        }
+        Ok(cell)
+    }
+
+    /// Number of polygons.
+    pub fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The plane and the corners of every polygon.
+    pub fn polygons(&self) -> impl Iterator<Item = (u32, &[u32])> {
+        let starts = std::iter::once(0).chain(self.ends.iter().map(|(_, end)| *end as usize));
+        self.ends.iter().zip(starts).map(|((plane, end), start)| (*plane, &self.corners[start..*end as usize]))
+    }
+
+    /// Twice the area of a polygon, along its normal.
+    pub fn doubled_area(&self, ring: &[u32]) -> Vector {
+        let spoke = |k: usize| self.points[ring[k] as usize] - self.points[ring[0] as usize];
+        (1..ring.len().saturating_sub(1)).map(|k| spoke(k).cross(&spoke(k + 1))).sum()
+    }
+
+    pub fn aabb(&self) -> Aabb {
+        Aabb::around(&self.points)
+    }
+
+    /// What lies behind a plane and what lies before it. A polygon in the plane goes where its body is, which the
+    /// normals of the surface's planes tell; without them it goes behind.
+    pub fn halves(
+        &self,
+        plane: &HalfSpace,
+        normals: Option<&[HalfSpace]>,
+        on_plane: f64,
+        watch: &Watch,
+    ) -> Result<[Cell; 2], Error> {
+        let heights: Vec<f64> = self.points.iter().map(|p| plane.height(p)).collect();
+        let before = HalfSpace { normal: -plane.normal, offset: -plane.offset };
+        let mut halves = [*plane, before].map(|side| Half::new(self, side));
+        for (k, (number, ring)) in self.polygons().enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
+            let height = |i: &u32| heights[*i as usize];
+            let highest = ring.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            let lowest = ring.iter().map(height).fold(f64::INFINITY, f64::min);
+            match (highest <= on_plane, lowest >= -on_plane) {
+                (true, true) => {
+                    let looks_back = normals.is_some_and(|n| n[number as usize].normal.dot(&plane.normal) < 0.0);
+                    halves[usize::from(looks_back)].take(number, ring);
+                }
+                (true, false) => halves[0].take(number, ring),
+                (false, true) => halves[1].take(number, ring),
+                (false, false) => {
+                    halves[0].clip(number, ring, &heights, 1.0);
+                    halves[1].clip(number, ring, &heights, -1.0);
+                }
+            }
+        }
+        Ok(halves.map(|half| half.cell))
+    }
+
+    /// The points behind and before a plane, and where polygons cross it, in both.
+    pub fn points_beside(&self, plane: &HalfSpace, on_plane: f64) -> [Vec<Point>; 2] {
+        let heights: Vec<f64> = self.points.iter().map(|p| plane.height(p)).collect();
+        let mut sides = [Vec::new(), Vec::new()];
+        let (mut below, mut above) = (false, false);
+        for (p, h) in self.points.iter().zip(&heights) {
+            below |= *h < -on_plane;
+            above |= *h > on_plane;
+            if *h <= on_plane {
+                sides[0].push(*p);
+            }
+            if *h >= -on_plane {
+                sides[1].push(*p);
+            }
+        }
+        if !(below && above) {
+            return [Vec::new(), Vec::new()];
+        }
+        for (_, ring) in self.polygons() {
+            for (k, i) in ring.iter().enumerate() {
+                let j = ring[(k + 1) % ring.len()];
+                let (here, there) = (heights[*i as usize], heights[j as usize]);
+                if here < -on_plane && there > on_plane || here > on_plane && there < -on_plane {
+                    let (p, q) = (self.points[*i as usize], self.points[j as usize]);
+                    let crossing = p + (q - p) * (here / (here - there));
+                    sides[0].push(crossing);
+                    sides[1].push(crossing);
+                }
+            }
+        }
+        sides
+    }
+}
+
+/// A half of a cell while it is being filled.
+struct Half<'a> {
+    whole: &'a Cell,
+    cell: Cell,
+    /// Where points of the whole stand in the half.
+    places: Vec<u32>,
+    crossings: HashMap<[u32; 2], u32>,
+}
+
+impl<'a> Half<'a> {
+    fn new(whole: &'a Cell, side: HalfSpace) -> Self {
+        let sides = whole.sides.iter().copied().chain([side]).collect();
+        let cell = Cell { sides, points: Vec::new(), corners: Vec::new(), ends: Vec::new() };
+        Half { whole, cell, places: vec![u32::MAX; whole.points.len()], crossings: HashMap::new() }
+    }
+
+    fn push(&mut self, i: u32) {
+        let place = &mut self.places[i as usize];
+        if *place == u32::MAX {
+            *place = self.cell.points.len() as u32;
+            self.cell.points.push(self.whole.points[i as usize]);
+        }
+        self.cell.corners.push(*place);
+    }
+
+    fn end(&mut self, plane: u32) {
+        self.cell.ends.push((plane, self.cell.corners.len() as u32));
+    }
+
+    fn take(&mut self, plane: u32, ring: &[u32]) {
+        ring.iter().for_each(|i| self.push(*i));
+        self.end(plane);
+    }
+
+    /// The part of a polygon where height times sign is at most zero (Sutherland–Hodgman).
+    fn clip(&mut self, plane: u32, ring: &[u32], heights: &[f64], sign: f64) {
+        for (k, i) in ring.iter().enumerate() {
+            let j = ring[(k + 1) % ring.len()];
+            let (here, there) = (sign * heights[*i as usize], sign * heights[j as usize]);
+            if here <= 0.0 {
+                self.push(*i);
+            }
+            if (here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0) {
+                // From the lower number to the higher, so that neighbours find the same point.
+                let [from, to] = [*i.min(&j), *i.max(&j)];
+                let [a, b] = [from, to].map(|i| heights[i as usize]);
+                let [p, q] = [from, to].map(|i| self.whole.points[i as usize]);
+                let points = &mut self.cell.points;
+                let place = *self.crossings.entry([from, to]).or_insert_with(|| {
+                    points.push(p + (q - p) * (a / (a - b)));
+                    points.len() as u32 - 1
+                });
+                self.cell.corners.push(place);
+            }
+        }
+        self.end(plane);
+    }
+}
+
+/// Mean of a cell's surface, and the axes along which it extends, the longest first.
+pub(super) fn mean_and_axes(cell: &Cell) -> (Point, [Vector; 3]) {
+    let (mut area, mut first, mut second) = (0.0, Vector::zeros(), Matrix3::zeros());
+    let origin = cell.points[0];
+    for (_, ring) in cell.polygons() {
+        let share = cell.doubled_area(ring).norm();
+        let sum: Vector = ring.iter().map(|i| cell.points[*i as usize] - origin).sum();
+        let middle = sum / ring.len() as f64;
+        area += share;
+        first += middle * share;
+        // The spread of the corners makes up for that of the polygon, so that few large ones have axes, too.
+        second += middle * middle.transpose() * share;
+        for i in ring {
+            let spoke = cell.points[*i as usize] - origin - middle;
+            second += spoke * spoke.transpose() * (share / (4.0 * ring.len() as f64));
+        }
+    }
+    if !(area > 0.0) {
+        return (origin, [Vector::x(), Vector::y(), Vector::z()]);
+    }
+    let mean = first / area;
+    let eigen = SymmetricEigen::new(second / area - mean * mean.transpose());
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
+    (origin + mean, order.map(|k| eigen.eigenvectors.column(k).into_owned()))
+}

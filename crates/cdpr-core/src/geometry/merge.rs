@@ -1,0 +1,122 @@
+//! Merging of neighbouring convex parts that one body encloses within the tolerance.
+
+use rayon::prelude::*;
+
+use super::convex_parts::{Cutter, Part};
+use super::inner_hull::InnerHull;
+use super::{Point, Vector};
+use crate::error::Error;
+use crate::numerics::{EXACT_VOLUME, MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
+
+/// Pairs that may be looked at for each part there is at first.
+const PAIRS_PER_PART: usize = 12;
+
+/// Corners of the hull of a pair on which places are looked at before anything is proved.
+const ROUGH_CORNERS: usize = 30;
+
+/// Fewest steps that the proof for a pair may take.
+const LEAST_STEPS: usize = 500;
+
+/// Merges parts into such as reach at most `within` metres, those first that lose least: in rounds, each of which takes as
+/// many pairs as do not share a part.
+///
+/// Parts that all fill the body exactly are merged only into such parts.
+pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<Vec<Part>, Error> {
+    let exactly = parts.iter().all(|part| part.reach == Some(0.0));
+    let mut left = PAIRS_PER_PART * parts.len();
+    let mut steps = MERGE_STEPS_PER_PART * parts.len();
+    let mut parts: Vec<Option<Part>> = parts.into_iter().map(Some).collect();
+    let mut waiting: Vec<(f64, [usize; 2])> = Vec::new();
+    let mut known = 0; // pairs of parts before this one are tried
+    loop {
+        let mut pairs = Vec::new();
+        for j in known..parts.len() {
+            for i in 0..j {
+                if let (Some(a), Some(b)) = (&parts[i], &parts[j])
+                    && a.reach.is_some()
+                    && b.reach.is_some()
+                    && !a.wrap.aabb.apart_by(&b.wrap.aabb, 0.0)
+                {
+                    pairs.push([i, j]);
+                }
+            }
+        }
+        known = parts.len();
+        pairs.truncate(left);
+        left -= pairs.len();
+        let ends = |[i, j]: [usize; 2]| [i, j].map(|k| parts[k].as_ref().expect("pairs are of parts that are left"));
+        let may = |pair: &[usize; 2]| Ok(may_be_one(cutter, ends(*pair), within)?.map(|loss| (loss, *pair)));
+        let looked: Vec<Option<(f64, [usize; 2])>> = pairs.par_iter().map(may).collect::<Result<_, Error>>()?;
+        waiting.extend(looked.into_iter().flatten());
+        waiting.retain(|(_, [i, j])| parts[*i].is_some() && parts[*j].is_some());
+        waiting.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        // Pairs that share no part: each that can be one is one at once.
+        let mut taken = vec![false; parts.len()];
+        let mut likely: Vec<[usize; 2]> = Vec::new();
+        waiting.retain(|(_, pair)| {
+            let free = pair.iter().all(|k| !taken[*k]);
+            if free {
+                pair.iter().for_each(|k| taken[*k] = true);
+                likely.push(*pair);
+            }
+            !free
+        });
+        let share = (steps / likely.len().max(1)).clamp(LEAST_STEPS, MERGE_STEPS);
+        let tried: Vec<(usize, Option<Part>)> = likely
+            .par_iter()
+            .map(|pair| joint(cutter, ends(*pair), exactly, within, share))
+            .collect::<Result<_, _>>()?;
+        for ([i, j], (took, joint)) in likely.into_iter().zip(tried) {
+            steps = steps.saturating_sub(took);
+            if let Some(joint) = joint {
+                (parts[i], parts[j]) = (None, None);
+                parts.push(Some(joint));
+            }
+        }
+        if (parts.len() == known && waiting.is_empty()) || steps == 0 {
+            return Ok(parts.into_iter().flatten().collect());
+        }
+    }
+}
+
+fn both([a, b]: [&Part; 2]) -> Vec<Point> {
+    a.wrap.points.iter().chain(&b.wrap.points).copied().collect()
+}
+
+/// The volume that making both parts one adds, about; none if some place in their hull is too far from the piece.
+fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f64>, Error> {
+    cutter.watch.check()?;
+    let points = both(pair);
+    let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
+    inner.grow(ON_SURFACE, ROUGH_CORNERS, cutter.watch)?;
+    // The proof gives up at such places, too.
+    let far = |p: Vector| cutter.piece.distance.at(&Point::from(p)).0 > UNDECIDED * within;
+    let void = inner.triangles().any(|([a, b, c], _)| {
+        let [a, b, c] = [a.coords, b.coords, c.coords];
+        far((a + b + c) / 3.0) || far(0.5 * (a + b)) || far(0.5 * (b + c)) || far(0.5 * (c + a))
+    });
+    Ok((!void).then(|| inner.volume() - pair[0].wrap.volume - pair[1].wrap.volume))
+}
+
+/// Both parts as one, unless it reaches too far; and the steps it took to know.
+fn joint(
+    cutter: &Cutter,
+    [a, b]: [&Part; 2],
+    exactly: bool,
+    within: f64,
+    steps: usize,
+) -> Result<(usize, Option<Part>), Error> {
+    let wrap = cutter.enclosing(both([a, b]))?;
+    let apart = a.wrap.volume + b.wrap.volume;
+    let loss = wrap.volume - apart;
+    let fill = a.reach == Some(0.0) && b.reach == Some(0.0);
+    if fill && wrap.exact && loss <= EXACT_VOLUME * apart {
+        return Ok((0, Some(Part { wrap, reach: Some(0.0) })));
+    }
+    if exactly {
+        return Ok((0, None));
+    }
+    let found = cutter.proved(&wrap, within, steps)?;
+    let part = (found.bound <= within).then_some(Part { wrap, reach: Some(found.bound) });
+    Ok((found.steps, part))
+}
