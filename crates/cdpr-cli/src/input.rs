@@ -5,21 +5,28 @@ use std::time::Instant;
 
 use cdpr_core::batch::Experiment;
 use cdpr_core::io::text::Notation;
-use cdpr_core::io::{LoadedPath, experiment_from_text, scene_from_text, scene_of_path, waypoints_from_text};
+use cdpr_core::io::{LoadedPath, Loader, scene_of_path, waypoints_from_text};
+use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene, io};
 
 use crate::args::{PathArgs, SceneArgs};
 use crate::output::{Console, count, is_standard};
+use crate::progress::interrupted;
 
 /// How standard input is called in messages.
 const STANDARD_INPUT: &str = "standard input";
+
+/// Ends on Ctrl-C: meshes can take seconds.
+pub fn loader() -> Loader<'static> {
+    Loader::new(Watch::on(&interrupted))
+}
 
 /// The scene, turned as asked for. Files that one from standard input names are relative to where the program runs.
 pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let clock = Instant::now();
     let scene = match is_standard(&args.scene) {
-        true => from_standard(|text| scene_from_text(text, notation(text), Some(Path::new(""))))?,
-        false => io::load_scene(&args.scene)?,
+        true => from_standard(|text| loader().scene_from_text(text, notation(text), Some(Path::new(""))))?,
+        false => loader().scene(&args.scene)?,
     };
     let parts = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
     let what = format!("{} of {}", count(scene.obstacles().len(), "obstacle"), count(parts, "part"));
@@ -61,8 +68,8 @@ pub fn path(scene: &Scene, args: &SceneArgs, path: &Path) -> Result<(Scene, Load
 /// An experiment.
 pub fn experiment(path: &Path) -> Result<Experiment, Error> {
     match is_standard(path) {
-        true => from_standard(|text| experiment_from_text(text, notation(text), None)),
-        false => io::load_experiment(path),
+        true => from_standard(|text| loader().experiment_from_text(text, notation(text), None)),
+        false => loader().experiment(path),
     }
 }
 

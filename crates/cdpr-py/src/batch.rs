@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cdpr_core::batch::{Progress, RunOptions};
-use cdpr_core::io::{self, BatchRows, text::Notation};
+use cdpr_core::io::{self, BatchRows, Loader, text::Notation};
+use cdpr_core::watch::Watch;
 use pyo3::prelude::*;
 
 use crate::errors::{interruptible, raised};
@@ -28,14 +29,15 @@ type Tables = (Vec<u8>, Vec<u8>, Option<Vec<u8>>, String);
 impl Experiment {
     /// Loads an experiment file.
     #[staticmethod]
-    fn load(path: PathBuf) -> PyResult<Self> {
-        io::load_experiment(&path).map(Experiment).map_err(raised)
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).experiment(&path)).map(Experiment)
     }
 
     /// An experiment from JSON text; scene files are read relative to where the program runs.
     #[staticmethod]
-    fn from_json(text: &str) -> PyResult<Self> {
-        io::experiment_from_text(text, Notation::Json, None).map(Experiment).map_err(raised)
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).experiment_from_text(text, Notation::Json, None))
+            .map(Experiment)
     }
 
     /// The experiment as JSON text, its scenes in place.

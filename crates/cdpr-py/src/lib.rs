@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector, distance};
-use cdpr_core::io::{self, text::Notation};
+use cdpr_core::io::{self, Loader, text::Notation};
 use cdpr_core::plan::{
     Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
     shorten_path, trace_rewinding,
@@ -80,13 +80,14 @@ impl Scene {
     /// Loads a scene file.
     #[staticmethod]
     fn load(py: Python<'_>, path: std::path::PathBuf) -> PyResult<Self> {
-        py.detach(|| io::load_scene(&path)).map(Scene::of).map_err(raised)
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).scene(&path)).map(Scene::of)
     }
 
     /// A scene from JSON text, the robot in place.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        py.detach(|| io::scene_from_text(text, Notation::Json, None)).map(Scene::of).map_err(raised)
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).scene_from_text(text, Notation::Json, None))
+            .map(Scene::of)
     }
 
     /// The scene as JSON text, the robot in place.
@@ -524,7 +525,7 @@ fn seconds(budget: f64) -> PyResult<std::time::Duration> {
 /// Checks a robot given as JSON text, and gives it back with its meshes as convex parts.
 #[pyfunction]
 fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
-    let robot = py.detach(|| io::robot_from_text(text, Notation::Json, None)).map_err(raised)?;
+    let robot = interruptible(py, |stop| Loader::new(Watch::on(stop)).robot_from_text(text, Notation::Json, None))?;
     Ok(serialized(robot.spec()))
 }
 
@@ -547,14 +548,15 @@ fn import_robot(
 ) -> PyResult<(String, Vec<String>)> {
     let units = named(units)?;
     let options = io::ImportOptions { bodies, cable_set, platform: platform.map(|mesh| (mesh, units)) };
-    let found = py.detach(|| io::import_robot(&path, &options)).map_err(raised)?;
+    let found = interruptible(py, |stop| Loader::new(Watch::on(stop)).import(&path, &options))?;
     Ok((serialized(&found.whole), found.notes))
 }
 
 /// The robot of a robot file as JSON text.
 #[pyfunction]
-fn load_robot(path: std::path::PathBuf) -> PyResult<String> {
-    io::load_robot(&path).map(|robot| serialized(robot.spec())).map_err(raised)
+fn load_robot(py: Python<'_>, path: std::path::PathBuf) -> PyResult<String> {
+    let robot = interruptible(py, |stop| Loader::new(Watch::on(stop)).robot(&path))?;
+    Ok(serialized(robot.spec()))
 }
 
 /// Distance of the convex hulls of two vertex lists, with nearest points and overlap depth.

@@ -1,10 +1,11 @@
 //! `cdpr import`
 
 use cdpr_core::Error;
-use cdpr_core::io::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
+use cdpr_core::io::{ImportOptions, Imported, check_robot_name, robot_toml, save_imported};
 
 use crate::Answer;
 use crate::args::{Format, ImportArgs};
+use crate::input::loader;
 use crate::output::{Console, count, is_standard};
 
 pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
@@ -17,7 +18,7 @@ pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
         cable_set: args.cable_set.clone(),
         platform: args.platform.clone().map(|mesh| (mesh, args.units)),
     };
-    let found = import_robot(&args.source, &options)?;
+    let found = loader().import(&args.source, &options)?;
     if is_standard(&args.output) {
         out.write(&args.output, robot_toml(&found).as_bytes(), "")?;
     } else {
