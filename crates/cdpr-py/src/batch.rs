@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cdpr_core::batch::{Progress, RunOptions};
-use cdpr_core::io::{self, BatchRows, Loader, text::Notation};
+use cdpr_core::io::{BatchRows, Loader, text::Notation};
 use cdpr_core::watch::Watch;
 use pyo3::prelude::*;
 
