@@ -17,15 +17,22 @@ lint:
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 
+# A test binary that hangs is ended, where coreutils are there; by then libtest has named the test, as every one that runs
+# for over 60 s. `--foreground` lets Ctrl-C through.
+TEST_SECONDS := 1800
+ifneq ($(shell command -v timeout),)
+LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbose $(TEST_SECONDS)'"
+endif
+
 # Unit, property and integration tests and the examples in the documentation; then once more what rests on the kernels,
 # by the portable ones, as on a machine without AVX2.
 rust-test:
-	cargo test --workspace --locked
-	CDPR_PORTABLE=1 cargo test --workspace --locked --test oracles
+	cargo test $(LIMITED) --workspace --locked
+	CDPR_PORTABLE=1 cargo test $(LIMITED) --workspace --locked --test oracles
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
-	cargo test --release --locked -p cdpr-core --test oracles
+	cargo test $(LIMITED) --release --locked -p cdpr-core --test oracles
 
 # Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
 # every disagreement is printed.

@@ -1,5 +1,6 @@
-"""Shared by the tests: where the test data is."""
+"""Shared by the tests: where the test data is, and Ctrl-C that arrives."""
 
+import signal
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,11 @@ import cdpr
 
 ROOT = Path(__file__).resolve().parents[2]
 TESTDATA = ROOT / "testdata"
+
+
+def pytest_configure() -> None:
+    # A shell ignores SIGINT in what a script starts in the background, and everything started there inherits that.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture
