@@ -63,6 +63,8 @@ def distance(a: ArrayLike, b: ArrayLike) -> Distance:
     ------
     InputError
         Wrong shape, no vertices, numbers that are not finite.
+    KeyboardInterrupt
+        On Ctrl-C, at once; the hull of many points then ends by itself, on a thread of its own.
 
     Notes
     -----

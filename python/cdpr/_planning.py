@@ -74,7 +74,8 @@ def plan(
         the shorter of the two orders; or pulling it taut as :func:`refine` does. Default "none" for "anytime", whose
         paths are taut, "taut" for "rrt-connect", and "both" for the planners of the paper.
     budget : float, optional
-        Time after which the search ends, s; "anytime" uses all of it, and without it stops by itself.
+        Time after which the call ends, s, compiling of the scene included; "anytime" uses all of it, and without it stops
+        by itself.
     repeats : int
         How often rewinding runs.
     max_samples : int, optional

@@ -238,6 +238,66 @@ def test_ctrl_c_is_answered_at_once():
     assert_ctrl_c_is_answered_at_once(lambda: scene.states_valid(points, engine="gjk", threads=2), threads=2)
 
 
+def crowded(count=300):
+    """A hall with many boxes on its floor below a robot that hangs from its ceiling, and 2 cm of clearance."""
+    rng = np.random.default_rng(7)
+    spec = cdpr.Scene.load(TESTDATA / "scenes/forest.toml").to_dict()
+    low, high = np.array(spec["workspace"]["min"]), np.array(spec["workspace"]["max"])
+    places = low + rng.uniform(0.05, 0.95, (count, 3)) * (high - low)
+    places[:, 2] = low[2] + 0.1
+    spec["obstacles"] = [{"name": f"box {k}", "box": [0.1, 0.1, 0.2], "position": p.tolist()} for k, p in enumerate(places)]
+    spec["clearance"] = 0.02
+    return cdpr.Scene.from_dict(spec)
+
+
+def test_ctrl_c_is_answered_at_once_whatever_is_done(tmp_path):
+    scene, large = crowded(), crowded(1000)
+    middle = scene.workspace.mean(axis=0)
+    waypoints = middle + np.random.default_rng(0).uniform(-0.01, 0.01, (200_000, 3))
+    sphere = np.random.default_rng(0).normal(size=(300_000, 3))
+    sphere /= np.linalg.norm(sphere, axis=1)[:, None]
+
+    def again_and_again(call):
+        def calls():
+            while True:
+                call()
+
+        return calls
+
+    # Each takes a while; those that take less than the time until Ctrl-C are begun again.
+    calls = (
+        lambda: cdpr.check(large, waypoints, engine="gjk"),
+        lambda: cdpr.save_view(tmp_path / "view.html", scene, waypoints),
+        lambda: cdpr.shadows(large, all_regions=True),
+        lambda: cdpr.lower_bound(scene),
+        lambda: cdpr.distance(sphere, sphere + 3.0),
+    )
+    for call in calls:
+        waited = [interrupted_after(0.2, again_and_again(call))[0] for _ in range(3)]
+        assert min(waited) < 2 * AT_ONCE, waited
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("budget", [0.001, 0.005, 0.05])
+def test_a_budget_counts_from_the_call(budget):
+    def late(planner):
+        scene = crowded()
+        began = time.perf_counter()
+        cdpr.plan(scene, planner, budget=budget)
+        return time.perf_counter() - began - budget
+
+    for planner in ("anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"):
+        assert min(late(planner) for _ in range(3)) < 0.02, planner
+
+
+def test_a_long_path_is_checked_in_seconds(hard1):
+    waypoints = np.linspace([0.3, 1.0, 0.3], [0.3, 1.0, 1.3], 60_001)
+    began = time.perf_counter()
+    report = cdpr.check(hard1, waypoints)
+    assert report.valid and time.perf_counter() - began < 10.0  # of 40 s if every segment is asked everything
+    assert report.min_clearance["value"] == cdpr.check(hard1, waypoints[[0, -1]]).min_clearance["value"]
+
+
 def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
     found = []
     interrupted_after(0.3, lambda: found.append(cdpr.plan(hard1, budget=20.0)), raises=None)

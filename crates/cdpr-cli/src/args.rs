@@ -227,7 +227,7 @@ pub struct PlanArgs {
     pub planner: Planner,
     #[command(flatten)]
     pub settings: PlannerArgs,
-    /// Stop after this time, ms (the samples may run out first).
+    /// Stop after this time, ms, compiling of the scene included (the samples may run out first).
     #[arg(long, value_name = "T", value_parser = positive)]
     pub budget_ms: Option<f64>,
     #[command(flatten)]

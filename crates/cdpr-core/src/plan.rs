@@ -222,7 +222,7 @@ pub fn engine_within(
 ) -> Result<Box<dyn Checker>, Error> {
     let geometry: Box<dyn Checker> = match engine {
         Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
-        Engine::Gjk => Box::new(GjkEngine::new(scene, interference)?),
+        Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
     };
     Ok(match WrenchConstraint::of(scene, geometry.constraints())? {
         Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),

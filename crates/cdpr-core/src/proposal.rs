@@ -7,9 +7,9 @@ use crate::collision::{Checker, Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
-use crate::plan::{PlanOptions, engine_for, plan_with};
+use crate::plan::{PlanOptions, engine_within, plan_with};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 
 /// Positions drawn in search of valid ones.
 const DRAWN: usize = 5_000;
@@ -39,9 +39,9 @@ pub fn workspace(scene: &Scene) -> Aabb {
 /// straight line as was found. An end that the scene has is kept. None if none was found.
 ///
 /// # Errors
-/// As [`engine_for`]; [`Error::interrupted`].
+/// As [`engine_within`].
 pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]>, Error> {
-    let engine = engine_for(scene, Engine::default(), Interference::default())?;
+    let engine = engine_within(scene, Engine::default(), Interference::default(), &Watch::on(interrupted))?;
     let places = valid_places(&*engine, interrupted)?;
     let ends = |given: Option<Point>| given.map_or(places.clone(), |end| vec![end]);
     let goals = ends(scene.goal());

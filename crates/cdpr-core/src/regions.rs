@@ -16,6 +16,7 @@ use crate::collision::{Constraint, Constraints, Kind};
 use crate::error::{Error, nearest_name};
 use crate::geometry::{Aabb, TriangleMesh, Vector, convex_mesh, wedge_mesh};
 use crate::model::Scene;
+use crate::watch::Watch;
 
 /// Where a region is drawn.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -113,8 +114,16 @@ impl NamedMesh {
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error> {
+    regions_within(scene, options, &Watch::NONE)
+}
+
+/// As [`regions`], within a watch.
+///
+/// # Errors
+/// As [`regions`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub fn regions_within(scene: &Scene, options: &RegionOptions, watch: &Watch) -> Result<Regions, Error> {
     let space = options.checked(scene)?;
-    let constraints = Constraints::new(scene)?;
+    let constraints = Constraints::within(scene, watch)?;
     let within = match space {
         Space::Attachment => *scene.workspace(),
         Space::Position => {
@@ -124,6 +133,7 @@ pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error>
     };
     let mut found = Regions { space, within, meshes: Vec::new() };
     for constraint in &constraints.list {
+        watch.check()?;
         let (kind, culprits) = (constraints.kind(constraint), constraints.culprits(constraint));
         if !options.wants(kind, &culprits) || closes_a_seam(scene, &constraints, constraint) {
             continue;

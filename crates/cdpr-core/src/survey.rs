@@ -10,8 +10,9 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::kinematics::{rank, wrench_matrix};
 use crate::model::Scene;
-use crate::plan::engine_for;
+use crate::plan::engine_within;
 use crate::planning::{StateSpace, TranslationSpace};
+use crate::watch::Watch;
 
 /// Facts about a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -62,20 +63,27 @@ pub struct Survey {
 const SAMPLES: usize = 20_000;
 /// Positions at which the rank is computed.
 const RANK_SAMPLES: usize = 200;
+/// Positions between two looks at the watch: a millisecond or so in scenes of thousands of bodies.
+const AT_A_TIME: usize = 32;
 
 /// Looks a scene over.
 ///
 /// # Errors
-/// As [`crate::collision::Constraints::new`].
-pub fn survey(scene: &Scene) -> Result<Survey, Error> {
-    let engine = engine_for(scene, Engine::default(), Interference::Exact)?;
+/// As [`engine_within`].
+pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
+    let engine = engine_within(scene, Engine::default(), Interference::Exact, watch)?;
     let constraints = engine.constraints();
     let space = TranslationSpace::of(constraints);
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let positions: Vec<Point> = (0..SAMPLES).map_while(|_| space.sample(&mut rng)).collect();
     let share = |test: &(dyn Fn(&Point) -> bool + Sync)| {
-        let count = positions.par_iter().filter(|p| test(p)).count();
-        (!positions.is_empty()).then(|| count as f64 / positions.len() as f64)
+        let count = |some: &[Point]| {
+            watch.check()?;
+            Ok(some.iter().filter(|p| test(p)).count())
+        };
+        let counts: Result<Vec<usize>, Error> = positions.par_chunks(AT_A_TIME).map(count).collect();
+        let share = counts?.iter().sum::<usize>() as f64 / positions.len() as f64;
+        Ok::<_, Error>((!positions.is_empty()).then_some(share))
     };
     let ranks = positions
         .iter()
@@ -100,8 +108,8 @@ pub fn survey(scene: &Scene) -> Result<Survey, Error> {
         sharing_pairs: sharing_pairs(scene),
         always_crossing_pairs: always_crossing(engine.as_ref()),
         outlets_on_obstacles: outlets_on_obstacles(scene),
-        interference_free: share(&|p| engine.free_of_interference(p)),
-        valid: share(&|p| engine.state_valid(p)),
+        interference_free: share(&|p| engine.free_of_interference(p))?,
+        valid: share(&|p| engine.state_valid(p))?,
         samples: positions.len(),
         start: at(scene.start()),
         goal: at(scene.goal()),

@@ -13,10 +13,12 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use crate::collision::path_check::PathViolation;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Polytope};
 use crate::model::{Obstacle, Scene};
 use crate::planning::SearchTree;
 use crate::regions::{NamedMesh, Regions};
+use crate::watch::Watch;
 
 const TEMPLATE: &str = include_str!("view/assets/template.html");
 const STYLE: &str = include_str!("view/assets/viewer.css");
@@ -49,11 +51,36 @@ pub struct ShownPath {
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
 pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
+    page_within(scene, path, violations, &Watch::NONE).expect("nothing stops it")
+}
+
+/// As [`page`], within a watch.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn page_within(
+    scene: &Scene,
+    path: Option<&ShownPath>,
+    violations: &[PathViolation],
+    watch: &Watch,
+) -> Result<String, Error> {
+    let motion = path.map(|path| extra(extras::motion(scene, &path.waypoints, watch))).transpose()?.flatten();
+    let regions = extra(extras::shadows(scene, watch))?;
+    let feasible = extra(extras::feasible(scene, watch))?;
     let mut data = data(scene, path, violations);
-    data["motion"] = json!(path.and_then(|path| extras::motion(scene, &path.waypoints).ok().flatten()));
-    data["regions"] = json!(extras::shadows(scene).ok().flatten());
-    data["feasible"] = json!(extras::feasible(scene).ok().flatten());
-    filled(scene, &data)
+    data["motion"] = json!(motion);
+    data["regions"] = json!(regions);
+    data["feasible"] = json!(feasible);
+    watch.check()?;
+    Ok(filled(scene, &data))
+}
+
+/// What a page shows besides, left out where it cannot be computed; only who stops ends it all.
+fn extra<T>(found: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
+    match found {
+        Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Err(error),
+        found => Ok(found.ok().flatten()),
+    }
 }
 
 /// The page for a scene and its forbidden regions: translucent, and switched on and off by cable.

@@ -6,13 +6,16 @@ mod support;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use cdpr_core::Scene;
 use cdpr_core::collision::{Constraints, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Aabb, Point, Rotation, TriangleMesh};
 use cdpr_core::io::load_scene;
 use cdpr_core::model::{BodySpec, RobotSource};
-use cdpr_core::regions::{NamedMesh, RegionOptions, Space, regions};
+use cdpr_core::regions::{NamedMesh, RegionOptions, Space, regions, regions_within};
+use cdpr_core::survey::survey;
 use cdpr_core::testing::{block, hard1, hard3, paper_robot, paper_scene, scene};
+use cdpr_core::view::page_within;
+use cdpr_core::watch::Watch;
+use cdpr_core::{ErrorClass, Scene};
 use rand::Rng;
 use support::{encloses, uniform};
 
@@ -204,4 +207,17 @@ fn cables_cross_in_two_flat_wedges() {
             assert!(pairs.iter().any(|v| v.culprits == region.culprits), "{} at {centre}", region.name);
         }
     }
+}
+
+#[test]
+fn who_stops_is_answered_at_once() {
+    let (stop, scene) = (|| true, hard3());
+    let watch = Watch::on(&stop);
+    let interrupted = |error: Option<cdpr_core::Error>| error.unwrap().class() == ErrorClass::Interrupted;
+    assert!(interrupted(survey(&scene, &watch).err()));
+    assert!(interrupted(regions_within(&scene, &all(), &watch).err()));
+    assert!(interrupted(page_within(&scene, None, &[], &watch).err()));
+    assert!(interrupted(Constraints::within(&scene, &watch).err()));
+    assert!(survey(&scene, &Watch::NONE).unwrap().valid.is_some_and(|share| (0.01..0.99).contains(&share)));
+    assert_eq!(regions_within(&scene, &all(), &Watch::NONE).unwrap(), regions(&scene, &all()).unwrap());
 }

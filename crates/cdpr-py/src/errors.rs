@@ -43,6 +43,28 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> R
     }
 }
 
+/// As [`interruptible`], for work that nothing can stop: on Ctrl-C it is left alone, and its answer with it.
+pub fn abandonable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, Error> + Send + 'static,
+) -> PyResult<T> {
+    py.detach(|| {
+        let (send, receive) = mpsc::sync_channel(1);
+        let worker = move || drop(send.send(work()));
+        let handle = std::thread::Builder::new().stack_size(STACK).spawn(worker).expect("a thread can be started");
+        loop {
+            match receive.recv_timeout(PERIOD) {
+                Ok(run) => return run.map_err(raised),
+                Err(RecvTimeoutError::Disconnected) => match handle.join() {
+                    Err(panic) => std::panic::resume_unwind(panic),
+                    Ok(()) => unreachable!("the work ended without sending its answer"),
+                },
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+            }
+        }
+    })
+}
+
 /// As [`interruptible`], for work that has an answer even if it is stopped: the answer beside the signal.
 ///
 /// Python delivers signals to the thread that runs the interpreter, so that one waits and asks for them, and the work runs

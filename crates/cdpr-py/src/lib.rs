@@ -18,8 +18,8 @@ use cdpr_core::plan::{
     shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings, SearchTree};
-use cdpr_core::regions::{NamedMesh, RegionOptions, regions};
-use cdpr_core::view::{ShownPath, page};
+use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
+use cdpr_core::view::{ShownPath, page_within};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
@@ -29,7 +29,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use convert::{point, points, row, triples};
-use errors::{interruptible, interruptible_with_rest, raised};
+use errors::{abandonable, interruptible, interruptible_with_rest, raised};
 
 /// A checked scene, with the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -117,8 +117,8 @@ impl Scene {
     }
 
     /// What is special about the scene.
-    fn notes(&self) -> PyResult<Vec<String>> {
-        Ok(Constraints::new(&self.0).map_err(raised)?.notes)
+    fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.notes)
     }
 
     /// Whether each row of an (n, 3) array is a valid position.
@@ -178,8 +178,8 @@ impl Scene {
     }
 
     /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
-    fn position_box(&self) -> PyResult<([f64; 3], [f64; 3])> {
-        let (min, max) = Constraints::new(&self.0).map_err(raised)?.position_box();
+    fn position_box(&self, py: Python<'_>) -> PyResult<([f64; 3], [f64; 3])> {
+        let (min, max) = interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.position_box();
         Ok((min.into(), max.into()))
     }
 
@@ -394,7 +394,7 @@ impl Scene {
         obstacles: Vec<String>,
     ) -> PyResult<Vec<Region<'py>>> {
         let options = region_options(space, all, cables, obstacles)?;
-        let found = py.detach(|| regions(&self.0, &options)).map_err(raised)?;
+        let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
         let arrays = |region: &NamedMesh| {
             let vertices = region.mesh.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
             let triangles = region.mesh.triangles.iter().flatten().map(|i| *i as i64).collect();
@@ -415,8 +415,8 @@ impl Scene {
     ) -> PyResult<()> {
         io::RegionFormat::of(&path).map_err(raised)?;
         let options = region_options(space, all, cables, obstacles)?;
-        let write = || io::save_regions(&path, &self.0, &regions(&self.0, &options)?);
-        py.detach(write).map_err(raised)
+        let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
+        py.detach(|| io::save_regions(&path, &self.0, &found)).map_err(raised)
     }
 
     /// A self-contained page that shows the scene and, if given, a path.
@@ -436,14 +436,19 @@ impl Scene {
         let list = |rows: Option<PyReadonlyArray2<'_, f64>>| {
             rows.map_or(Ok(Vec::new()), |rows| Ok::<_, PyErr>(points(rows.as_slice()?)))
         };
-        let Some(waypoints) = waypoints else { return Ok(page(&self.0, None, &[])) };
+        let Some(waypoints) = waypoints else {
+            return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
+        };
         let waypoints = points(waypoints.as_slice()?);
         let engine = engine_of(py, self, Engine::default().name(), interference)?;
-        let violations = interruptible(py, |stop| check_path(&*engine, &waypoints, &Watch::on(stop)))?.violations;
         let raw_waypoints = list(raw_waypoints)?;
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         let shown = ShownPath { status, waypoints, cost, raw_waypoints, raw_cost, planner, tree };
-        Ok(page(&self.0, Some(&shown), &violations))
+        interruptible(py, |stop| {
+            let watch = Watch::on(stop);
+            let violations = check_path(&*engine, &shown.waypoints, &watch)?.violations;
+            page_within(&self.0, Some(&shown), &violations, &watch)
+        })
     }
 }
 
@@ -559,16 +564,23 @@ fn load_robot(py: Python<'_>, path: std::path::PathBuf) -> PyResult<String> {
     Ok(serialized(robot.spec()))
 }
 
+/// Points whose hulls are made in well below a millisecond, less than a thread is worth.
+const FEW_POINTS: usize = 200;
+
 /// Distance of the convex hulls of two vertex lists, with nearest points and overlap depth.
 #[pyfunction]
 fn polytope_distance(
+    py: Python<'_>,
     a: PyReadonlyArray2<'_, f64>,
     b: PyReadonlyArray2<'_, f64>,
 ) -> PyResult<(f64, [f64; 3], [f64; 3], f64)> {
-    let hull = |place: &str, rows: &[f64]| {
-        Polytope::hull_of(&points(rows)).map_err(|problem| raised(Error::invalid(place, problem.to_string())))
+    let hull = |place: &str, points: &[Point]| {
+        Polytope::hull_of(points).map_err(|problem| Error::invalid(place, problem.to_string()))
     };
-    let found = distance(&hull("a", a.as_slice()?)?, &hull("b", b.as_slice()?)?);
+    let (a, b) = (points(a.as_slice()?), points(b.as_slice()?));
+    let few = a.len() + b.len() <= FEW_POINTS;
+    let answer = move || Ok(distance(&hull("a", &a)?, &hull("b", &b)?));
+    let found = if few { answer().map_err(raised) } else { abandonable(py, answer) }?;
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 

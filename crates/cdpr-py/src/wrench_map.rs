@@ -3,6 +3,7 @@
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::Aabb;
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{MapIdentity, MapOptions, Statics, WrenchMap, constraint};
 use cdpr_core::{Error, io};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
@@ -32,9 +33,9 @@ impl Map {
         let scene = &scene.0;
         let statics = Statics::of(scene).map_err(raised)?;
         let required = constraint::required_of(scene, force, moment).map_err(raised)?;
-        let (min, max) = Constraints::new(scene).map_err(raised)?.position_box();
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
+            let (min, max) = Constraints::within(scene, &Watch::on(interrupted))?.position_box();
             WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &BatchOptions { threads, interrupted })
         })
         .map(Map)

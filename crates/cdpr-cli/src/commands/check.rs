@@ -2,7 +2,7 @@
 
 use cdpr_core::Error;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
-use cdpr_core::plan::{CheckReport, check, engine_for};
+use cdpr_core::plan::{CheckReport, check, engine_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 
@@ -14,11 +14,10 @@ use crate::progress::interrupted;
 
 pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, path) = input::scene_and_path(args, out)?;
-    let engine =
-        engine_for(&scene, args.checker.engine, args.checker.interference).map_err(|e| e.in_file(&args.scene.scene))?;
+    let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
+    let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
     out.notes(engine.constraints());
-    let found =
-        check(&scene, &*engine, &path.waypoints, &Watch::on(&interrupted)).map_err(|e| e.in_file(&args.scene.scene))?;
+    let found = check(&scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),

@@ -2,15 +2,17 @@
 
 use cdpr_core::Error;
 use cdpr_core::survey::{Survey, survey};
+use cdpr_core::watch::Watch;
 
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
 use crate::input;
 use crate::output::{Console, count, scene_line, short};
+use crate::progress::interrupted;
 
 pub fn run(args: &SceneArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(args, out)?;
-    let survey = survey(&scene).map_err(|e| e.in_file(&args.scene))?;
+    let survey = survey(&scene, &Watch::on(&interrupted)).map_err(|e| e.in_file(&args.scene))?;
     match args.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(survey))),
         Format::Text => {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::plan::{engine_for, shorten_path};
+use cdpr_core::plan::{engine_within, shorten_path};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::{Error, io};
 
@@ -11,7 +11,7 @@ use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
 use crate::output::{Console, count, is_standard, scene_line, short};
-use crate::progress::{with_sign_of_life, writing};
+use crate::progress::{interrupted, with_sign_of_life, writing};
 
 /// Checks that a path can be written under this name, before the work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
@@ -35,7 +35,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(args.output.as_deref());
     let given = &args.path;
     let (scene, path) = input::scene_and_path(given, out)?;
-    let engine = engine_for(&scene, given.checker.engine, given.checker.interference)
+    let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))
         .map_err(|e| e.in_file(&given.scene.scene))?;
     out.notes(engine.constraints());
     let processing = args.options()?;

@@ -2,7 +2,8 @@
 
 use cdpr_core::collision::Constraints;
 use cdpr_core::io::{RegionFormat, save_regions};
-use cdpr_core::regions::{NamedMesh, Regions, regions};
+use cdpr_core::regions::{NamedMesh, Regions, regions_within};
+use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
 use serde_json::json;
 
@@ -11,12 +12,13 @@ use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
 use crate::input;
 use crate::output::{Console, count, scene_line};
-use crate::progress::writing;
+use crate::progress::{interrupted, writing};
 
 pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;
     let scene = input::scene(&args.scene, out)?;
-    let found = regions(&scene, &args.options()).map_err(|e| e.in_file(&args.scene.scene))?;
+    let watch = Watch::on(&interrupted);
+    let found = regions_within(&scene, &args.options(), &watch).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
         out.notes(&Constraints::new(&scene)?);
     }

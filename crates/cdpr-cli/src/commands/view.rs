@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cdpr_core::collision::check_path;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::engine_for;
-use cdpr_core::view::{ShownPath, page};
+use cdpr_core::plan::engine_within;
+use cdpr_core::view::{ShownPath, page_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, io};
 
@@ -21,18 +21,20 @@ pub const IN_BROWSER: &str = "(open it in a browser)";
 pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     check_page_name(&args.output)?;
     let out = &out.beside(Some(&args.output));
+    let watch = Watch::on(&interrupted);
     let scene = input::scene(&args.scene, out)?;
     let (scene, shown, violations) = match &args.path {
         None => (scene, None, Vec::new()),
         Some(path) => {
             let (scene, loaded) = input::path(&scene, &args.scene, path)?;
-            let engine = engine_for(&scene, args.checker.engine, args.checker.interference)
+            let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
-            let report = check_path(&*engine, &loaded.waypoints, &Watch::on(&interrupted))?;
+            let report = check_path(&*engine, &loaded.waypoints, &watch)?;
             (scene, Some(shown(loaded, report.length)), report.violations)
         }
     };
-    out.write(&args.output, page(&scene, shown.as_ref(), &violations).as_bytes(), IN_BROWSER)?;
+    let page = page_within(&scene, shown.as_ref(), &violations, &watch)?;
+    out.write(&args.output, page.as_bytes(), IN_BROWSER)?;
     if args.scene.format == Format::Json {
         out.result(&serde_json::json!({ "page": args.output, "violations": violations }).to_string());
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
     Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, tensions_along, wrench_at,
@@ -136,7 +137,7 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     let (statics, required) = asked(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
     io::MapFormat::of(output)?;
-    let (min, max) = Constraints::new(scene)?.position_box();
+    let (min, max) = Constraints::within(scene, &Watch::on(&interrupted))?.position_box();
     if (min - max).max() > 0.0 {
         return Err(Error::invalid(
             "workspace",

@@ -12,6 +12,7 @@ use crate::model::spec::{BodySpec, WorkspaceSpec};
 use crate::model::{Scene, SceneSpec, body};
 use crate::numerics::MOST_BODIES;
 use crate::plan::engine_for;
+use crate::watch::Watch;
 
 /// What is drawn into a scene, by default the paper's prisms: 0.1 to 0.3 m wide, square, 0.5 to 1.5 m high, on the
 /// floor.
@@ -111,10 +112,18 @@ impl RandomScenes {
     /// # Errors
     /// No free scene was found in the attempts allowed; says what was in the way last.
     pub fn draw(&self, seed: u64) -> Result<Scene, Error> {
+        self.draw_within(seed, &Watch::NONE)
+    }
+
+    /// As [`RandomScenes::draw`], within a watch.
+    ///
+    /// # Errors
+    /// As [`RandomScenes::draw`]; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn draw_within(&self, seed: u64, watch: &Watch) -> Result<Scene, Error> {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut reason = String::new();
         for _ in 0..self.spec.attempts {
-            let scene = self.draw_once(&mut rng)?;
+            let scene = self.draw_once(&mut rng, watch)?;
             reason = match self.obstruction(&scene)? {
                 Some(problem) => problem,
                 None if self.spec.redraw_straight && self.straight_line_solves(&scene)? => {
@@ -126,21 +135,22 @@ impl RandomScenes {
         Err(self.given_up(&reason))
     }
 
-    fn draw_once(&self, rng: &mut ChaCha8Rng) -> Result<Scene, Error> {
+    fn draw_once(&self, rng: &mut ChaCha8Rng, watch: &Watch) -> Result<Scene, Error> {
         let most = self.spec.count_up_to.unwrap_or(self.spec.count);
         let count = if most > self.spec.count { rng.random_range(self.spec.count..=most) } else { self.spec.count };
         let mut spec = self.base.spec().clone();
         for _ in 0..count {
             let name = self.free_name(&spec);
-            spec.obstacles.push(self.free_prism(name, rng)?);
+            spec.obstacles.push(self.free_prism(name, rng, watch)?);
         }
         Scene::new(spec)
     }
 
     /// A prism that leaves start and goal free.
-    fn free_prism(&self, name: String, rng: &mut ChaCha8Rng) -> Result<BodySpec, Error> {
+    fn free_prism(&self, name: String, rng: &mut ChaCha8Rng, watch: &Watch) -> Result<BodySpec, Error> {
         let mut reason = String::new();
         for _ in 0..self.spec.attempts {
+            watch.check()?;
             let prism = self.prism(name.clone(), rng);
             let mut alone = self.base.spec().clone();
             alone.obstacles = vec![prism.clone()];

@@ -17,7 +17,7 @@ use super::experiment::{Experiment, Method, Scenario};
 use crate::collision::{Checker, Engine, Interference};
 use crate::error::{Error, ErrorClass};
 use crate::model::Scene;
-use crate::plan::{PlanOptions, PlanResult, engine_for, plan_with, post_process};
+use crate::plan::{PlanOptions, PlanResult, engine_within, plan_with, post_process};
 use crate::planning::{Milestone, Status};
 use crate::watch::{Interrupt, Watch};
 
@@ -300,13 +300,15 @@ impl Engines {
         (number, scenario): (usize, &'a Scenario),
         trial: usize,
         options: &PlanOptions,
+        watch: &Watch,
     ) -> Result<(&'a Scene, &'a dyn Checker), Error> {
         let (scene, known) = match &scenario.random {
             None => (&scenario.scene, self.fixed.entry(number).or_default()),
             Some(random) => {
                 if !matches!(&self.drawn, Some((n, t, ..)) if (*n, *t) == (number, trial)) {
                     let seed = derived_seed(experiment.seed, &["scene", &scenario.name], trial);
-                    let scene = random.draw(seed).map_err(|e| e.under(&format!("scenarios[{number}]")))?;
+                    let scene =
+                        random.draw_within(seed, watch).map_err(|e| e.under(&format!("scenarios[{number}]")))?;
                     self.drawn = Some((number, trial, scene, Vec::new()));
                 }
                 let (.., scene, known) = self.drawn.as_mut().expect("just drawn");
@@ -317,7 +319,7 @@ impl Engines {
         let at = match known.iter().position(|(key, _)| *key == wanted) {
             Some(at) => at,
             None => {
-                known.push((wanted, engine_for(scene, wanted.0, wanted.1)?));
+                known.push((wanted, engine_within(scene, wanted.0, wanted.1, watch)?));
                 known.len() - 1
             }
         };
@@ -332,7 +334,8 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (number, scenario, method) = parts(experiment, unit.group);
-    let (scene, engine) = engines.of(experiment, (number, scenario), unit.trial, &method.options)?;
+    let (scene, engine) =
+        engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     let options = PlanOptions { seed, ..method.options.clone() };
     let planned = || {

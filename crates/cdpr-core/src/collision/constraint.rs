@@ -10,6 +10,7 @@ use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
 use crate::model::{Member, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, ON_SURFACE, TOUCH_DEPTH};
+use crate::watch::Watch;
 
 /// How a cable must keep away from a convex body.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,6 +173,14 @@ impl Constraints {
     /// # Errors
     /// None today.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
+        Self::within(scene, &Watch::NONE)
+    }
+
+    /// As [`Constraints::new`], within a watch.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn within(scene: &Scene, watch: &Watch) -> Result<Self, Error> {
         let rotation = scene.orientation();
         let robot = scene.robot();
         let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
@@ -184,10 +193,10 @@ impl Constraints {
         };
         constraints.workspace(scene);
         constraints.cable_lengths(scene);
-        constraints.cable_platform(scene);
+        constraints.cable_platform(scene, watch)?;
         constraints.cable_cable(scene);
         constraints.platform_obstacle(scene);
-        constraints.cable_obstacle(scene);
+        constraints.cable_obstacle(scene, watch)?;
         Ok(constraints)
     }
 
@@ -241,8 +250,9 @@ impl Constraints {
         }
     }
 
-    fn cable_platform(&mut self, scene: &Scene) {
+    fn cable_platform(&mut self, scene: &Scene, watch: &Watch) -> Result<(), Error> {
         for cable in 0..self.cables.len() {
+            watch.check()?;
             if scene.ignores(Member::Cable(cable), Member::Platform) {
                 continue;
             }
@@ -254,6 +264,7 @@ impl Constraints {
                 }
             }
         }
+        Ok(())
     }
 
     fn demand_of_part(&mut self, cable: usize, body: usize, seam: Option<f64>, demanded: f64) -> Option<Demand> {
@@ -316,8 +327,9 @@ impl Constraints {
         }
     }
 
-    fn cable_obstacle(&mut self, scene: &Scene) {
+    fn cable_obstacle(&mut self, scene: &Scene, watch: &Watch) -> Result<(), Error> {
         for cable in 0..self.cables.len() {
+            watch.check()?;
             for body in 0..self.obstacles.len() {
                 if !self.obstacles[body].ignored(scene, Member::Cable(cable)) {
                     let demand = self.demand_of_obstacle(cable, body, scene.clearance() + self.cables[cable].radius);
@@ -325,6 +337,7 @@ impl Constraints {
                 }
             }
         }
+        Ok(())
     }
 
     fn demand_of_obstacle(&mut self, cable: usize, body: usize, gap: f64) -> Demand {

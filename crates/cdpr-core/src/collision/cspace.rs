@@ -97,7 +97,7 @@ impl CspaceEngine {
     /// # Errors
     /// As [`Constraints::new`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
-        let reference = GjkEngine::new(scene, interference)?;
+        let reference = GjkEngine::within(scene, interference, watch)?;
         Self::compile(reference, |_| None, watch)
     }
 

@@ -3,9 +3,11 @@
 
 use super::constraint::{Constraint, Constraints, Demand};
 use super::validity::{Checker, Clearance, Interference, Violation};
+use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Aabb, Point, Swept, segment_segment};
 use crate::numerics::{BISECTION_STEPS, TOUCH_DEPTH};
+use crate::watch::Watch;
 
 /// All constraints that a motion breaks in the eyes of an engine, those that break first first.
 pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
@@ -19,11 +21,59 @@ pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Ve
 
 /// The nearest approach of a motion, over all constraints that are about a distance.
 pub(super) fn clearance(constraints: &Constraints, from: &Point, to: &Point) -> Option<Clearance> {
-    let (value, index) = nearest(constraints, from, to)?;
+    nearest(constraints, from, to).map(|nearest| reached(constraints, nearest, from, to))
+}
+
+/// Where a motion first comes as near as it ever does, from the least gap and the constraint it is about.
+fn reached(constraints: &Constraints, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
     let nearest = &constraints.list[index];
     let until = |t: f64| gap(constraints, nearest, from, &at(from, to, t));
     let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
-    Some(Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest) })
+    Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest) }
+}
+
+/// Constraints that are looked at between two looks at the watch.
+const AT_A_TIME: usize = 256;
+
+/// The nearest approach of a path, and its segment. A gap changes by no more than the way gone, so one that is wide is not
+/// looked at again until the way could have used it up.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn path_clearance(
+    constraints: &Constraints,
+    waypoints: &[Point],
+    watch: &Watch,
+) -> Result<Option<(usize, Clearance)>, Error> {
+    let mut best: Option<(usize, f64, usize)> = None;
+    // For each constraint a way along the path less which, at a later place, its gap is at most smaller.
+    let mut wide_until = vec![f64::NEG_INFINITY; constraints.list.len()];
+    let mut way = 0.0;
+    for (segment, pair) in waypoints.windows(2).enumerate() {
+        let (from, to) = (&pair[0], &pair[1]);
+        way += (to - from).norm();
+        for (block, constraints_and_ways) in wide_until.chunks_mut(AT_A_TIME).enumerate() {
+            watch.check()?;
+            for (k, wide_until) in constraints_and_ways.iter_mut().enumerate() {
+                let least = best.map_or(f64::INFINITY, |(_, least, _)| least);
+                if *wide_until - way > least + TOUCH_DEPTH {
+                    continue;
+                }
+                let index = block * AT_A_TIME + k;
+                let constraint = &constraints.list[index];
+                let apart = boxes_apart(constraints, constraint, from, to);
+                let gap = if apart >= least { None } else { gap(constraints, constraint, from, to) };
+                if let Some(gap) = gap.filter(|gap| *gap < least) {
+                    best = Some((segment, gap, index));
+                }
+                // Where no distance is to be kept there is never a gap.
+                *wide_until = way + if apart >= least { apart } else { gap.unwrap_or(f64::INFINITY) };
+            }
+        }
+    }
+    Ok(best.map(|(segment, value, index)| {
+        (segment, reached(constraints, (value, index), &waypoints[segment], &waypoints[segment + 1]))
+    }))
 }
 
 /// The least gap of a motion, m, and the index of the constraint it is about. Bodies whose boxes are further apart than

@@ -9,6 +9,7 @@ use crate::geometry::gjk::{nearer_than, overlap};
 use crate::geometry::{Aabb, ConvexShape, Point, Polytope, Swept, Triangle, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
+use crate::watch::Watch;
 
 /// Answers the constraints of a scene at its orientation by GJK.
 ///
@@ -35,7 +36,15 @@ impl GjkEngine {
     /// # Errors
     /// As [`Constraints::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
-        Ok(GjkEngine { constraints: Constraints::new(scene)?, interference })
+        Self::within(scene, interference, &Watch::NONE)
+    }
+
+    /// As [`GjkEngine::new`], within a watch.
+    ///
+    /// # Errors
+    /// As [`Constraints::within`].
+    pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
+        Ok(GjkEngine { constraints: Constraints::within(scene, watch)?, interference })
     }
 
     /// Whether a motion breaks one constraint.

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::validity::{Clearance, Validity, Violation};
+use super::explain;
+use super::validity::{Checker, Clearance, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -57,15 +58,19 @@ pub fn first_invalid_segment(validity: &dyn Validity, waypoints: &[Point]) -> Op
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn check_path(validity: &dyn Validity, waypoints: &[Point], watch: &Watch) -> Result<PathReport, Error> {
-    let mut violations = Vec::new();
+pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<PathReport, Error> {
+    let (mut valid, mut violations) = (true, Vec::new());
     for (segment, pair) in waypoints.windows(2).enumerate() {
         watch.check()?;
-        let found = validity.violations(&pair[0], &pair[1]);
+        if checker.motion_valid(&pair[0], &pair[1]) {
+            continue; // many times faster than to ask every constraint
+        }
+        valid = false;
+        let found = checker.violations(&pair[0], &pair[1]);
         violations.extend(found.into_iter().map(|violation| PathViolation { segment, violation }));
     }
-    let (length, min_clearance) = (path_length(waypoints), min_clearance(validity, waypoints, watch)?);
-    Ok(PathReport { valid: violations.is_empty(), length, min_clearance, violations })
+    let (length, min_clearance) = (path_length(waypoints), min_clearance(checker, waypoints, watch)?);
+    Ok(PathReport { valid, length, min_clearance, violations })
 }
 
 /// The nearest approach of a path to anything it must keep away from.
@@ -73,17 +78,44 @@ pub fn check_path(validity: &dyn Validity, waypoints: &[Point], watch: &Watch) -
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn min_clearance(
-    validity: &dyn Validity,
+    checker: &dyn Checker,
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
-    let mut nearest: Option<PathClearance> = None;
-    for (segment, pair) in waypoints.windows(2).enumerate() {
-        watch.check()?;
-        let Some(Clearance { value, at, culprits }) = validity.clearance(&pair[0], &pair[1]) else { continue };
-        if nearest.as_ref().is_none_or(|nearest| value < nearest.value) {
-            nearest = Some(PathClearance { value, segment, at, culprits });
+    let Some((segment, clearance)) = explain::path_clearance(checker.constraints(), waypoints, watch)? else {
+        return Ok(None);
+    };
+    let Clearance { value, at, culprits } = clearance;
+    Ok(Some(PathClearance { value, segment, at, culprits }))
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::collision::{GjkEngine, Interference};
+    use crate::testing::{hard1, hard3};
+
+    #[test]
+    fn the_nearest_approach_of_a_path_is_that_of_its_segments() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        for (scene, step) in [(hard1(), 0.02), (hard3(), 0.02), (hard1(), 0.3), (hard3(), 1.0)] {
+            let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
+            for start in [0.3, 1.0] {
+                let mut path = vec![Point::new(start, 1.0, start)];
+                for k in 0..150 {
+                    path.push(path[k].map(|x| (x + step * (rng.random::<f64>() - 0.5)).clamp(0.0, 2.0)));
+                }
+                let found = min_clearance(&engine, &path, &Watch::NONE).unwrap().unwrap();
+                let each = path.windows(2).map(|pair| engine.clearance(&pair[0], &pair[1]).unwrap());
+                let each: Vec<f64> = each.map(|clearance| clearance.value).collect();
+                let least = each.iter().copied().fold(f64::INFINITY, f64::min);
+                assert_eq!((found.value, each[found.segment]), (least, least));
+                let alone = engine.clearance(&path[found.segment], &path[found.segment + 1]).unwrap();
+                assert_eq!((found.at, found.culprits), (alone.at, alone.culprits));
+            }
         }
     }
-    Ok(nearest)
 }

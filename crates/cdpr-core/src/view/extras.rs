@@ -12,7 +12,8 @@ use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
 use crate::planning::SearchTree;
-use crate::regions::{RegionOptions, Regions, regions};
+use crate::regions::{RegionOptions, Regions, regions_within};
+use crate::watch::Watch;
 use crate::wrench::constraint::limit_at;
 use crate::wrench::map::Grid;
 use crate::wrench::tensions::even_steps;
@@ -55,15 +56,15 @@ struct Margins {
 /// What a path is plotted by; none for a path that goes nowhere.
 ///
 /// # Errors
-/// As [`GjkEngine::new`]; a tension solver that came to no answer.
-pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion>, Error> {
+/// As [`GjkEngine::new`]; a tension solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = path_length(waypoints);
     if !(length > 0.0) {
         return Ok(None);
     }
     let places = even_steps(waypoints, length / STEPS)?;
     let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
-    let engine = GjkEngine::new(scene, Interference::Exact)?;
+    let engine = GjkEngine::within(scene, Interference::Exact, watch)?;
     let mut motion = Motion {
         s: places.iter().map(|place| place.s as f32).collect(),
         lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
@@ -72,9 +73,14 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion
         pairs: Vec::new(),
         tensions: Vec::new(),
         tension_limits: Vec::new(),
-        margins: margins(scene, &positions)?,
+        margins: margins(scene, &positions, watch)?,
     };
-    let nearest: Option<Vec<_>> = positions.par_iter().map(|position| engine.clearance(position, position)).collect();
+    let nearest = |position: &Point| {
+        watch.check()?;
+        Ok(engine.clearance(position, position))
+    };
+    let nearest: Result<Vec<_>, Error> = positions.par_iter().map(nearest).collect();
+    let nearest: Option<Vec<_>> = nearest?.into_iter().collect();
     for clearance in nearest.into_iter().flatten() {
         let known = motion.pairs.iter().position(|pair| *pair == clearance.culprits);
         motion.clearance.push(clearance.value as f32);
@@ -87,7 +93,10 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion
     if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
         let found: Result<Vec<_>, Error> = positions
             .par_iter()
-            .map_init(TensionQp::default, |solver, position| statics.tensions(solver, position, None))
+            .map_init(TensionQp::default, |solver, position| {
+                watch.check()?;
+                statics.tensions(solver, position, None)
+            })
             .collect();
         let count = statics.cables().len();
         let row = |tensions: Option<Vec<f64>>| match tensions {
@@ -100,17 +109,21 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point]) -> Result<Option<Motion
     Ok(Some(motion))
 }
 
-fn margins(scene: &Scene, positions: &[Point]) -> Result<Vec<Margins>, Error> {
+fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
     let measures = measures(scene)?;
     if positions.len() as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK {
         return Ok(Vec::new());
     }
     let along = |measure: &Measure| {
         let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
-        let value = |position| Some(measure.slack(position) as f32).filter(|slack| slack.is_finite());
-        Margins { measure: name, unit, values: positions.par_iter().map(value).collect() }
+        let value = |position| {
+            watch.check()?;
+            Ok(Some(measure.slack(position) as f32).filter(|slack| slack.is_finite()))
+        };
+        let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
+        Ok(Margins { measure: name, unit, values: values? })
     };
-    Ok(measures.iter().map(along).collect())
+    measures.iter().map(along).collect()
 }
 
 fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
@@ -154,12 +167,12 @@ const MOST_TRIANGLES: usize = 6000;
 const MOST_SHADOWS: usize = 2000;
 
 /// The shadows of a scene in the space of attachments; none if there are none or too many.
-pub(super) fn shadows(scene: &Scene) -> Result<Option<Value>, Error> {
+pub(super) fn shadows(scene: &Scene, watch: &Watch) -> Result<Option<Value>, Error> {
     let parts: usize = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
     if parts == 0 || parts * scene.robot().cables().len() > MOST_SHADOWS {
         return Ok(None);
     }
-    let found = regions(scene, &RegionOptions::default())?;
+    let found = regions_within(scene, &RegionOptions::default(), watch)?;
     let triangles: usize = found.meshes.iter().map(|region| region.mesh.triangles.len()).sum();
     Ok((1..=MOST_TRIANGLES).contains(&triangles).then(|| regions_value(&found, false)))
 }
@@ -202,27 +215,29 @@ pub(super) struct Feasible {
 /// Where a scene with `[wrench]` has the wrenches that it demands; none for other scenes.
 ///
 /// # Errors
-/// As [`measures`].
-pub(super) fn feasible(scene: &Scene) -> Result<Option<Feasible>, Error> {
+/// As [`measures`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>, Error> {
     let measures = measures(scene)?;
     let Some(first) = measures.first() else { return Ok(None) };
-    let (min, max) = Constraints::new(scene)?.position_box();
+    let (min, max) = Constraints::within(scene, watch)?.position_box();
     let longest = (max - min).max();
     let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
     let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
     // Where one measure of several fails, the whole demand does.
     let margin = |node: usize| {
+        watch.check()?;
         let position = grid.position(node);
         let positive = |measure: &Measure| Some(measure.slack(&position)).filter(|slack| *slack > 0.0);
         let slacks: Option<Vec<f64>> = measures.iter().map(positive).collect();
-        slacks.map(|slacks| slacks[0] as f32)
+        Ok(slacks.map(|slacks| slacks[0] as f32))
     };
     let limit = limit_at(first, &grid.origin);
+    let margins: Result<Vec<_>, Error> = (0..grid.len()).into_par_iter().map(margin).collect();
     Ok(Some(Feasible {
         origin: grid.origin.into(),
         step: grid.step,
         counts: grid.counts,
-        margins: (0..grid.len()).into_par_iter().map(margin).collect(),
+        margins: margins?,
         measure: limit.measure,
         unit: limit.unit,
     }))
@@ -235,7 +250,8 @@ mod tests {
 
     #[test]
     fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
-        let found = motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)]).unwrap().unwrap();
+        let found =
+            motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
         assert_eq!((found.s.len(), found.s[300]), (301, 1.0));
         assert_eq!((found.lengths.len(), found.lengths[0].len(), found.clearance.len()), (8, 301, 301));
         assert!(found.nearest.iter().all(|&k| found.pairs[k].len() == 2));
@@ -260,18 +276,20 @@ mod tests {
 
     #[test]
     fn a_path_that_stays_has_no_plots() {
-        assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()]).unwrap(), None);
-        assert_eq!(motion(&hard1(), &[]).unwrap(), None);
+        assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()], &Watch::NONE).unwrap(), None);
+        assert_eq!(motion(&hard1(), &[], &Watch::NONE).unwrap(), None);
     }
 
     #[test]
     fn wrench_margins_are_plotted_where_they_are_demanded() {
         let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
-        assert_eq!(motion(&hard1(), &path).unwrap().unwrap().margins, []);
+        assert_eq!(motion(&hard1(), &path, &Watch::NONE).unwrap().unwrap().margins, []);
         let mut spec = hard1().spec().clone();
         spec.wrench = Some(crate::model::WrenchSpec::default());
         let demanding = Scene::new(spec).unwrap();
-        let [found] = &motion(&demanding, &path).unwrap().unwrap().margins[..] else { panic!("one measure") };
+        let [found] = &motion(&demanding, &path, &Watch::NONE).unwrap().unwrap().margins[..] else {
+            panic!("one measure")
+        };
         let [measure] = &measures(&demanding).unwrap()[..] else { panic!("one measure") };
         assert_eq!((found.measure, found.unit, found.values.len()), ("capacity", "N", 301));
         assert_eq!(found.values[0], Some(measure.slack(&path[0]) as f32));
@@ -280,10 +298,10 @@ mod tests {
 
     #[test]
     fn only_scenes_that_demand_wrenches_have_a_wrench_feasible_workspace() {
-        assert_eq!(feasible(&hard1()).unwrap(), None);
+        assert_eq!(feasible(&hard1(), &Watch::NONE).unwrap(), None);
         let mut spec = hard1().spec().clone();
         spec.wrench = Some(crate::model::WrenchSpec::default());
-        let found = feasible(&Scene::new(spec).unwrap()).unwrap().unwrap();
+        let found = feasible(&Scene::new(spec).unwrap(), &Watch::NONE).unwrap().unwrap();
         assert_eq!((found.counts, found.margins.len()), ([16, 16, 17], 16 * 16 * 17));
     }
 
@@ -294,8 +312,8 @@ mod tests {
 
     #[test]
     fn too_many_shadows_are_left_out() {
-        assert!(shadows(&hard1()).unwrap().is_some());
+        assert!(shadows(&hard1(), &Watch::NONE).unwrap().is_some());
         let many = (0..300).map(|k| block(&format!("{k}"), [0.01; 3], [0.5, 0.5, 0.001 * k as f64 + 0.1])).collect();
-        assert!(shadows(&scene(paper_scene("many", many))).unwrap().is_none());
+        assert!(shadows(&scene(paper_scene("many", many)), &Watch::NONE).unwrap().is_none());
     }
 }

@@ -1,0 +1,294 @@
+//! Ctrl-C and time budgets, whatever the command, the scene and the moment.
+//!
+//! Times are those of the best of three runs, and their bounds are far above what is meant: the machine may be busy.
+#![cfg(unix)]
+
+mod support;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Command, ExitStatus, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use support::{folder, status, stderr, testdata};
+
+/// Within which a command ends once it is asked to; 0.1 s is meant.
+const AT_ONCE: Duration = Duration::from_millis(400);
+
+/// How much longer than the budget a call may take, the start of the program included.
+const LATE: f64 = 20.0; // ms
+
+const RUNS: usize = 3;
+
+/// Held by each test: together they would measure each other.
+static ALONE: Mutex<()> = Mutex::new(());
+
+fn alone() -> MutexGuard<'static, ()> {
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Numbers in [0, 1), the same each time.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// A hall with 300 boxes below a robot that hangs from its ceiling, and 2 cm of clearance.
+fn crowded() -> String {
+    let mut text = "version = 1\nname = \"crowded\"\nclearance = 0.02\n\
+                    [workspace]\nmin = [0, 0, 0]\nmax = [12, 8, 6]\n\
+                    [query]\nstart = [1.5, 1.5, 1.5]\ngoal = [10.5, 6.5, 1.5]\n\
+                    [robot]\nname = \"hanging\"\nmass = 20.0\n[[robot.platform]]\nbox = [0.4, 0.4, 0.2]\n"
+        .to_string();
+    for (k, [x, y]) in [[0.0, 0.0], [12.0, 0.0], [12.0, 8.0], [0.0, 8.0]].into_iter().enumerate() {
+        let (a, b) = (if k == 0 || k == 3 { -0.2 } else { 0.2 }, if k < 2 { -0.2 } else { 0.2 });
+        for (z, c) in [(6.0, 0.1), (5.6, -0.1)] {
+            writeln!(
+                text,
+                "[[robot.cables]]\noutlet = [{x}, {y}, {z}]\nattachment = [{a}, {b}, {c}]\ntension = [5.0, 5000.0]"
+            )
+            .unwrap();
+        }
+    }
+    let mut numbers = Numbers(7);
+    let mut boxes = 0;
+    while boxes < 300 {
+        let [x, y] = [numbers.between(0.3, 11.7), numbers.between(0.3, 7.7)];
+        let height = numbers.between(0.5, 2.0);
+        if [[1.5, 1.5], [10.5, 6.5]].iter().any(|[a, b]| (x - a).hypot(y - b) < 1.2) {
+            continue;
+        }
+        let [w, d] = [numbers.between(0.05, 0.25), numbers.between(0.05, 0.25)];
+        writeln!(text, "[[obstacles]]\nbox = [{w}, {d}, {height}]\nposition = [{x}, {y}, {}]", 0.5 * height).unwrap();
+        boxes += 1;
+    }
+    text
+}
+
+/// A folder with the scenes, paths and an experiment.
+struct Place {
+    folder: tempfile::TempDir,
+    /// What is there from the start.
+    given: Vec<String>,
+}
+
+/// Name of a scene, and a free place in it from which its path goes up.
+const SCENES: [(&str, [f64; 3]); 4] = [
+    ("hard1", [0.3, 1.0, 0.3]),
+    ("forest", [1.0, 1.0, 1.0]),
+    ("cogiro", [0.0, 0.0, 1.5]),
+    ("crowded", [1.5, 1.5, 1.5]),
+];
+
+impl Place {
+    fn new() -> Self {
+        let folder = folder();
+        fs::write(folder.path().join("crowded.toml"), crowded()).unwrap();
+        for (name, [x, y, z]) in SCENES {
+            let mut path = "x,y,z\n".to_string();
+            for k in 0..6000 {
+                let (side, up) = (0.02 * f64::from(k % 2), 0.5 * f64::from(k) / 6000.0);
+                writeln!(path, "{},{y},{}", x + side, z + up).unwrap();
+            }
+            fs::write(folder.path().join(format!("{name}.csv")), path).unwrap();
+            let scene = Self::scene(name);
+            let experiment = format!(
+                "version = 1\nname = \"{name}\"\ntrials = 100000\n[[scenarios]]\nname = \"{name}\"\nscene = {scene:?}\n\
+                 [[methods]]\nname = \"connect\"\nplanner = \"rrt-connect\"\n\
+                 [[methods]]\nname = \"star\"\nplanner = \"rrt-star\"\n"
+            );
+            fs::write(folder.path().join(format!("{name}-experiment.toml")), experiment).unwrap();
+        }
+        let given = names(folder.path());
+        Place { folder, given }
+    }
+
+    fn scene(name: &str) -> String {
+        if name == "crowded" { "crowded.toml".to_string() } else { testdata(&format!("scenes/{name}.toml")) }
+    }
+
+    /// Everything a command has written is whole; then it is removed.
+    fn assert_whole_and_clear(&self, what: &str) {
+        for name in names(self.folder.path()) {
+            if self.given.contains(&name) {
+                continue;
+            }
+            let path = self.folder.path().join(&name);
+            if path.is_dir() {
+                assert_eq!(name, "run", "{what} left {name}");
+                let inside: Vec<String> = [names(&path), names(&path.join("rows"))].concat();
+                assert!(inside.iter().all(|name| !name.starts_with(".tmp")), "{what} left {inside:?}");
+                fs::remove_dir_all(path).unwrap();
+                continue;
+            }
+            let bytes = fs::read(&path).unwrap();
+            let whole = match path.extension().and_then(|e| e.to_str()) {
+                Some("json") => serde_json::from_slice::<serde_json::Value>(&bytes).is_ok(),
+                Some("html") => bytes.trim_ascii_end().ends_with(b"</html>"),
+                Some("obj") => bytes.ends_with(b"\n"),
+                Some("npz") => bytes.windows(4).any(|word| word == b"PK\x05\x06"), // the end of a ZIP archive
+                _ => false,
+            };
+            assert!(whole, "{what} left {name}");
+            fs::remove_file(path).unwrap();
+        }
+    }
+
+    fn start(&self, arguments: &[String]) -> std::process::Child {
+        Command::new(assert_cmd::cargo::cargo_bin("cdpr"))
+            .current_dir(self.folder.path())
+            .env("TMPDIR", self.folder.path())
+            .args(arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    }
+}
+
+/// The names in a folder; none if there is none.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+fn send(signal: &str, child: &std::process::Child) {
+    // It may have ended already.
+    let _ = Command::new("kill").args(["-s", signal, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
+}
+
+/// The commands on a scene.
+fn commands(name: &str) -> Vec<Vec<String>> {
+    let (scene, path) = (Place::scene(name), format!("{name}.csv"));
+    let step = if name == "hard1" { "0.02" } else { "0.1" };
+    let endless = ["--keep-going", "--max-samples", "1000000000"];
+    let commands: Vec<Vec<&str>> = vec![
+        vec!["plan", &scene, "-o", "out.json", "--html", "view.html"],
+        [&["plan", &scene, "-o", "out.json", "--planner", "rrt-star"][..], &endless].concat(),
+        [&["plan", &scene, "-o", "out.json", "--planner", "modified-rrt"][..], &endless].concat(),
+        vec!["check", &scene, &path],
+        vec!["check", &scene, &path, "--engine", "gjk"],
+        vec!["info", &scene],
+        vec!["post", &scene, &path, "-o", "shorter.json", "--post", "taut"],
+        vec!["view", &scene, &path, "-o", "view.html"],
+        vec!["shadows", &scene, "-o", "shadows.obj", "--all"],
+        vec!["wrench", &scene, "--grid", step, "-o", "margins.npz"],
+    ];
+    let mut commands: Vec<Vec<String>> =
+        commands.into_iter().map(|command| command.into_iter().map(str::to_string).collect()).collect();
+    commands.push(["batch".to_string(), format!("{name}-experiment.toml"), "-o".into(), "run".into()].into());
+    commands
+}
+
+/// Runs a command, asks it to stop after a while, and gives its status and the time it took then.
+fn interrupted(place: &Place, arguments: &[String], signal: &str, moment: Duration) -> (ExitStatus, Duration) {
+    let mut child = place.start(arguments);
+    std::thread::sleep(moment);
+    let sent = Instant::now();
+    send(signal, &child);
+    (child.wait().unwrap(), sent.elapsed())
+}
+
+#[test]
+fn every_command_ends_at_once_at_any_moment_and_leaves_nothing_half_written() {
+    let _alone = alone();
+    let place = Place::new();
+    let mut numbers = Numbers(1);
+    let mut stopped = 0;
+    for (name, _) in SCENES {
+        for command in commands(name) {
+            let signal = if numbers.next() < 0.5 { "INT" } else { "TERM" };
+            // Early moments are as likely as late ones, on a scale of factors.
+            let moment = Duration::from_secs_f64(1e-3 * 400f64.powf(numbers.next()));
+            let what = format!("{} after {moment:?}, {signal}", command.join(" "));
+            let mut least = Duration::MAX;
+            for _ in 0..RUNS {
+                let (ended, waited) = interrupted(&place, &command, signal, moment);
+                // Before its first line the program has no handler, and the signal itself ends it.
+                let code = ended.code().or(ended.signal().filter(|s| [2, 15].contains(s)).map(|_| 130));
+                let refused = command[0] == "post" && code == Some(2); // a path that is not valid cannot be shortened
+                assert!(matches!(code, Some(0 | 1 | 130)) || refused, "{what}: {ended}");
+                stopped += usize::from(ended.code() == Some(130));
+                place.assert_whole_and_clear(&what);
+                least = least.min(waited);
+                if least < AT_ONCE {
+                    break;
+                }
+            }
+            assert!(least < AT_ONCE, "{what}: {least:?}");
+        }
+    }
+    assert!(stopped > 10, "{stopped} of the commands were stopped");
+}
+
+#[test]
+fn a_script_that_ignores_ctrl_c_for_its_children_can_stop_them() {
+    let _alone = alone();
+    let place = Place::new();
+    let program = assert_cmd::cargo::cargo_bin("cdpr");
+    let mut child = Command::new("sh")
+        .current_dir(place.folder.path())
+        .args(["-c", "trap '' INT; exec \"$@\"", "sh"])
+        .arg(program)
+        .args(["plan", "crowded.toml", "--planner", "rrt-star", "--keep-going", "--max-samples", "1000000000"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(500));
+    send("INT", &child);
+    let patience = Instant::now();
+    while child.try_wait().unwrap().is_none() && patience.elapsed() < Duration::from_secs(10) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let ended = child.try_wait().unwrap();
+    let _ = child.kill();
+    assert_eq!(ended.and_then(|ended| ended.code()), Some(130));
+}
+
+/// Time of a plan beyond its budget, ms: reading the scene, which the budget does not count, is taken off.
+fn late(place: &Place, arguments: &[&str], budget: f64) -> f64 {
+    let clock = Instant::now();
+    let output = support::cdpr_in(place.folder.path(), arguments);
+    let taken = 1e3 * clock.elapsed().as_secs_f64();
+    assert!(matches!(status(&output), 0 | 1), "{arguments:?}: {}", stderr(&output));
+    let told = stderr(&output);
+    let reading = told.lines().find_map(|line| line.strip_prefix("read ")?.split_once(" in ")?.1.split_once(" ms"));
+    taken - reading.expect(&told).0.parse::<f64>().unwrap() - budget
+}
+
+#[test]
+fn a_budget_holds_from_the_call_to_the_answer() {
+    let _alone = alone();
+    let place = Place::new();
+    let mut bad = 0;
+    for (name, _) in SCENES {
+        for planner in ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"] {
+            for budget in ["1", "5", "50"] {
+                let scene = Place::scene(name);
+                let arguments = ["plan", &scene, "--planner", planner, "--budget-ms", budget, "-v"];
+                let mut least = f64::INFINITY;
+                for _ in 0..RUNS {
+                    least = least.min(late(&place, &arguments, budget.parse().unwrap()));
+                    if least <= LATE {
+                        break;
+                    }
+                }
+                eprintln!("{name}, {planner}, {budget} ms: {least:.1} ms late");
+                bad += usize::from(least > LATE);
+            }
+        }
+    }
+    assert_eq!(bad, 0);
+}
