@@ -287,15 +287,17 @@ def test_a_budget_counts_from_the_call(budget):
         return time.perf_counter() - began - budget
 
     for planner in ("anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"):
-        assert min(late(planner) for _ in range(3)) < 0.02, planner
+        lateness = (late(planner) for _ in range(8))  # milliseconds are soon lost on a busy machine
+        assert any(late < 0.02 for late in lateness), planner
 
 
-def test_a_long_path_is_checked_in_seconds(hard1):
+def test_a_long_path_is_checked_in_less_than_seconds(hard1):
     waypoints = np.linspace([0.3, 1.0, 0.3], [0.3, 1.0, 1.3], 60_001)
     began = time.perf_counter()
     report = cdpr.check(hard1, waypoints)
     assert report.valid and time.perf_counter() - began < 10.0  # of 40 s if every segment is asked everything
-    assert report.min_clearance["value"] == cdpr.check(hard1, waypoints[[0, -1]]).min_clearance["value"]
+    whole = cdpr.check(hard1, waypoints[[0, -1]])
+    assert report.min_clearance["value"] == pytest.approx(whole.min_clearance["value"], abs=1e-9)
 
 
 def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
@@ -307,9 +309,12 @@ def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
 
 @pytest.mark.parametrize("planner", ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
 def test_a_time_budget_ends_the_search(planner):
-    result = cdpr.plan(walled(), planner, max_samples=10**12, budget=0.05)
+    scene = walled()
+    began = time.perf_counter()
+    result = cdpr.plan(scene, planner, max_samples=10**12, budget=0.05)
+    taken = time.perf_counter() - began
     assert result.status == "budget_spent" and result.history == () and math.isnan(result.cost)
-    assert 0.05 <= result.stats["planning_seconds"] < 0.5  # the machine may be busy
+    assert 0.05 <= taken < 0.5 and result.stats["planning_seconds"] <= taken  # the machine may be busy
 
 
 def test_the_default_planner_finds_the_best_known_paths(hard1):
@@ -334,8 +339,10 @@ def test_the_forest_has_a_way_that_is_not_straight():
 
 
 def test_anytime_uses_its_budget_and_its_targets(hard1):
+    began = time.perf_counter()
     spent = cdpr.plan(hard1, budget=0.1)
-    assert 0.1 <= spent.stats["planning_seconds"] < 1.0  # the machine may be busy
+    taken = time.perf_counter() - began
+    assert 0.1 <= taken < 1.0 and spent.stats["planning_seconds"] <= taken  # the machine may be busy
     far = cdpr.plan(hard1, target_cost=2.6, budget=20.0)
     assert far.cost <= 2.6 and far.stats["planning_seconds"] < 10
     assert cdpr.plan(hard1, gap=0.5, budget=20.0).stats["planning_seconds"] < 10

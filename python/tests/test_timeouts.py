@@ -21,14 +21,14 @@ import pytest
 def test_ctrl_c():
     with pytest.raises(KeyboardInterrupt):
         os.kill(os.getpid(), signal.SIGINT)
-        time.sleep(5)
+        time.sleep(1)
 """
 
 # As a script does it with what it starts in the background.
 IGNORING = ["sh", "-c", 'trap "" INT; exec "$@"', "sh"]
 
 
-def tested(folder, code, *options, before=()):
+def pytest_on(folder, code, *options, before=()):
     (folder / "test_it.py").write_text(code)
     command = [*before, sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "test_it.py"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "python/tests")}
@@ -36,7 +36,7 @@ def tested(folder, code, *options, before=()):
 
 
 def test_a_test_that_hangs_is_ended_and_named(tmp_path):
-    run = tested(tmp_path, HANGS, "--timeout=1", "--timeout-method=thread")
+    run = pytest_on(tmp_path, HANGS, "--timeout=1", "--timeout-method=thread")
     assert run.returncode != 0 and "in test_that_hangs" in run.stdout + run.stderr
 
 
@@ -46,7 +46,7 @@ def test_every_test_has_a_limit(request):
 
 @pytest.mark.skipif(os.name != "posix", reason="no POSIX shell")
 def test_ctrl_c_arrives_in_the_background_of_a_script(tmp_path):
-    run = tested(tmp_path, CTRL_C_ARRIVES, "-p", "conftest", before=IGNORING)
+    run = pytest_on(tmp_path, CTRL_C_ARRIVES, "-p", "conftest", before=IGNORING)
     assert run.returncode == 0, run.stdout + run.stderr
-    without = tested(tmp_path, CTRL_C_ARRIVES, before=IGNORING)
+    without = pytest_on(tmp_path, CTRL_C_ARRIVES, before=IGNORING)
     assert without.returncode != 0  # or this would test nothing
