@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::{self, ImportOptions};
 use cdpr_core::watch::Watch;
@@ -114,7 +114,7 @@ fn ask(scene: &Scene) {
     }
 }
 
-fn checked(engine: &dyn Validity, waypoints: &[Point]) {
+fn checked(engine: &dyn Checker, waypoints: &[Point]) {
     serde_json::to_string(&accepted(check_path(engine, waypoints, &Watch::NONE))).expect("a report can be written");
 }
 

@@ -248,7 +248,7 @@ fn a_path_through_nan_is_not_valid() {
     let scene = hard1();
     let start = scene.start().unwrap();
     let path = [start, Point::new(f64::NAN, 1.0, 0.3), start];
-    for engine in [&engines(&scene).0 as &dyn Validity, &engines(&scene).1] {
+    for engine in [&engines(&scene).0 as &dyn Checker, &engines(&scene).1] {
         assert!(!check_path(engine, &path, &Watch::NONE).unwrap().valid);
     }
 }
