@@ -2,7 +2,7 @@
 //!
 //! Two bounds work together. Slack is computed at four places at a time, and between two of them it cannot sag by more
 //! than [`sagging`] allows: that takes little and settles most motions, but near the limit it would need pieces as short
-//! as the slack is small. What it leaves open is proved facet by facet ([`Facets`]): there a piece may be as long as the
+//! as the slack is small. What it leaves open is proved facet by facet (`Facets`): there a piece may be as long as the
 //! root of the slack, and each facet is divided only where it limits.
 
 use super::facets::{Bounds, FacetPair, Facets};
