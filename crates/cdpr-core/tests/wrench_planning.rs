@@ -224,7 +224,7 @@ fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positiv
 #[test]
 fn slack_that_is_next_to_nothing_is_told_apart_from_slack_that_is_lacking() {
     let here = Point::new(0.5, 1.0, 2.0);
-    // Slack falls with the demand, but for rounding: some demand leaves less than the floor and more than nothing.
+    // Slack falls as the demand grows (up to rounding), so some demand leaves a slack between zero and the floor.
     let (mut low, mut high) = (0.0, 1e4);
     let slack = |force: f64| {
         let measure = &measures(&cogiro(balls(force, 10.0))).unwrap()[0];

@@ -43,7 +43,7 @@ impl Scene {
     }
 }
 
-/// The engine for a scene, compiled when it is first asked for, by whoever asks first.
+/// The engine for a scene, compiled on first use and kept.
 fn engine_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
     let wanted = (named(engine)?, named(interference)?);
     match known_engine(scene, wanted) {

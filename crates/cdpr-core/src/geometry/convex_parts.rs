@@ -46,7 +46,7 @@ pub struct ConvexParts {
 
 /// Parts of a piece that reach at most `tolerance` metres beyond it (but four times [`SHEET`] at least), unless that
 /// takes more than `most` parts, or more time to prove than [`REACH_STEPS_PER_PART`] allow. The reach of the result
-/// holds then, too, but for a closed surface that cuts itself.
+/// still holds, except for a closed surface that intersects itself.
 ///
 /// # Errors
 /// The watch's.

@@ -97,8 +97,8 @@ impl Hull {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// The edges of one of its faces, as far as they lie in a box. Of planes that are the same but for rounding, the first
-    /// has the face.
+    /// The edges of one of its faces, clipped to a box. Where several planes coincide up to rounding, the face belongs to the
+    /// first of them.
     pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         edges.clear();
         let own = &self.planes[face];

@@ -40,7 +40,7 @@ pub struct Near {
 
 /// Boxes with no more hulls than this are not divided.
 const FEW: usize = 8;
-/// Boxes smaller than this share of the extent of what is asked about are not divided.
+/// Boxes smaller than this share of the query's extent are not divided.
 const FINE: f64 = 1.0 / 8.0;
 /// Levels below the root: boxes of a 256th of the whole.
 const LEVELS: usize = 8;
@@ -169,7 +169,7 @@ impl Node {
     }
 }
 
-/// What is asked about: a point, a segment or a triangle.
+/// A query: a point, a segment or a triangle.
 struct Query {
     low: Point,
     high: Point,
