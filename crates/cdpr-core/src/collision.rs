@@ -17,4 +17,6 @@ pub use constraint::{Constraint, Constraints, Demand};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
-pub use validity::{Checker, Clearance, Engine, Interference, Kind, Polyhedra, Validity, Violation, WrenchLimit};
+pub use validity::{
+    Checker, Clearance, Engine, Interference, Kind, Piece, Polyhedra, Validity, Violation, WrenchLimit,
+};

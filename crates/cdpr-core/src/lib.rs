@@ -6,13 +6,14 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`wrench`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
+//! [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
 //! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`] and [`watch`] are used by all, [`testing`] by
 //! examples and tests.
 
 pub mod batch;
 pub mod choice;
 pub mod collision;
+pub mod decomposition;
 pub mod error;
 pub mod geometry;
 pub mod io;

@@ -21,7 +21,7 @@ use super::constraint::{Constraint, Constraints};
 use super::explain;
 use super::forbidden::{Fattened, rounded_with};
 use super::gjk_engine::GjkEngine;
-use super::validity::{Checker, Clearance, Interference, Polyhedra, Validity, Violation};
+use super::validity::{Checker, Clearance, Interference, Piece, Polyhedra, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::model::Scene;
@@ -346,6 +346,14 @@ impl Checker for CspaceEngine {
         for_all(self.constraints(), watch, pieces)
     }
 
+    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
+        let fat = Fattened::of(self.constraints());
+        for_all(self.constraints(), watch, |index| {
+            let regions = || self.compiled[index].iter().map(|piece| &piece.region);
+            pieces_of(self.constraints(), index, &fat, regions)
+        })
+    }
+
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         match &self.constraints().list[index] {
             _ if !(self.inside(from) && self.inside(to)) => self.reference_refuses(index, from, to),
@@ -396,6 +404,31 @@ pub(super) fn inner_polyhedra(constraints: &Constraints, watch: &Watch) -> Resul
     })
 }
 
+/// As [`Checker::pieces`].
+pub(super) fn pieces(constraints: &Constraints, watch: &Watch) -> Result<Vec<Piece>, Error> {
+    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
+    for_all(constraints, watch, |index| {
+        let regions = regions(constraints, index, &scale, &fat);
+        pieces_of(constraints, index, &fat, || regions.iter())
+    })
+}
+
+/// The pieces of one constraint, of which these are the regions.
+fn pieces_of<'r, I: Iterator<Item = &'r Region>>(
+    constraints: &Constraints,
+    index: usize,
+    fat: &Fattened,
+    regions: impl Fn() -> I,
+) -> Vec<Piece> {
+    if regions().next().is_none() {
+        return Vec::new(); // it reaches nowhere
+    }
+    let outer = outer_polyhedra_of(constraints, index, fat, || regions().filter_map(|region| region.outer.clone()));
+    let certain = regions().filter(|region| region.outer.is_some()).map(Region::certain);
+    let piece = |(outer, certain)| Piece { constraint: index, outer, certain };
+    outer.into_iter().zip(certain).map(piece).collect()
+}
+
 /// What holds all that one constraint forbids, and not much more; `planes` gives its outer polyhedra.
 fn outer_polyhedra_of<I: Iterator<Item = Vec<HalfSpace>>>(
     constraints: &Constraints,
@@ -413,15 +446,15 @@ fn outer_polyhedra_of<I: Iterator<Item = Vec<HalfSpace>>>(
     }
 }
 
-/// The polyhedra of all constraints, in their order.
-fn for_all(
+/// What there is for all constraints, in their order.
+fn for_all<T: Send>(
     constraints: &Constraints,
     watch: &Watch,
-    of: impl Fn(usize) -> Polyhedra + Sync,
-) -> Result<Polyhedra, Error> {
+    of: impl Fn(usize) -> Vec<T> + Sync,
+) -> Result<Vec<T>, Error> {
     let one = |index: usize| watch.check().map(|()| of(index));
     let indices = 0..constraints.list.len();
-    let found: Vec<Polyhedra> = if indices.len() >= IN_PARALLEL {
+    let found: Vec<Vec<T>> = if indices.len() >= IN_PARALLEL {
         indices.into_par_iter().map(one).collect::<Result<_, Error>>()?
     } else {
         indices.map(one).collect::<Result<_, Error>>()?

@@ -12,6 +12,17 @@ use crate::watch::Watch;
 /// Convex polyhedra, each as a list of half-spaces.
 pub type Polyhedra = Vec<Vec<HalfSpace>>;
 
+/// A convex piece of what is forbidden, bracketed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// Index of its constraint in the list.
+    pub constraint: usize,
+    /// Holds every position of the piece.
+    pub outer: Vec<HalfSpace>,
+    /// Every position inside of this polyhedron is forbidden; none if no such polyhedron is known.
+    pub certain: Option<Vec<HalfSpace>>,
+}
+
 /// An engine that answers the constraints of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
     /// The constraints that the engine answers.
@@ -39,6 +50,14 @@ pub trait Checker: Validity + Send {
     /// [`Error::interrupted`], [`Error::out_of_time`].
     fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
         super::cspace::inner_polyhedra(self.constraints(), watch)
+    }
+
+    /// What [`Checker::polyhedra`] gives, with the constraint of each polyhedron and what is certainly forbidden of it.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
+        super::cspace::pieces(self.constraints(), watch)
     }
 
     /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.

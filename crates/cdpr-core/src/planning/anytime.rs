@@ -34,6 +34,15 @@ pub trait Guide<State>: Sync {
         self.shortened(path, f64::INFINITY, watch)
     }
 
+    /// A valid path found by other means than sampling, a different one each time; none if that takes more effort than
+    /// so many samples do, and the next call goes on from there, or if it finds no more.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    fn way(&self, _start: &State, _goal: &State, _effort: usize, _watch: &Watch) -> Result<Option<Vec<State>>, Error> {
+        Ok(None)
+    }
+
     /// How many things it knows of that paths may bend around.
     fn complexity(&self) -> usize {
         0
@@ -96,6 +105,9 @@ const HINDERED_PULL: usize = 40;
 const BETTER: f64 = 1e-3;
 /// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
 const UNGUIDED: usize = 500;
+/// Samples before the guide is asked for a way, and between two such questions.
+const FIRST_WAY: usize = 100;
+const NEXT_WAY: usize = 100;
 /// Ways longer than the best path by more than this factor are not made taut.
 const DETOUR: f64 = 1.4;
 /// A path is polished at once if it is better than the last polished one by this factor, otherwise in the end.
@@ -130,6 +142,7 @@ pub fn anytime<S: StateSpace>(
         search: Search::new(problem, validity, &limits, watch),
         halves: Halves::new(problem),
         past: 0,
+        next_way: FIRST_WAY,
         best: Vec::new(),
         cost: f64::INFINITY,
         polished: f64::INFINITY,
@@ -190,6 +203,8 @@ struct Run<'r, S: StateSpace> {
     halves: Halves<'r, S>,
     /// Nodes of trees that were given up.
     past: usize,
+    /// Samples from which on the guide is asked for a way.
+    next_way: usize,
     best: Vec<S::State>,
     cost: f64,
     /// Length of the best path that was polished, m.
@@ -209,6 +224,7 @@ impl<S: StateSpace> Run<'_, S> {
         }
         while self.cost > self.enough && !self.patience_lost() && !self.search.over(self.nodes(), self.cost)? {
             self.look_at_the_gap()?;
+            self.ask_for_a_way()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
             let parent = if self.cost.is_finite() { Parent::Cheapest } else { Parent::Nearest };
             if let Some(way) = self.halves.meet(&mut self.search, &sample, parent)? {
@@ -232,6 +248,22 @@ impl<S: StateSpace> Run<'_, S> {
             self.enough = self.enough.max((1.0 + gap) * self.guide.lower_bound(start, goal, self.watch)?);
         }
         Ok(())
+    }
+
+    fn ask_for_a_way(&mut self) -> Result<(), Error> {
+        let Problem { start, goal, .. } = self.search.problem;
+        let samples = self.search.samples();
+        if samples < self.next_way {
+            return Ok(());
+        }
+        self.next_way = samples + NEXT_WAY;
+        let Some(way) = self.guide.way(start, goal, NEXT_WAY, self.watch)? else { return Ok(()) };
+        if self.best.is_empty() {
+            self.take(way.clone()); // an answer in case that time ends here
+        }
+        let taut = self.guide.shortened(&way, self.cost, self.watch)?;
+        self.take(taut);
+        self.polish_if_much_better()
     }
 
     fn nodes(&self) -> usize {
@@ -287,6 +319,10 @@ impl<S: StateSpace> Run<'_, S> {
         }
         let taut = self.guide.shortened(&way, self.cost, self.watch)?;
         self.take(taut);
+        self.polish_if_much_better()
+    }
+
+    fn polish_if_much_better(&mut self) -> Result<(), Error> {
         if self.cost < MUCH_BETTER * self.polished { self.polish() } else { Ok(()) }
     }
 

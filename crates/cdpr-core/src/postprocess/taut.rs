@@ -27,6 +27,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::collision::Checker;
+use crate::decomposition::{Decomposition, Taste, Way};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
@@ -64,8 +65,26 @@ pub struct Taut<'a> {
     hindered: AtomicBool,
     /// Room for sampling.
     room: Mutex<Room>,
+    ways: Mutex<Option<Ways>>,
 }
 
+/// Ways through cells, from wide detours to short ones through narrow passages.
+struct Ways {
+    cells: Decomposition,
+    /// Tastes that were tried.
+    tried: usize,
+    last: Vec<Point>,
+}
+
+/// In what order ways through cells are searched: wide detours are found at once, short ways come close to the shortest.
+const TASTES: [Taste; 6] = [
+    Taste { level: 4, haste: 3.0 },
+    Taste { level: 5, haste: 2.0 },
+    Taste { level: 6, haste: 2.0 },
+    Taste { level: 7, haste: 2.0 },
+    Taste { level: 8, haste: 2.0 },
+    Taste { level: 9, haste: 2.0 },
+];
 /// Rounds of pulling and sliding; five to ten are usual.
 const ROUNDS: usize = 50;
 /// Share of a length that cutting a corner or nudging must gain to go on.
@@ -87,7 +106,8 @@ impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.constraints().position_box();
-        Taut { engine, hulls: OnceLock::new(), low, high, hindered: AtomicBool::new(false), room: Mutex::default() }
+        let (hindered, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
+        Taut { engine, hulls: OnceLock::new(), low, high, hindered, room, ways }
     }
 }
 
@@ -96,6 +116,24 @@ impl Guide<Point> for Taut<'_> {
         let Some(mut string) = Strand::new(self, path, watch)? else { return Ok(path.to_vec()) };
         string.pull_roughly(worth, watch)?;
         Ok(string.places())
+    }
+
+    fn way(&self, start: &Point, goal: &Point, effort: usize, watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
+        let mut ways = self.ways.lock().unwrap_or_else(PoisonError::into_inner);
+        if ways.is_none() {
+            let Some(pieces) = in_time(self.engine.pieces(watch))? else { return Ok(None) };
+            let cells = Decomposition::new(pieces, self.low, self.high);
+            *ways = Some(Ways { cells, tried: 0, last: Vec::new() });
+        }
+        let Some(Ways { cells, tried, last }) = ways.as_mut() else { return Ok(None) };
+        let Some(taste) = TASTES.get(*tried) else { return Ok(None) };
+        let free = |from: &Point, to: &Point| self.engine.motion_valid(from, to);
+        let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // so much dearer is a sample
+        let Way::Path(path) = cells.way([start, goal], &free, *taste, effort, watch)? else { return Ok(None) };
+        *tried += 1;
+        let another = path != *last;
+        last.clone_from(&path);
+        Ok(another.then_some(path))
     }
 
     fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {

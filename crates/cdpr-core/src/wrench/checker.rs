@@ -1,7 +1,7 @@
 //! An engine that asks for wrench feasibility as well, after everything that is cheaper.
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Constraints, Interference, Polyhedra, Validity, Violation};
+use crate::collision::{Checker, Clearance, Constraints, Interference, Piece, Polyhedra, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -38,6 +38,10 @@ impl Checker for WrenchChecker {
 
     fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
         self.geometry.certain_polyhedra(watch)
+    }
+
+    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
+        self.geometry.pieces(watch)
     }
 }
 
