@@ -1,7 +1,9 @@
 //! The one error type of the crate: the question was ill-posed. How a well-posed question can end is no error, see
 //! [`crate::planning::Status`].
 
+use std::borrow::Cow;
 use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 /// What was found, where, and what was expected instead.
@@ -21,6 +23,8 @@ enum Kind {
     Interrupted,
     /// The time given was over before there was any answer.
     OutOfTime,
+    /// The program itself failed.
+    Internal { problem: String },
 }
 
 /// Broad classes of errors, for callers that map them to exit statuses or exception types.
@@ -34,6 +38,8 @@ pub enum ErrorClass {
     Interrupted,
     /// The time budget ended before there was any answer.
     OutOfTime,
+    /// A bug of the program, not of the input.
+    Internal,
 }
 
 impl Error {
@@ -58,9 +64,22 @@ impl Error {
         Self { kind: Kind::OutOfTime, file: None }
     }
 
+    /// The program itself failed.
+    pub fn internal(problem: impl Into<String>) -> Self {
+        Self { kind: Kind::Internal { problem: problem.into() }, file: None }
+    }
+
     /// Names the file in which bad input stood; an inner file name is kept.
     pub fn in_file(mut self, path: &Path) -> Self {
         self.file.get_or_insert_with(|| path.to_path_buf());
+        self
+    }
+
+    /// Adds what may explain bad input to its message.
+    pub(crate) fn with_hints(mut self, hints: &[String]) -> Self {
+        if let Kind::Invalid { problem, .. } = &mut self.kind {
+            hints.iter().for_each(|hint| *problem += &format!("; {hint}"));
+        }
         self
     }
 
@@ -81,6 +100,7 @@ impl Error {
             Kind::File { .. } => ErrorClass::File,
             Kind::Interrupted => ErrorClass::Interrupted,
             Kind::OutOfTime => ErrorClass::OutOfTime,
+            Kind::Internal { .. } => ErrorClass::Internal,
         }
     }
 }
@@ -88,19 +108,72 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(file) = &self.file {
-            write!(f, "{}: ", file.display())?;
+            write!(f, "{}: ", printable(&file.to_string_lossy()))?;
         }
         match &self.kind {
-            Kind::Invalid { place, problem } if place.is_empty() => f.write_str(problem),
-            Kind::Invalid { place, problem } => write!(f, "{place}: {problem}"),
-            Kind::File { problem } => f.write_str(problem),
+            Kind::Invalid { place, problem } if place.is_empty() => f.write_str(&printable(problem)),
+            Kind::Invalid { place, problem } => write!(f, "{}: {}", printable(place), printable(problem)),
+            Kind::File { problem } => f.write_str(&printable(problem)),
             Kind::Interrupted => f.write_str("interrupted"),
             Kind::OutOfTime => f.write_str("the time budget ended before there was an answer"),
+            Kind::Internal { problem } => {
+                write!(f, "internal error: {}; this is a bug in cdpr, please report it", printable(problem))
+            }
         }
     }
 }
 
 impl std::error::Error for Error {}
+
+/// Runs work and turns a panic within it into an error. What the work was changing must not be used afterwards.
+///
+/// # Errors
+/// Those of the work; [`ErrorClass::Internal`] for a panic.
+///
+/// # Example
+/// ```
+/// use cdpr_core::error::{Error, ErrorClass, caught};
+/// assert_eq!(caught(|| Ok::<_, Error>(1))?, 1);
+/// let failed = caught(|| -> Result<(), Error> { panic!("index out of range") }).unwrap_err();
+/// assert_eq!(failed.class(), ErrorClass::Internal);
+/// # Ok::<(), Error>(())
+/// ```
+pub fn caught<T>(work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_string());
+        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+        Err(Error::internal(text.unwrap_or_else(|| "panic".to_string())))
+    })
+}
+
+/// Text from a file or a command line, fit for a terminal: what could move its cursor, change its colours or turn the
+/// direction of writing is escaped as in JSON.
+///
+/// # Example
+/// ```
+/// use cdpr_core::error::printable;
+/// assert_eq!(printable("a\u{1b}[2Jb\n"), "a\\u001b[2Jb\\u000a");
+/// assert_eq!(printable("Säule 3"), "Säule 3");
+/// ```
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.contains(unprintable) {
+        return Cow::Borrowed(text);
+    }
+    let escaped = |c: char| if unprintable(c) { format!("\\u{:04x}", c as u32) } else { c.to_string() };
+    Cow::Owned(text.chars().map(escaped).collect())
+}
+
+/// Control characters, line and paragraph separators, and marks that turn the direction of writing.
+pub(crate) fn unprintable(c: char) -> bool {
+    let turns = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || turns || matches!(c, '\u{2028}' | '\u{2029}')
+}
+
+/// The stem of a file's name as a name that is fit for messages.
+pub(crate) fn name_of_file(path: &Path) -> Option<String> {
+    let stem = path.file_stem()?.to_string_lossy().replace(unprintable, " ");
+    Some(stem).filter(|stem| !stem.trim().is_empty())
+}
 
 /// Longest name that a slip is looked for in: comparing takes time and memory with the square.
 const LONGEST_NAME: usize = 100;

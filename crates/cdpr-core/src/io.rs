@@ -3,6 +3,7 @@
 pub mod batch_folder;
 pub mod batch_tables;
 mod caspr;
+mod cell;
 pub mod experiment_file;
 mod gazebo;
 pub mod import_file;
@@ -10,6 +11,7 @@ mod loader;
 mod mesh_bodies;
 pub mod mesh_file;
 pub mod mesh_reader;
+pub mod output;
 pub mod path_file;
 pub mod report_file;
 pub mod scene_file;
@@ -26,6 +28,7 @@ pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, r
 pub use loader::Loader;
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
+pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
     LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_of_path,
     waypoints_from_text,
@@ -34,5 +37,5 @@ pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};
 pub use starter_file::{Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
-pub use text::{save_table, write_atomically};
+pub use text::save_table;
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};

@@ -7,7 +7,8 @@
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
 //! [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
-//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`] and [`watch`] are used by all, [`testing`] by
+//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all,
+//! [`testing`] by
 //! examples and tests.
 
 pub mod batch;
@@ -15,6 +16,7 @@ pub mod choice;
 pub mod collision;
 pub mod decomposition;
 pub mod error;
+mod fixed_length;
 pub mod geometry;
 pub mod io;
 pub mod kinematics;
@@ -30,6 +32,7 @@ pub mod survey;
 pub mod testing;
 pub mod view;
 pub mod watch;
+pub mod words;
 pub mod wrench;
 
 pub use choice::Choice;

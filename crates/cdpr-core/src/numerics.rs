@@ -133,6 +133,15 @@ pub const MAP_NODES: f64 = 1e8;
 /// Most cables of a wrench set that is drawn, once parallel ones are taken together: a corner is a word of 64 limits.
 pub const SET_CABLES: usize = 64;
 
+/// Times the largest side of the workspace beyond which a mesh is probably in another unit.
+pub const HUGE_MESH: f64 = 10.0;
+
+/// Longest time budget, s, some thirty years: beyond it lies a slip of the unit, and soon the range of the clock.
+pub const MOST_SECONDS: f64 = 1e9;
+
+/// Most threads that may be asked for: more than any machine has cores, and few enough to start in a moment.
+pub const MOST_THREADS: usize = 1024;
+
 /// Iterations after which GJK stops; its answer is then the interval it has certified, never a guess.
 pub const GJK_ITERATIONS: usize = 64;
 

@@ -6,9 +6,57 @@
 use std::time::{Duration, Instant};
 
 use crate::error::Error;
+use crate::numerics::{MOST_SECONDS, MOST_THREADS};
 
 /// Tells whether the caller wants to stop; polled often, from any thread.
 pub type Interrupt<'a> = dyn Fn() -> bool + Sync + 'a;
+
+/// Unit of a time budget.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TimeUnit {
+    /// Second.
+    Second,
+    /// Millisecond.
+    Millisecond,
+}
+
+/// Checks a time budget.
+///
+/// # Errors
+/// A number that is not positive, or above [`MOST_SECONDS`].
+///
+/// # Example
+/// ```
+/// use cdpr_core::watch::{TimeUnit, time_budget};
+/// assert_eq!(time_budget("budget", 0.5, TimeUnit::Second)?.as_millis(), 500);
+/// assert!(time_budget("budget", f64::INFINITY, TimeUnit::Second).is_err());
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn time_budget(place: &str, number: f64, unit: TimeUnit) -> Result<Duration, Error> {
+    let (name, per_second) = match unit {
+        TimeUnit::Second => ("s", 1.0),
+        TimeUnit::Millisecond => ("ms", 1e3),
+    };
+    let most = MOST_SECONDS * per_second;
+    let possible = Some(number).filter(|number| *number > 0.0 && *number <= most);
+    // What is too short for the clock rounds to nothing.
+    let budget = possible.map(|number| Duration::from_secs_f64(number / per_second)).filter(|b| !b.is_zero());
+    budget.ok_or_else(|| {
+        let expected = format!("expected a positive number of at most {most:e}; leave it out to set no limit");
+        Error::invalid(place, format!("found {number} {name}, {expected}"))
+    })
+}
+
+/// Checks a number of threads.
+///
+/// # Errors
+/// None, or more than [`MOST_THREADS`].
+pub fn thread_count(threads: usize) -> Result<usize, Error> {
+    if (1..=MOST_THREADS).contains(&threads) {
+        return Ok(threads);
+    }
+    Err(Error::invalid("threads", format!("found {threads}, expected at least 1 and at most {MOST_THREADS}")))
+}
 
 /// A deadline and an interrupt.
 ///

@@ -42,8 +42,8 @@ fn scenes_that_make_no_sense_are_refused_by_key() {
             vec!["ignore[0]", "pilar", "did you mean \"pillar\""],
         ),
         ("version = 1", "version = 1\nignore = [[\"pillar\", \"pillar\"]]", vec!["ignore[0]", "different"]),
-        ("version = 1", "version = 1\nversion = 1", vec!["duplicate"]),
-        (first_outlet, "outlet = [0.0, 0.0]", vec!["robot.cables[0].outlet", "length"]),
+        ("version = 1", "version = 1\nversion = 1", vec!["duplicate key `version`", "line 3"]),
+        (first_outlet, "outlet = [0.0, 0.0]", vec!["robot.cables[0].outlet", "found 2 numbers, expected 3"]),
         (first_outlet, "outlet = [0.0, nan, 0.0]", vec!["robot.cables[0].outlet", "NaN"]),
         (first_outlet, "outlet = [0.0, -inf, 0.0]", vec!["robot.cables[0].outlet", "-inf"]),
         (first_outlet, "outlet = [0.0, 2e6, 0.0]", vec!["robot.cables[0].outlet", "2000000", "1e6"]),
@@ -161,9 +161,9 @@ fn paths_that_make_no_sense_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let scene = load_scene(&testdata("scenes/hard1.toml")).unwrap();
     for (name, text, expected) in [
-        ("a.json", "{\"waypoints\": []}", "0 waypoints"),
+        ("a.json", "{\"waypoints\": []}", "found no waypoints"),
         ("a.json", "{\"waypoints\": [], \"status\": \"budget_spent\"}", "budget_spent"),
-        ("b.json", "{\"waypoints\": [[0, 0, 0]]}", "1 waypoints"),
+        ("b.json", "{\"waypoints\": [[0, 0, 0]]}", "found 1 waypoint,"),
         ("c.json", "{\"waypoints\": [[0, 0], [1, 1, 1]]}", "waypoints[0]"),
         ("d.json", "{\"waypoints\": [[0, 0, 0], [1, 1, 1e9]]}", "waypoints[1]"),
         ("e.json", "{\"version\": 3, \"waypoints\": [[0, 0, 0], [1, 1, 1]]}", "version"),
@@ -174,9 +174,10 @@ fn paths_that_make_no_sense_are_refused() {
         ),
         ("g.json", "{\"waypoints\": [[1", "EOF"),
         ("h.csv", "x,y\n1,2\n", "x,y,z"),
-        ("i.csv", "x,y,z\n", "0 waypoints"),
+        ("i.csv", "x,y,z\n", "found no waypoints"),
         ("j.csv", "x,y,z\n1,2,3\n1,2\n", "line 3"),
-        ("k.csv", "x,y,z\n1,2,3\n1,2,three\n", "line 3"),
+        ("k.csv", "x,y,z\n1,2,3\n1,2,three\n", "line 3: found \"three\", expected a number"),
+        ("k2.csv", "x,y,z\n1,2,3\n0,5,1,2\n", "line 3: found 4 numbers, expected 3"),
         ("l.csv", "x,y,z\n1,2,3\n1,2,nan\n", "waypoints[1]"),
         ("m.txt", "x,y,z\n1,2,3\n1,2,4\n", ".json or .csv"),
     ] {

@@ -15,7 +15,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 fn named(name: &str, yaw: f64) -> OrientationSpec {
-    OrientationSpec { name: name.to_string(), rpy: Some([0.0, 0.0, yaw]), quaternion: None }
+    OrientationSpec { name: name.to_string(), rpy: Some([0.0, 0.0, yaw]), ..OrientationSpec::default() }
 }
 
 fn spec_of(rotation: &Rotation) -> [f64; 4] {

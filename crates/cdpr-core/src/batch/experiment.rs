@@ -1,7 +1,5 @@
 //! An experiment that has been checked, and the layout of its results.
 
-use std::time::Duration;
-
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -10,12 +8,13 @@ use super::random_scene::RandomScenes;
 use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, TTestSpec};
 use crate::choice::Choice;
 use crate::error::{Error, nearest_name};
-use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
+use crate::model::{Scene, body};
 use crate::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use crate::plan::{PlanOptions, Post, Processing};
 use crate::planning::{Planner, PlannerOptions};
 use crate::postprocess::RewindOptions;
+use crate::watch::{TimeUnit, time_budget};
 
 /// Level of confidence intervals unless the experiment gives one.
 const CONFIDENCE: f64 = 0.95;
@@ -117,6 +116,10 @@ impl Experiment {
             let problem = format!("found {}, expected at least 1 and at most {MOST_TRIALS}", spec.trials);
             return Err(Error::invalid("trials", problem));
         }
+        body::optional_name("name", spec.name.as_deref())?;
+        for (k, test) in spec.t_tests.iter().enumerate() {
+            body::name(&format!("t_tests[{k}].group"), &test.group)?;
+        }
         let confidence = spec.confidence.unwrap_or(CONFIDENCE);
         sound_confidence(confidence)?;
         few_rows(&spec)?;
@@ -195,7 +198,7 @@ impl Layout {
 
 impl Scenario {
     fn new(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
-        named(&spec.name)?;
+        body::name("name", &spec.name)?;
         let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
         if scene.orientation_is_open() {
             let expected = "expected query.orientation: all methods plan at the same one";
@@ -209,7 +212,7 @@ impl Scenario {
 
 impl Method {
     fn new(spec: &MethodSpec) -> Result<Self, Error> {
-        named(&spec.name)?;
+        body::name("name", &spec.name)?;
         let defaults = PlanOptions::default();
         let step = spec.step.unwrap_or(defaults.step);
         // Experiments repeat the paper unless told otherwise.
@@ -218,7 +221,7 @@ impl Method {
             planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
             engine: chosen(spec.engine.as_deref(), defaults.engine)?,
             interference: chosen(spec.interference.as_deref(), defaults.interference)?,
-            budget: spec.budget_ms.map(budget).transpose()?,
+            budget: spec.budget_ms.map(|ms| time_budget("budget_ms", ms, TimeUnit::Millisecond)).transpose()?,
             step,
             post: Some(Post::None),
             ..defaults
@@ -276,23 +279,11 @@ fn chosen<T: Choice>(name: Option<&str>, default: T) -> Result<T, Error> {
     name.map_or(Ok(default), T::named)
 }
 
-fn budget(ms: f64) -> Result<Duration, Error> {
-    let budget = Duration::try_from_secs_f64(ms * 1e-3).ok().filter(|b| !b.is_zero());
-    budget.ok_or_else(|| Error::invalid("budget_ms", format!("found {ms} ms, expected a positive number")))
-}
-
 fn each<T, U>(key: &str, list: &[T], check: impl Fn(&T) -> Result<U, Error>) -> Result<Vec<U>, Error> {
     if list.is_empty() {
         return Err(Error::invalid(key, "found none, expected at least one"));
     }
     list.iter().enumerate().map(|(k, one)| check(one).map_err(|e| e.under(&format!("{key}[{k}]")))).collect()
-}
-
-fn named(name: &str) -> Result<(), Error> {
-    if name.trim().is_empty() || name.chars().any(char::is_control) {
-        return Err(Error::invalid("name", format!("found {name:?}, expected a name on one line")));
-    }
-    Ok(())
 }
 
 fn unique<'a>(key: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Error> {

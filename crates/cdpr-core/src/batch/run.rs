@@ -4,7 +4,6 @@
 //! end. A trial draws from a stream of its own, so neither threads nor interruptions change a row.
 
 use std::collections::BTreeMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Condvar, Mutex, PoisonError};
@@ -15,11 +14,11 @@ use serde::{Deserialize, Serialize};
 use super::derived_seed;
 use super::experiment::{Experiment, Method, Scenario};
 use crate::collision::{Checker, Engine, Interference};
-use crate::error::{Error, ErrorClass};
+use crate::error::{Error, ErrorClass, caught};
 use crate::model::Scene;
 use crate::plan::{PlanOptions, PlanResult, engine_within, plan_with, post_process};
 use crate::planning::{Milestone, Status};
-use crate::watch::{Interrupt, Watch};
+use crate::watch::{Interrupt, Watch, thread_count};
 
 /// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
 const AHEAD: usize = 4096;
@@ -144,10 +143,8 @@ pub fn run(
     options: RunOptions,
     sink: &mut Sink,
 ) -> Result<(), Error> {
-    let threads = options.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
-    if threads == 0 {
-        return Err(Error::invalid("threads", "found 0, expected at least 1"));
-    }
+    let threads = options.threads.map(thread_count).transpose()?;
+    let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let total = next.iter().map(|first| end.saturating_sub(*first)).sum();
     let first = next.iter().copied().min().unwrap_or(end);
     let queue = Queue::new(Units { trial: first, group: 0, end, next });
@@ -155,7 +152,11 @@ pub fn run(
     std::thread::scope(|scope| {
         for _ in 0..threads.min(total) {
             let (sender, queue) = (sender.clone(), &queue);
-            scope.spawn(move || work(experiment, queue, &sender));
+            let started = std::thread::Builder::new().spawn_scoped(scope, move || work(experiment, queue, &sender));
+            if let Err(problem) = started {
+                queue.stop();
+                return Err(Error::invalid("threads", format!("{threads} threads cannot be had: {problem}")));
+            }
         }
         drop(sender);
         let written = (|| {
@@ -272,11 +273,13 @@ type Handover = SyncSender<(usize, Result<Trial, Error>)>;
 fn work(experiment: &Experiment, queue: &Queue, sender: &Handover) {
     let mut engines = Engines::default();
     while let Some((index, unit)) = queue.take() {
-        let attempt = AssertUnwindSafe(|| trial(experiment, unit, &mut engines, &|| queue.stopped()));
-        let result = catch_unwind(attempt).unwrap_or_else(|panic| {
-            engines = Engines::default();
-            Ok(failed(experiment, unit, &panic_message(&*panic)))
-        });
+        let result = match caught(|| trial(experiment, unit, &mut engines, &|| queue.stopped())) {
+            Err(bug) if bug.class() == ErrorClass::Internal => {
+                engines = Engines::default();
+                Ok(failed(experiment, unit, &bug.to_string()))
+            }
+            result => result,
+        };
         if sender.send((index, result)).is_err() {
             return;
         }
@@ -405,9 +408,4 @@ fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
     };
     let failure = format!("{}, {}, trial {} (seed {seed}): {problem}", scenario.name, method.name, unit.trial);
     Trial { group: unit.group, rows: method.variants.iter().map(failed).collect(), failure: Some(failure) }
-}
-
-fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {
-    let text = panic.downcast_ref::<&str>().map(|s| (*s).to_string());
-    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "panic".to_string())
 }

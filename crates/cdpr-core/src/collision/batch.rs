@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::validity::{Checker, Validity};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, thread_count};
 
 /// How questions are dealt out.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +40,7 @@ pub struct BatchOptions<'a> {
 /// Whether each position is valid; `position(k)` gives the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or zero threads asked for.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
 pub fn states_valid(
     validity: &dyn Validity,
     position: impl Fn(usize) -> Point + Sync,
@@ -53,7 +53,7 @@ pub fn states_valid(
 /// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or zero threads asked for.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
 pub fn motions_valid(
     validity: &dyn Validity,
     motion: impl Fn(usize) -> (Point, Point) + Sync,
@@ -71,7 +71,7 @@ pub fn motions_valid(
 /// is nothing to keep away from; `position(k)` gives the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or zero threads asked for.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
 pub fn clearances(
     checker: &dyn Checker,
     position: impl Fn(usize) -> Point + Sync,
@@ -88,7 +88,7 @@ pub fn clearances(
 /// Fills `answers[k]` with the answer to question k, on as many threads as asked for.
 ///
 /// # Errors
-/// [`Error::interrupted`], or zero threads asked for.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
 pub fn answer_all<T: Send>(
     answers: &mut [T],
     question: impl Fn(usize) -> T + Sync,
@@ -102,8 +102,9 @@ pub fn answer_all<T: Send>(
         let chunks = answers.par_chunks_mut(pace.chunk).enumerate();
         chunks.for_each(|(chunk, answers)| serially(first + chunk * pace.chunk, answers));
     };
-    match options.threads {
-        Some(0) => Err(Error::invalid("threads", "found 0, expected at least 1")),
+    // A thread without a chunk of its own would be started for nothing.
+    let useful = answers.len().div_ceil(pace.chunk).max(1);
+    match options.threads.map(thread_count).transpose()?.map(|threads| threads.min(useful)) {
         Some(1) => in_blocks(answers, serially, pace, options.interrupted),
         None => in_blocks(answers, in_parallel, pace, options.interrupted),
         Some(threads) => {
@@ -133,4 +134,24 @@ fn in_blocks<T>(
         block = if clock.elapsed() < BLOCK_TIME { block * 2 } else { (block / 2).max(pace.chunk) };
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_more_threads_are_started_than_there_is_work_for() {
+        for (count, asked, expected) in [(1000, 1024, 16), (1000, 3, 3), (70, 1024, 2)] {
+            let mut pool = vec![0; count];
+            let options = BatchOptions { threads: Some(asked), interrupted: &|| false };
+            answer_all(&mut pool, |_| rayon::current_num_threads(), Pace::CHECKS, &options).unwrap();
+            assert!(pool.iter().all(|threads| *threads == expected), "{count}, {asked}: {pool:?}");
+        }
+        for asked in [0, 1025, usize::MAX] {
+            let options = BatchOptions { threads: Some(asked), interrupted: &|| false };
+            let refused = answer_all(&mut [0], |_| 0, Pace::CHECKS, &options).unwrap_err().to_string();
+            assert_eq!(refused, format!("threads: found {asked}, expected at least 1 and at most 1024"));
+        }
+    }
 }

@@ -166,19 +166,28 @@ pub(super) fn distance(c: &Constraints, constraint: &Constraint, from: &Point, t
 /// How far a position is from breaking a constraint that is about a distance or room, m: moving by less keeps it, because
 /// distances to what stands still, and between two cables, change at most by the way gone.
 pub(super) fn slack(constraints: &Constraints, constraint: &Constraint, position: &Point) -> f64 {
-    let demanded = match constraint {
+    match constraint {
+        Constraint::CablePlatform { demand: Demand::Leave { .. }, .. }
+        | Constraint::CableObstacle { demand: Demand::Leave { .. }, .. } => f64::NEG_INFINITY,
+        _ => distance(constraints, constraint, position, position) - required(constraints, constraint),
+    }
+}
+
+/// The least [`distance`] that keeps a constraint, m. Where a cable need only stay outside a body, it is its middle line
+/// that does.
+fn required(c: &Constraints, constraint: &Constraint) -> f64 {
+    match constraint {
         Constraint::Workspace { .. } | Constraint::CableLength { .. } => 0.0,
         Constraint::CableCable(pair) => pair.gap - pair.radii,
         Constraint::PlatformObstacle { gap, .. } => *gap,
         Constraint::CablePlatform { cable, demand, .. } | Constraint::CableObstacle { cable, demand, .. } => {
+            let radius = c.cables[*cable].radius;
             match demand {
-                Demand::Apart { gap } => gap - constraints.cables[*cable].radius,
-                Demand::Outside { .. } => -constraints.cables[*cable].radius,
-                Demand::Leave { .. } => return f64::NEG_INFINITY,
+                Demand::Apart { gap } => gap - radius,
+                Demand::Outside { .. } | Demand::Leave { .. } => -radius,
             }
         }
-    };
-    distance(constraints, constraint, position, position) - demanded
+    }
 }
 
 /// Whether a broken constraint is about a seam while the cable breaks that of a part beside the seam as well, which tells
@@ -202,7 +211,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
     // What a motion sweeps only grows, so the first contact and the last are found by bisection on the whole test.
     let first = first_true(|t| checker.breaks(index, from, &at(from, to, t)));
     let last = 1.0 - first_true(|t| checker.breaks(index, &at(from, to, 1.0 - t), to));
-    let margin = match constraint {
+    let gap = match constraint {
         Constraint::CableCable(pair) if checker.interference() == Interference::Swept => {
             // The triangles meet, maybe at different times: that is the gap this rule is about.
             let sweep = |cable: usize| constraints.cables[cable].sweep(from, to);
@@ -217,13 +226,16 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
             distance(constraints, constraint, &p, &p)
         }),
     };
+    let required = required(constraints, constraint);
     Violation {
         unproved: false,
         wrench: None,
         at: first,
         kind: constraints.kind(constraint),
         culprits: constraints.culprits(constraint),
-        margin: Some(margin),
+        gap: Some(gap),
+        required: Some(required),
+        margin: Some((gap - required).min(0.0)), // it is known to be broken: more is rounding
     }
 }
 
@@ -232,7 +244,11 @@ fn merge_parts(violations: Vec<Violation>) -> Vec<Violation> {
     let mut merged: Vec<Violation> = Vec::new();
     for violation in violations {
         match merged.iter_mut().find(|v| v.kind == violation.kind && v.culprits == violation.culprits) {
-            Some(known) => known.margin = known.margin.zip(violation.margin).map(|(a, b)| a.min(b)),
+            Some(known) => {
+                if violation.margin < known.margin {
+                    (known.gap, known.required, known.margin) = (violation.gap, violation.required, violation.margin);
+                }
+            }
             None => merged.push(violation),
         }
     }

@@ -8,6 +8,7 @@ use crate::choice::choices;
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
 use crate::watch::Watch;
+use crate::words::{length, small_length};
 
 /// Convex polyhedra, each as a list of half-spaces.
 pub type Polyhedra = Vec<Vec<HalfSpace>>;
@@ -133,8 +134,12 @@ pub struct Violation {
     pub kind: Kind,
     /// Who is involved, by the names of the scene.
     pub culprits: Vec<String>,
-    /// Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross,
-    /// positive where only a demanded clearance is missed. None where no gap is defined (wrench).
+    /// Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
+    /// and the length of a cable the room left, negative outside. None where there is no such distance (wrench).
+    pub gap: Option<f64>,
+    /// What the gap would have to be, m.
+    pub required: Option<f64>,
+    /// Gap less what is required, m: never positive.
     pub margin: Option<f64>,
     /// Whether nothing is known to be broken, but that it holds could not be proved either: the slack that is left is next
     /// to nothing. Only where the kind is wrench.
@@ -203,35 +208,33 @@ impl Violation {
         let what = if self.unproved {
             "it could not be proved that the cables balance the required wrenches".to_string()
         } else {
-            sentence(self.kind, &self.culprits, self.margin)
+            self.gap_sentence()
         };
         what + &limit
     }
-}
 
-/// A broken condition in plain words.
-fn sentence(kind: Kind, culprits: &[String], margin: Option<f64>) -> String {
-    let name = |k: usize| culprits.get(k).map_or("?", String::as_str);
-    let amount = margin.map_or(String::new(), |m| match m {
-        m if m < 0.0 => format!(", {} deep", millimetres(-m)),
-        m if m > 0.0 => format!(", with only {} between them", millimetres(m)),
-        _ => String::new(),
-    });
-    let missing = || margin.map_or(String::new(), |m| format!(" by {}", millimetres(-m)));
-    match kind {
-        Kind::Workspace => format!("the platform leaves the workspace{}", missing()),
-        Kind::CableLength => format!("{} breaks its length limits{}", name(0), missing()),
-        Kind::CablePlatform => format!("{} meets the platform{amount}", name(0)),
-        Kind::CableCable => format!("{} meets {}{amount}", name(0), name(1)),
-        Kind::PlatformObstacle => format!("the platform meets {}{amount}", name(1)),
-        Kind::CableObstacle => format!("{} meets {}{amount}", name(0), name(1)),
-        Kind::Wrench => "the cables cannot balance the required wrenches".to_string(),
+    /// A condition on distances in plain words.
+    fn gap_sentence(&self) -> String {
+        let name = |k: usize| self.culprits.get(k).map_or("?", String::as_str);
+        let required = self.required.filter(|required| *required > 0.0);
+        let required = required.map_or(String::new(), |required| format!(", {} required", length(required)));
+        let meets = |first: &str, second: &str| match self.gap {
+            Some(gap) if gap < 0.0 => format!("{first} meets {second}, {} deep", small_length(-gap)),
+            Some(gap) if gap > 0.0 => {
+                format!("{first} comes too near {second}, with only {} between them{required}", small_length(gap))
+            }
+            _ => format!("{first} meets {second}"),
+        };
+        let missing = || self.gap.map_or(String::new(), |room| format!(" by {}", small_length(-room)));
+        match self.kind {
+            Kind::Workspace => format!("the platform leaves the workspace{}", missing()),
+            Kind::CableLength => format!("{} breaks its length limits{}", name(0), missing()),
+            Kind::CablePlatform => meets(name(0), "the platform"),
+            Kind::CableCable | Kind::CableObstacle => meets(name(0), name(1)),
+            Kind::PlatformObstacle => meets("the platform", name(1)),
+            Kind::Wrench => "the cables cannot balance the required wrenches".to_string(),
+        }
     }
-}
-
-/// A length for people.
-fn millimetres(length: f64) -> String {
-    if length < 1e-6 { format!("{:.3} µm", length * 1e6) } else { format!("{:.3} mm", length * 1e3) }
 }
 
 /// The nearest approach of a motion.

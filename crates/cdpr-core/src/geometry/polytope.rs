@@ -8,6 +8,7 @@ use super::separating_axes::unit_cross;
 use super::shape::Triangle;
 use super::{Point, Rotation, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT};
+use crate::words::small_length;
 
 /// A flat face: all points x of the body satisfy `normal · x <= offset`.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,8 +113,9 @@ impl fmt::Display for PolytopeError {
             Self::NotFinite { index } => write!(f, "vertex {index} is not finite"),
             Self::InsideHull { index, depth } => write!(
                 f,
-                "vertex {index} lies {depth:.3e} m inside the hull of the others; expected the corners of a convex body \
-                 (split a concave one into convex parts of the same name, or remove the vertex)"
+                "vertex {index} lies {} inside the hull of the others; expected the corners of a convex body \
+                 (split a concave one into convex parts of the same name, or remove the vertex)",
+                small_length(*depth)
             ),
             Self::Degenerate => {
                 f.write_str("the vertices are too close to degenerate for a convex hull; move or remove the slivers")

@@ -12,6 +12,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::batch_tables::{RunFile, lines, write_tables};
+use super::output::{Output, is_temporary, write_atomically};
 use super::text;
 use crate::batch::Experiment;
 use crate::batch::run::{Row, RunOptions, run};
@@ -61,7 +62,7 @@ impl BatchFolder {
         fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be made: {e}")))?;
         let lock = locked(path, &rows.join(LOCK))?;
         let json = serde_json::to_string_pretty(&run).expect("names and numbers");
-        text::write_atomically(&path.join(RUN_FILE), format!("{json}\n").as_bytes())?;
+        write_atomically(&path.join(RUN_FILE), format!("{json}\n").as_bytes())?;
         let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new(), _lock: lock };
         folder.done = (0..folder.run.layout.groups.len()).map(|g| folder.recover(g)).collect::<Result<_, _>>()?;
         Ok(folder)
@@ -136,16 +137,14 @@ impl BatchFolder {
             }
         };
         let [trials, timings, history] = ["trials.csv", "timings.csv", "history.csv"].map(|name| self.path.join(name));
-        let (mut trials_file, mut timings_file) = (text::temporary_beside(&trials)?, text::temporary_beside(&timings)?);
-        let mut history_file = self.run.layout.history.then(|| text::temporary_beside(&history)).transpose()?;
+        let (mut trials_file, mut timings_file) = (Output::begin(&trials)?, Output::begin(&timings)?);
+        let mut history_file = self.run.layout.history.then(|| Output::begin(&history)).transpose()?;
         let files = (&mut trials_file, &mut timings_file, history_file.as_mut());
         let summary = write_tables(&self.run, &self.path.join(ROWS), open, files)?;
-        text::rename_into_place(trials_file, &trials)?;
-        text::rename_into_place(timings_file, &timings)?;
-        if let Some(file) = history_file {
-            text::rename_into_place(file, &history)?;
-        }
-        text::write_atomically(&self.path.join("summary.json"), format!("{summary:#}\n").as_bytes())
+        trials_file.finish()?;
+        timings_file.finish()?;
+        history_file.map_or(Ok(()), Output::finish)?;
+        write_atomically(&self.path.join("summary.json"), format!("{summary:#}\n").as_bytes())
     }
 }
 
@@ -220,7 +219,7 @@ fn run_file(folder: &Path) -> Result<RunFile, Error> {
 /// without rows, and unfinished files.
 fn as_good_as_new(path: &Path) -> Result<bool, Error> {
     let rows = path.join(ROWS);
-    let left = |name: &OsStr| (name == ROWS && rows.is_dir()) || text::is_temporary(name);
+    let left = |name: &OsStr| (name == ROWS && rows.is_dir()) || is_temporary(name);
     Ok(holds_only(path, left)? && (!rows.is_dir() || holds_only(&rows, |name| name == LOCK)?))
 }
 

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::batch_folder::BatchFolder;
+use super::cell::cell;
 use crate::batch::experiment::Group;
 use crate::batch::run::{Row, RunOptions, run};
 use crate::batch::{Experiment, Layout, Summary};
@@ -195,7 +196,8 @@ pub(super) fn write_tables<'a>(
             trials.write(&trial_columns(&row))?;
             timings.write(&timing_columns(&row))?;
             if let Some(history) = &mut history {
-                row.history.iter().try_for_each(|m| history.write(&(scenario, planned, row.trial, m)))?;
+                let (scenario, planned) = (cell(scenario), cell(planned));
+                row.history.iter().try_for_each(|m| history.write(&(&scenario, &planned, row.trial, m)))?;
             }
             rows.push(row);
             Ok(())
@@ -251,12 +253,13 @@ const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seco
 const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
 
 fn trial_columns(row: &Row) -> impl Serialize + '_ {
-    let Row { scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
+    let Row { trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
+    let (scenario, method) = (cell(&row.scenario), cell(&row.method));
     (scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, &row.motion_checks)
 }
 
 fn timing_columns(row: &Row) -> impl Serialize + '_ {
-    (&row.scenario, &row.method, row.trial, row.planning_seconds, row.post_seconds)
+    (cell(&row.scenario), cell(&row.method), row.trial, row.planning_seconds, row.post_seconds)
 }
 
 /// A table that grows row by row.

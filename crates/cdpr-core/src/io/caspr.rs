@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use roxmltree::Node;
 
 use super::import_file::{ImportOptions, Source, platform_of};
+use super::text::extension;
 use super::xml::{at, attribute, child, children, numbers, parse, read};
 use crate::error::{Error, nearest_name};
 use crate::model::{CableSpec, RobotSpec};
@@ -56,7 +57,8 @@ fn files(path: &Path, bodies: Option<&Path>) -> Result<(PathBuf, PathBuf), Error
     }
     let name = stem(path);
     let beside = |from: &str, to: &str| {
-        let other = name.strip_suffix(from).map(|model| path.with_file_name(format!("{model}{to}.xml")));
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        let other = name.strip_suffix(from).map(|model| path.with_file_name(format!("{model}{to}.{extension}")));
         other.filter(|other| other.is_file())
     };
     if let Some(bodies) = bodies {
@@ -82,7 +84,7 @@ fn only_cables_file(folder: &Path) -> Result<PathBuf, Error> {
     let entries = std::fs::read_dir(folder).map_err(unreadable)?;
     let paths = entries.filter_map(|entry| entry.ok().map(|e| e.path()));
     let mut found: Vec<PathBuf> =
-        paths.filter(|p| p.extension().is_some_and(|e| e == "xml") && stem(p).ends_with(CABLES)).collect();
+        paths.filter(|p| extension(p).as_deref() == Some("xml") && stem(p).ends_with(CABLES)).collect();
     match (found.pop(), found.is_empty()) {
         (Some(only), true) => Ok(only),
         (last, _) => {

@@ -6,7 +6,7 @@ use super::loader::Loader;
 use super::scene_file::in_place;
 use super::text::{self, Notation};
 use crate::batch::{Experiment, ExperimentSpec, SceneSource};
-use crate::error::Error;
+use crate::error::{Error, name_of_file};
 
 /// Loads an experiment; scenes it names are read relative to its file.
 ///
@@ -33,7 +33,7 @@ impl Loader<'_> {
         let notation = Notation::of(path)?;
         let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
         if spec.name.is_none() {
-            spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+            spec.name = name_of_file(path);
         }
         checked(spec, Some(path.parent().unwrap_or(Path::new("."))), self).map_err(|e| e.in_file(path))
     }

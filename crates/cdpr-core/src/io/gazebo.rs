@@ -7,7 +7,8 @@ use serde::Deserialize;
 
 use super::import_file::{Source, platform_of};
 use super::text;
-use crate::error::Error;
+use crate::error::{Error, name_of_file};
+use crate::fixed_length::FixedLength;
 use crate::model::{BodySpec, CableSpec, RobotSpec};
 use crate::numerics::MOST_XML_BYTES;
 
@@ -61,7 +62,8 @@ struct Cable {
 
 pub(super) fn import(path: &Path) -> Result<Source, Error> {
     let text = text::read_at_most(path, MOST_XML_BYTES)?;
-    let model: Model = serde_saphyr::from_str(&text).map_err(|e| {
+    let model = serde_saphyr::with_deserializer_from_str(&text, |yaml| Model::deserialize(FixedLength(yaml)));
+    let model = model.map_err(|e| {
         let problem = e.to_string();
         Error::invalid("", problem.lines().next().unwrap_or("is no sound YAML")).in_file(path)
     })?;
@@ -72,7 +74,7 @@ pub(super) fn import(path: &Path) -> Result<Source, Error> {
     let attachments: Vec<_> = model.points.iter().map(|p| p.platform).collect();
     let robot = RobotSpec {
         version: Some(crate::model::spec::FORMAT_VERSION),
-        name: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
+        name: name_of_file(path),
         mass: model.platform.mass,
         center_of_mass: None,
         platform: platform(&model.platform).unwrap_or_else(|| platform_of(&attachments)),

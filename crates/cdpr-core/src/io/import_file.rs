@@ -3,11 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use super::loader::Loader;
-use super::text::{Notation, relative, shown, write_atomically};
-use super::{caspr, gazebo, mesh_bodies};
+use super::mesh_bodies::{self, Told};
+use super::output::write_atomically;
+use super::text::{Notation, extension, other_extension, relative};
+use super::{caspr, gazebo};
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, PolytopeError};
 use crate::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
+use crate::words::small_length;
 
 /// What an import may be told.
 #[derive(Debug, Clone, Default)]
@@ -58,16 +61,11 @@ impl Loader<'_> {
     /// # Errors
     /// As [`import_robot`], and the watch's.
     pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
-        let extension = path.extension().and_then(|e| e.to_str());
-        let Source { robot, origin, notes } = match extension {
+        let Source { robot, origin, notes } = match extension(path).as_deref() {
             Some("yaml" | "yml") => gazebo::import(path)?,
             Some("xml") => caspr::import(path, options)?,
             _ if path.is_dir() => caspr::import(path, options)?,
-            other => {
-                let problem =
-                    format!("found the extension {}, expected .xml (CASPR), a folder of it, or .yaml", shown(other));
-                return Err(Error::file(path, problem));
-            }
+            _ => return Err(other_extension(path, ".xml (CASPR), a folder of it, or .yaml")),
         };
         let mut imported = Imported { whole: robot.clone(), robot, origin, notes };
         if let Some((mesh, unit)) = &options.platform {
@@ -75,7 +73,9 @@ impl Loader<'_> {
         }
         hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
         imported.whole = imported.robot.clone();
-        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut imported.notes, &self.watch)?;
+        let mut told = Told::default();
+        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut told, &self.watch)?;
+        imported.notes.extend(told.notes);
         Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
         Ok(imported)
     }
@@ -98,7 +98,7 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
     let points: Vec<Point> = corners.iter().copied().map(Point::from).collect();
     match Polytope::from_vertices(&points) {
         Err(PolytopeError::InsideHull { index, depth }) => {
-            let found = format!("attachment {index} lies {depth:.3e} m inside the hull of the others");
+            let found = format!("attachment {index} lies {} inside the hull of the others", small_length(depth));
             let expected = "which can then not be the platform; give its shape as a mesh with --platform (platform=)";
             Err(Error::invalid("platform", format!("{found}, {expected}")))
         }

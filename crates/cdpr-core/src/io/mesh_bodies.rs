@@ -8,24 +8,37 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::mesh_reader::{bytes_of, mesh_from, mesh_of};
-use super::text::{read_bytes_at_most, write_atomically};
+use super::output::write_atomically;
+use super::text::read_bytes_at_most;
 use crate::error::Error;
 use crate::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
 use crate::model::body::{coordinates, one_shape, positive};
-use crate::model::{BodySpec, MeshSource, Unit};
+use crate::model::{BodySpec, MeshSource, Unit, WorkspaceSpec};
 use crate::numerics::{
-    EXACT_VOLUME, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES,
-    SHEET, USELESS_REACH,
+    EXACT_VOLUME, HUGE_MESH, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL,
+    MOST_PIECES, SHEET, USELESS_REACH,
 };
 use crate::watch::Watch;
+use crate::words::{count, length};
+
+/// What there is to be said about the meshes of a scene or robot.
+#[derive(Debug, Default)]
+pub(super) struct Told {
+    /// The workspace, if there is one to compare sizes with.
+    pub workspace: Option<WorkspaceSpec>,
+    /// What the user should know.
+    pub notes: Vec<String>,
+    /// What may be wrong with it, and explain an error.
+    pub hints: Vec<String>,
+}
 
 /// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
-/// places in messages stay right. What the user should know goes to the notes.
+/// places in messages stay right.
 pub(super) fn in_place(
     bodies: &mut Vec<BodySpec>,
     list: &str,
     folder: Option<&Path>,
-    notes: &mut Vec<String>,
+    told: &mut Told,
     watch: &Watch,
 ) -> Result<(), Error> {
     if bodies.iter().all(|body| body.mesh.is_none()) {
@@ -50,7 +63,8 @@ pub(super) fn in_place(
                 (place.clone(), parts_of(&mesh, size, watch).map_err(|e| e.under(&format!("{place}.mesh")))?)
             }
         };
-        notes.extend(parts.notes.iter().map(|note| format!("{what}: {note}")));
+        told.notes.extend(parts.notes.iter().map(|note| format!("{what}: {note}")));
+        told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| format!("{what}: {hint}")));
         let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
         let first = specs.next().expect("a mesh has parts");
         behind.extend(specs);
@@ -60,9 +74,21 @@ pub(super) fn in_place(
     Ok(())
 }
 
+/// A hint where a mesh without `units` dwarfs the workspace: its coordinates are probably millimetres.
+fn units_hint(body: &BodySpec, parts: &Parts, workspace: Option<&WorkspaceSpec>) -> Option<String> {
+    let WorkspaceSpec { min, max } = workspace.filter(|_| body.units.is_none())?;
+    let corners: Vec<Point> = parts.parts.iter().flatten().map(|v| Point::from(*v)).collect();
+    let (size, room) = (largest_side(&corners), largest_side(&[Point::from(*min), Point::from(*max)]));
+    let much = size > HUGE_MESH * room;
+    much.then(|| {
+        let found = format!("it is {} long in a workspace of {}", length(size), length(room));
+        format!("{found}; if its coordinates are millimetres, add units = \"mm\"")
+    })
+}
+
 fn as_vertices(body: &BodySpec, vertices: Vec<[f64; 3]>) -> BodySpec {
-    let BodySpec { name, position, rpy, quaternion, .. } = body.clone();
-    BodySpec { name, vertices: Some(vertices), position, rpy, quaternion, ..BodySpec::default() }
+    let BodySpec { name, position, rpy, rpy_degrees, quaternion, .. } = body.clone();
+    BodySpec { name, vertices: Some(vertices), position, rpy, rpy_degrees, quaternion, ..BodySpec::default() }
 }
 
 fn scale(body: &BodySpec, place: &str) -> Result<f64, Error> {
@@ -145,9 +171,9 @@ fn largest_side(points: &[Point]) -> f64 {
 
 /// How the parts stand for the mesh; nothing where it is one convex body.
 fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<String> {
-    let count: usize = parts.iter().map(|p| p.bodies.len()).sum();
+    let bodies: usize = parts.iter().map(|p| p.bodies.len()).sum();
     let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
-    if count == 1 && reach == 0.0 {
+    if bodies == 1 && reach == 0.0 {
         return None;
     }
     let solid: f64 = pieces.iter().filter_map(|p| p.volume).sum();
@@ -161,7 +187,7 @@ fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<
     } else {
         format!("which reach at most {:.1} mm beyond it", 1e3 * reach)
     };
-    Some(format!("{} triangles in {count} convex parts, {beyond}", mesh.triangles.len()))
+    Some(format!("{} in {}, {beyond}", count(mesh.triangles.len(), "triangle"), count(bodies, "convex part")))
 }
 
 /// What is wrong with a piece whose parts reach too far to be of use; nothing if there is none.
@@ -175,8 +201,8 @@ fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faul
         (None, false) => format!("open ({})", faults.notes().join("; ")),
     };
     let found = format!(
-        "found a piece of {} triangles, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was asked",
-        pieces[worst].triangles.len(),
+        "found a piece of {}, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was asked",
+        count(pieces[worst].triangles.len(), "triangle"),
         1e3 * parts[worst].reach,
         1e3 * asked[worst],
     );
@@ -194,7 +220,7 @@ fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
         .filter(|(asked, reach)| reach > asked)
         .collect();
     let worst = missed.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))?;
-    let (count, noun) = (missed.len(), if missed.len() == 1 { "piece" } else { "pieces" });
+    let pieces = count(missed.len(), "piece");
     let by = format!(
         "by up to {:.1} mm (asked {:.1} mm, reached {:.1} mm)",
         1e3 * (worst.1 - worst.0),
@@ -202,7 +228,7 @@ fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
         1e3 * worst.1
     );
     let why = format!("a piece may have {most} parts and limited time");
-    Some(format!("the tolerance is missed in {count} {noun}, {by}: {why}; mend or thin the mesh, or ask for less"))
+    Some(format!("the tolerance is missed in {pieces}, {by}: {why}; mend or thin the mesh, or ask for less"))
 }
 
 /// What the file of kept parts holds. The sum tells whether it is whole.

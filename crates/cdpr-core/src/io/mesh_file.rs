@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::text::{shown, write_atomically};
+use super::output::write_atomically;
+use super::text::{extension, other_extension};
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::{Point, TriangleMesh};
@@ -30,15 +31,12 @@ impl RegionFormat {
     /// # Errors
     /// Another extension.
     pub fn of(path: &Path) -> Result<Self, Error> {
-        match path.extension().and_then(|e| e.to_str()) {
+        match extension(path).as_deref() {
             Some("obj") => Ok(RegionFormat::Obj),
             Some("ply") => Ok(RegionFormat::Ply),
             Some("stl") => Ok(RegionFormat::Stl),
             Some("html" | "htm") => Ok(RegionFormat::Html),
-            other => {
-                let found = shown(other);
-                Err(Error::file(path, format!("found the extension {found}, expected .obj, .ply, .stl or .html")))
-            }
+            _ => Err(other_extension(path, ".obj, .ply, .stl or .html")),
         }
     }
 }

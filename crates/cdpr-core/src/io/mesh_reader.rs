@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use super::text::{read_bytes_at_most, shown};
+use super::text::{extension, other_extension, read_bytes_at_most};
 use crate::error::Error;
 use crate::geometry::{Point, TriangleMesh};
 use crate::model::MeshSpec;
@@ -43,11 +43,10 @@ pub(super) fn mesh_from(path: &Path, bytes: &[u8]) -> Result<TriangleMesh, Error
 type Reader = fn(&[u8]) -> Result<TriangleMesh, Error>;
 
 fn format_of(path: &Path) -> Result<Reader, Error> {
-    let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-    match extension.as_deref() {
+    match extension(path).as_deref() {
         Some("stl") => Ok(stl),
         Some("obj") => Ok(obj),
-        other => Err(Error::file(path, format!("found the extension {}, expected .stl or .obj", shown(other)))),
+        _ => Err(other_extension(path, ".stl or .obj")),
     }
 }
 

@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::text::{self, shown};
+use super::output::write_atomically;
+use super::text::{self, extension, other_extension};
 use crate::collision::path_check::PathClearance;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
@@ -144,10 +145,9 @@ fn rows(points: &[Point]) -> Vec<[f64; 3]> {
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
 pub fn save_path(path: &Path, json: &Value) -> Result<(), Error> {
-    match path.extension().and_then(|e| e.to_str()) {
-        Some("json") => text::write_atomically(path, format!("{json:#}\n").as_bytes()),
-        Some("csv") => text::write_atomically(path, &csv_bytes(json)?),
-        other => Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other)))),
+    match is_json(path)? {
+        true => write_atomically(path, format!("{json:#}\n").as_bytes()),
+        false => write_atomically(path, &csv_bytes(json)?),
     }
 }
 
@@ -156,9 +156,15 @@ pub fn save_path(path: &Path, json: &Value) -> Result<(), Error> {
 /// # Errors
 /// An extension that is neither .json nor .csv.
 pub fn check_path_name(path: &Path) -> Result<(), Error> {
-    match path.extension().and_then(|e| e.to_str()) {
-        Some("json" | "csv") => Ok(()),
-        other => Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other)))),
+    is_json(path).map(drop)
+}
+
+/// Whether a path file of this name is JSON; else it is CSV.
+fn is_json(path: &Path) -> Result<bool, Error> {
+    match extension(path).as_deref() {
+        Some("json") => Ok(true),
+        Some("csv") => Ok(false),
+        _ => Err(other_extension(path, ".json or .csv")),
     }
 }
 
@@ -187,13 +193,7 @@ pub struct LoadedPath {
 /// # Errors
 /// Names the file, the key or line, what was found and what was expected.
 pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
-    let json = match path.extension().and_then(|e| e.to_str()) {
-        Some("json") => true,
-        Some("csv") => false,
-        other => {
-            return Err(Error::file(path, format!("found the extension {}, expected .json or .csv", shown(other))));
-        }
-    };
+    let json = is_json(path)?;
     waypoints_from_text(&text::read(path)?, json).map_err(|e| e.in_file(path))
 }
 
@@ -244,23 +244,36 @@ fn from_json(text: &str) -> Result<LoadedPath, Error> {
 }
 
 fn from_csv(text: &str) -> Result<Vec<Point>, Error> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header: Vec<String> = reader.headers().map_err(csv_problem)?.iter().map(str::to_string).collect();
     if header != ["x", "y", "z"] {
         return Err(Error::invalid("header", format!("found \"{}\", expected \"x,y,z\"", header.join(","))));
     }
-    let rows = reader.deserialize().map(|row| row.map_err(csv_problem)).collect::<Result<Vec<[f64; 3]>, _>>()?;
+    let rows = reader.records().map(|row| csv_row(&row.map_err(csv_problem)?)).collect::<Result<Vec<_>, _>>()?;
     checked(&rows, "")
 }
 
+fn csv_row(row: &csv::StringRecord) -> Result<[f64; 3], Error> {
+    let problem = |problem: String| Error::invalid(line_of(row.position()), problem);
+    let number = |text: &str| {
+        text.parse::<f64>().map_err(|_| problem(format!("found \"{text}\", expected a number with a decimal point")))
+    };
+    let numbers = row.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
+    <[f64; 3]>::try_from(numbers).map_err(|row| problem(format!("found {} numbers, expected 3", row.len())))
+}
+
+fn line_of(position: Option<&csv::Position>) -> String {
+    position.map_or(String::new(), |p| format!("line {}", p.line()))
+}
+
 fn csv_problem(error: csv::Error) -> Error {
-    let place = error.position().map_or(String::new(), |p| format!("line {}", p.line()));
-    Error::invalid(place, error.to_string())
+    Error::invalid(line_of(error.position()), error.to_string())
 }
 
 fn checked(rows: &[[f64; 3]], why: &str) -> Result<Vec<Point>, Error> {
     if rows.len() < 2 {
-        return Err(Error::invalid("waypoints", format!("found {} waypoints{why}, expected at least two", rows.len())));
+        let found = if rows.is_empty() { "no waypoints" } else { "1 waypoint" };
+        return Err(Error::invalid("waypoints", format!("found {found}{why}, expected at least two")));
     }
     rows.iter().enumerate().map(|(k, row)| body::point(&format!("waypoints[{k}]"), *row)).collect()
 }

@@ -6,6 +6,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 
+use super::cell::text_of;
+use super::output::write_atomically;
 use super::text::{self, Notation};
 use crate::batch::TrialStatus;
 use crate::error::Error;
@@ -43,7 +45,8 @@ fn costs(path: &Path) -> Result<Costs, Error> {
         let TrialRow { scenario, method, trial, status, raw_cost, cost } =
             row.map_err(|e| Error::file(path, e.to_string()))?;
         if let (TrialStatus::Solved, Some(raw), Some(cost)) = (status, raw_cost, cost) {
-            costs.entry((scenario, method)).or_default().push(Cost { trial, raw, cost });
+            let method_of_table = (text_of(&scenario).to_string(), text_of(&method).to_string());
+            costs.entry(method_of_table).or_default().push(Cost { trial, raw, cost });
         }
     }
     Ok(costs)
@@ -57,8 +60,8 @@ pub fn save_plots(folder: &Path, plots: &[Plot]) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|e| Error::file(folder, format!("cannot be made: {e}")))?;
     for (k, plot) in plots.iter().enumerate() {
         let path = folder.join(format!("{:02}-{}", k + 1, slug(&plot.title)));
-        text::write_atomically(&path.with_extension("svg"), plot.svg().as_bytes())?;
-        text::write_atomically(&path.with_extension("png"), &png(plot))?;
+        write_atomically(&path.with_extension("svg"), plot.svg().as_bytes())?;
+        write_atomically(&path.with_extension("png"), &png(plot))?;
     }
     Ok(())
 }

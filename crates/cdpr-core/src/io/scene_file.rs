@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use schemars::schema_for;
 
 use super::loader::Loader;
-use super::mesh_bodies;
+use super::mesh_bodies::{self, Told};
 use super::text::{self, Notation};
 use crate::batch::ExperimentSpec;
 use crate::choice::choices;
-use crate::error::Error;
+use crate::error::{Error, name_of_file};
 use crate::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
 use crate::watch::Watch;
 
@@ -54,7 +54,7 @@ impl Loader<'_> {
         let notation = Notation::of(path)?;
         let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
         if spec.name.is_none() {
-            spec.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+            spec.name = name_of_file(path);
         }
         in_place(spec, path.parent(), &self.watch).map_err(|e| e.in_file(path))
     }
@@ -72,7 +72,7 @@ impl Loader<'_> {
     /// # Errors
     /// As [`load_robot`], and the watch's.
     pub fn robot(&self, path: &Path) -> Result<Robot, Error> {
-        Robot::try_from(robot_spec(path, &mut Vec::new(), &self.watch)?).map_err(|e| e.in_file(path))
+        Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
     }
 
     /// As [`robot_from_text`].
@@ -81,31 +81,31 @@ impl Loader<'_> {
     /// As [`load_robot`], and the watch's.
     pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
         let mut spec: RobotSpec = text::parse(text, notation)?;
-        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Vec::new(), &self.watch)?;
+        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Told::default(), &self.watch)?;
         Robot::try_from(spec)
     }
 }
 
 /// A robot file with its meshes in place; what is to be said about them goes to the notes.
-fn robot_spec(path: &Path, notes: &mut Vec<String>, watch: &Watch) -> Result<RobotSpec, Error> {
+fn robot_spec(path: &Path, told: &mut Told, watch: &Watch) -> Result<RobotSpec, Error> {
     let notation = Notation::of(path)?;
     let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
     if spec.version.is_none() {
         let problem = "found none, expected version = 1 at the top of a robot file";
         return Err(Error::invalid("version", problem).in_file(path));
     }
-    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), notes, watch).map_err(|e| e.in_file(path))?;
+    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), told, watch).map_err(|e| e.in_file(path))?;
     Ok(spec)
 }
 
 /// Reads the robot file, if the scene names one, and all meshes, and checks the whole.
 pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch) -> Result<Scene, Error> {
-    let mut notes = Vec::new();
+    let mut told = Told { workspace: Some(spec.workspace.clone()), ..Told::default() };
     match &mut spec.robot {
         RobotSource::File(name) => {
             let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
-            let robot = robot_spec(&path, &mut notes, watch)?;
-            Robot::try_from(robot.clone()).map_err(|e| e.in_file(&path))?;
+            let robot = robot_spec(&path, &mut told, watch)?;
+            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&told.hints).in_file(&path))?;
             spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
         }
         RobotSource::Inline(robot) if robot.version.is_some() => {
@@ -115,11 +115,13 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
             ));
         }
         RobotSource::Inline(robot) => {
-            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut notes, watch)?;
+            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut told, watch)?;
         }
     }
-    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut notes, watch)?;
-    Scene::new(spec).map(|scene| scene.with_notes(notes))
+    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut told, watch)?;
+    let Told { notes, hints, .. } = told;
+    let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;
+    Ok(scene.with_notes(notes).with_notes(hints))
 }
 
 /// Which file format a schema is asked for.

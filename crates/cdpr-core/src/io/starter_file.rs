@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::scene_file::in_place;
 use super::text::{Notation, relative};
-use crate::error::Error;
+use crate::error::{Error, name_of_file};
 use crate::geometry::Point;
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec};
@@ -64,7 +64,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
     let given = starter.start.is_some() || starter.goal.is_some();
     Ok(SceneSpec {
         version: FORMAT_VERSION,
-        name: output.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
+        name: name_of_file(output),
         gravity: None,
         clearance: None,
         ignore: Vec::new(),
@@ -84,7 +84,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
 fn obstacles(starter: &Starter, output: &Path) -> Result<Vec<BodySpec>, Error> {
     let mut bodies: Vec<BodySpec> = Vec::new();
     for mesh in &starter.obstacles {
-        let stem = mesh.file_stem().map_or("obstacle".to_string(), |stem| stem.to_string_lossy().into_owned());
+        let stem = name_of_file(mesh).unwrap_or("obstacle".to_string());
         let taken = |name: &str| bodies.iter().any(|body| body.name.as_deref() == Some(name));
         let more = (2..).map(|k| format!("{stem} {k}"));
         let name = std::iter::once(stem.clone()).chain(more).find(|name| !taken(name));
@@ -129,7 +129,7 @@ const COMMENTS: &[(&str, &str)] = &[
     ),
     (
         "[[obstacles]]",
-        "# Optional: units, scale, position = [x, y, z], rpy = [roll, pitch, yaw], tolerance of its convex parts.\n",
+        "# Optional: units, scale, position = [x, y, z], rpy_degrees = [roll, pitch, yaw], tolerance of its convex parts.\n",
     ),
     (
         "[wrench]",

@@ -3,7 +3,8 @@
 
 use std::path::Path;
 
-use super::text::write_atomically;
+use super::output::write_atomically;
+use super::text::{extension, other_extension};
 use crate::error::Error;
 use crate::wrench::TensionRow;
 
@@ -57,8 +58,8 @@ pub fn save_tensions(path: &Path, rows: &[TensionRow]) -> Result<(), Error> {
 /// # Errors
 /// A name that does not end in .csv.
 pub fn check_tensions_name(path: &Path) -> Result<(), Error> {
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
-        return Ok(());
+    match extension(path).as_deref() {
+        Some("csv") => Ok(()),
+        _ => Err(other_extension(path, ".csv")),
     }
-    Err(Error::file(path, "expected a name that ends in .csv"))
 }

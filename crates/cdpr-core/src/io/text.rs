@@ -1,22 +1,18 @@
-//! Text files: reading with the file named in every error, writing beside and renaming, TOML or JSON by extension.
+//! Text files: reading with the file named in every error, TOML or JSON by extension.
 
-use std::ffi::OsStr;
 use std::fs::File;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::path::Path;
 
+use super::output::write_atomically;
+use crate::error::{Error, nearest_name};
+use crate::fixed_length::FixedLength;
+use crate::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use tempfile::NamedTempFile;
-
-use crate::error::{Error, nearest_name};
-use crate::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 
 /// How many files of a folder are looked at for a name like that of a missing one.
 const MANY_FILES: usize = 10_000;
-
-/// What the names of temporary files begin with.
-const TEMPORARY: &str = ".cdpr-";
 
 /// The two notations of structured files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,17 +26,23 @@ pub enum Notation {
 impl Notation {
     /// By the file's extension.
     pub fn of(path: &Path) -> Result<Self, Error> {
-        match path.extension().and_then(|e| e.to_str()) {
+        match extension(path).as_deref() {
             Some("toml") => Ok(Notation::Toml),
             Some("json") => Ok(Notation::Json),
-            other => Err(Error::file(path, format!("found the extension {}, expected .toml or .json", shown(other)))),
+            _ => Err(other_extension(path, ".toml or .json")),
         }
     }
 }
 
-/// An extension as it reads in a message.
-pub(super) fn shown(extension: Option<&str>) -> String {
-    extension.map_or("(none)".to_string(), |e| format!(".{e}"))
+/// The extension of a file's name, in small letters.
+pub fn extension(path: &Path) -> Option<String> {
+    path.extension()?.to_str().map(str::to_ascii_lowercase)
+}
+
+/// What to say of a file that has another extension.
+pub fn other_extension(path: &Path, expected: &str) -> Error {
+    let found = path.extension().map_or("(none)".to_string(), |e| format!(".{}", e.to_string_lossy()));
+    Error::file(path, format!("found the extension {found}, expected {expected}"))
 }
 
 /// The whole file as text, up to [`MOST_TEXT_BYTES`].
@@ -53,6 +55,9 @@ pub fn read(path: &Path) -> Result<String, Error> {
 
 /// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
 fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    if let (std::io::ErrorKind::NotFound, Ok(end)) = (error.kind(), std::fs::read_link(path)) {
+        return Error::file(path, format!("cannot be read: it is a link to {}, which does not exist", end.display()));
+    }
     let near = (error.kind() == std::io::ErrorKind::NotFound).then(|| near_file(path)).flatten();
     let hint = near.map(|name| format!("; did you mean {}?", path.with_file_name(name).display())).unwrap_or_default();
     Error::file(path, format!("cannot be read: {error}{hint}"))
@@ -94,8 +99,10 @@ fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error>
     Ok(bytes)
 }
 
+/// Bytes as text; the mark that some editors put before it is dropped.
 fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
-    String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))
+    let text = String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))?;
+    Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
 }
 
 /// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
@@ -127,33 +134,86 @@ fn too_large(path: &Path, most: u64) -> Error {
 /// Parses text; errors name the key path, what was found, what was expected, and the line.
 pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, Error> {
     match notation {
-        Notation::Toml => {
-            let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
-            let line_of = |e: &toml::de::Error| e.span().map(|s| 1 + lines_before(s.start));
-            let whole = |e: toml::de::Error| Error::invalid("", at_line(e.message(), line_of(&e)));
-            let parser = toml::Deserializer::parse(text).map_err(whole)?;
-            serde_path_to_error::deserialize(parser).map_err(|e| {
-                let line = line_of(e.inner());
-                keyed(&e.path().to_string(), e.inner().message(), line)
-            })
-        }
-        Notation::Json => {
-            let mut parser = serde_json::Deserializer::from_str(text);
-            let value = serde_path_to_error::deserialize(&mut parser)
-                .map_err(|e| keyed(&e.path().to_string(), &e.inner().to_string(), None))?;
-            parser.end().map_err(|e| Error::invalid("", e.to_string()))?;
-            Ok(value)
-        }
+        Notation::Toml => parse_toml(text),
+        Notation::Json => parse_json(text),
     }
 }
 
-fn keyed(path: &str, message: &str, line: Option<usize>) -> Error {
-    let place = if path == "." { "" } else { path };
-    Error::invalid(place, at_line(&with_suggestion(message), line))
+fn parse_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
+    let place_of = |e: &toml::de::Error| e.span().map(|s| format!("line {}", 1 + lines_before(s.start)));
+    let no_toml = |e: toml::de::Error| {
+        let key = e.span().filter(|_| e.message() == "duplicate key").and_then(|span| text.get(span));
+        let problem = key.map_or(e.message().to_string(), |key| format!("duplicate key `{key}`, expected it once"));
+        Error::invalid("", with_place(&problem, place_of(&e)))
+    };
+    let parser = toml::Deserializer::parse(text).map_err(no_toml)?;
+    serde_path_to_error::deserialize(FixedLength(parser))
+        .map_err(|e| keyed(e.path(), e.inner().message(), place_of(e.inner())))
 }
 
-fn at_line(message: &str, line: Option<usize>) -> String {
-    line.map_or(message.to_string(), |line| format!("{message} (line {line})"))
+fn parse_json<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let value = serde_path_to_error::deserialize(FixedLength(&mut parser)).map_err(|e| {
+        let (message, place) = message_and_place(e.inner(), text);
+        keyed(e.path(), &message, place)
+    })?;
+    parser.end().map_err(|e| {
+        let (message, place) = message_and_place(&e, text);
+        Error::invalid("", with_place(&message, place))
+    })?;
+    Ok(value)
+}
+
+/// What the JSON reader says, and where. In a single line only the column tells anything, and that only where the text
+/// itself is at fault: otherwise the key does.
+fn message_and_place(error: &serde_json::Error, text: &str) -> (String, Option<String>) {
+    let (line, column) = (error.line(), error.column());
+    let whole = error.to_string();
+    let message = whole.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&whole).to_string();
+    let place = match (text.trim_end().contains('\n'), error.is_data()) {
+        (_, false) => Some(format!("line {line}, column {column}")),
+        (true, true) => Some(format!("line {line}")),
+        (false, true) => None,
+    };
+    (message, place)
+}
+
+fn keyed(path: &serde_path_to_error::Path, message: &str, place: Option<String>) -> Error {
+    let (path, message) = (path.to_string(), with_suggestion(&in_plain_words(message)));
+    Error::invalid(if path == "." { "" } else { &path }, with_place(&message, place))
+}
+
+fn with_place(message: &str, place: Option<String>) -> String {
+    place.map_or(message.to_string(), |place| format!("{message} ({place})"))
+}
+
+/// Serde's "invalid type: string "a", expected f64" as people say it: "found the string "a", expected a number".
+fn in_plain_words(message: &str) -> String {
+    let mismatch = message.strip_prefix("invalid type: ").or_else(|| message.strip_prefix("invalid value: "));
+    let Some((found, expected)) = mismatch.and_then(|rest| rest.rsplit_once(", expected ")) else {
+        return message.to_string();
+    };
+    let bare = |kind: &str| found.strip_prefix(kind).map(|value| value.trim_matches('`').to_string());
+    let found = match found {
+        "map" => "a table".to_string(),
+        "sequence" => "an array".to_string(),
+        text if text.starts_with("string ") => format!("the {text}"),
+        found => {
+            let number = ["integer ", "floating point ", "boolean "].into_iter().find_map(bare);
+            number.unwrap_or_else(|| found.to_string())
+        }
+    };
+    let expected = match expected {
+        "f64" => "a number",
+        "usize" | "u64" | "u32" => "a whole number of at least 0",
+        "a boolean" => "true or false",
+        "a sequence" => "an array",
+        "a map" => "a table",
+        expected if expected.starts_with("struct ") => "a table",
+        expected => expected,
+    };
+    format!("found {found}, expected {expected}")
 }
 
 /// Adds "did you mean" to serde's "unknown field `x`, expected one of `a`, `b`".
@@ -198,46 +258,4 @@ pub fn save_table(path: &Path, table: &impl Serialize) -> Result<(), Error> {
         Notation::Json => format!("{:#}\n", serde_json::json!(table)),
     };
     write_atomically(path, text.as_bytes())
-}
-
-/// Writes a file whole or not at all: beside it first, then renamed over it.
-pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
-    let mut file = temporary_beside(path)?;
-    file.write_all(contents).map_err(|e| unwritable(path, &e))?;
-    rename_into_place(file, path)
-}
-
-/// A file in the same folder, to be renamed when it is complete.
-pub(super) fn temporary_beside(path: &Path) -> Result<NamedTempFile, Error> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(folder).map_err(|e| unwritable(path, &e))
-}
-
-/// Whether a file of this name is a temporary one, left behind by a process that was killed.
-pub(super) fn is_temporary(name: &OsStr) -> bool {
-    name.as_encoded_bytes().starts_with(TEMPORARY.as_bytes())
-}
-
-/// Makes a temporary file the one of this name.
-pub(super) fn rename_into_place(file: NamedTempFile, path: &Path) -> Result<(), Error> {
-    file.as_file().sync_all().map_err(|e| unwritable(path, &e))?;
-    set_ordinary_permissions(file.path()).map_err(|e| unwritable(path, &e))?;
-    file.persist(path).map_err(|e| unwritable(path, &e.error))?;
-    Ok(())
-}
-
-fn unwritable(path: &Path, error: &std::io::Error) -> Error {
-    Error::file(path, format!("cannot be written: {error}"))
-}
-
-/// Temporary files are private; results are ordinary files.
-#[cfg(unix)]
-fn set_ordinary_permissions(path: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn set_ordinary_permissions(_: &Path) -> std::io::Result<()> {
-    Ok(())
 }

@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use super::text::{open, shown, write_atomically};
+use super::output::write_atomically;
+use super::text::{extension, open, other_extension};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::MAP_NODES;
@@ -41,10 +42,10 @@ impl MapFormat {
     /// # Errors
     /// Another extension.
     pub fn of(path: &Path) -> Result<Self, Error> {
-        match path.extension().and_then(|e| e.to_str()) {
+        match extension(path).as_deref() {
             Some("npz") => Ok(MapFormat::Npz),
             Some("vti") => Ok(MapFormat::Vti),
-            other => Err(Error::file(path, format!("found the extension {}, expected .npz or .vti", shown(other)))),
+            _ => Err(other_extension(path, ".npz or .vti")),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies from their specs, and the checks of numbers that robots and scenes share.
 
 use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
-use crate::error::Error;
+use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector};
 use crate::numerics::{MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
 
@@ -20,6 +20,19 @@ pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
 pub fn point(place: &str, numbers: [f64; 3]) -> Result<Point, Error> {
     coordinates(place, &numbers)?;
     Ok(Point::from(numbers))
+}
+
+/// Checks a name: it stands in messages and tables, so it must be some text on one line.
+pub fn name(place: &str, name: &str) -> Result<(), Error> {
+    if name.trim().is_empty() || name.contains(unprintable) {
+        return Err(Error::invalid(place, format!("found {name:?}, expected a name on one line")));
+    }
+    Ok(())
+}
+
+/// Checks a name that may be left out.
+pub fn optional_name(place: &str, given: Option<&str>) -> Result<(), Error> {
+    given.map_or(Ok(()), |given| name(place, given))
 }
 
 /// Checks that a list is not longer than can be dealt with.
@@ -46,12 +59,15 @@ pub fn positive(place: &str, number: f64) -> Result<f64, Error> {
     Err(Error::invalid(place, format!("found {number}, expected a finite positive number")))
 }
 
-/// Checks that every number is finite.
-pub fn finite(place: &str, numbers: &[f64]) -> Result<(), Error> {
+/// Checks a wrench, N and N·m.
+pub fn wrench(place: &str, numbers: &[f64; 6]) -> Result<(), Error> {
+    const PARTS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
     match numbers.iter().position(|x| !x.is_finite()) {
         None => Ok(()),
         Some(k) => {
-            Err(Error::invalid(format!("{place}[{k}]"), format!("found {}, expected a finite number", numbers[k])))
+            let problem =
+                format!("found {} = {}, expected six finite numbers, {}", PARTS[k], numbers[k], PARTS.join(" "));
+            Err(Error::invalid(place, problem))
         }
     }
 }
@@ -64,7 +80,7 @@ pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
     for (key, length) in [("grid", spec.grid), ("characteristic_length", spec.characteristic_length)] {
         positive(key, length.unwrap_or(1.0))?;
     }
-    finite("load", &spec.load.unwrap_or_default())?;
+    wrench("load", &spec.load.unwrap_or_default())?;
     let Some(corners) = &spec.vertices else { return Ok(()) };
     if spec.force.is_some() || spec.moment.is_some() {
         return Err(Error::invalid("vertices", "found beside force or moment, expected either vertices or balls"));
@@ -75,7 +91,7 @@ pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
     if corners.is_empty() {
         return Err(Error::invalid("vertices", "found none, expected at least one wrench"));
     }
-    corners.iter().enumerate().try_for_each(|(k, corner)| finite(&format!("vertices[{k}]"), corner))
+    corners.iter().enumerate().try_for_each(|(k, corner)| wrench(&format!("vertices[{k}]"), corner))
 }
 
 /// Checks an interval `0 <= least <= largest`.
@@ -114,7 +130,7 @@ pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
         (None, None, Some(prism)) => upright_prism(&format!("{place}.prism"), prism),
         _ => Err(Error::invalid(format!("{place}.mesh"), "found a mesh in place of the convex parts it stands for")),
     }?;
-    let rotation = turn(place, spec.rpy, spec.quaternion)?;
+    let rotation = turn(place, &Turn { rpy: spec.rpy, rpy_degrees: spec.rpy_degrees, quaternion: spec.quaternion })?;
     let position = point(&format!("{place}.position"), spec.position.unwrap_or_default())?;
     let body = shape.transformed(&rotation, &position.coords);
     let numbers: Vec<f64> = body.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
@@ -136,23 +152,47 @@ pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
     let of_mesh =
         [("units", spec.units.is_some()), ("scale", spec.scale.is_some()), ("tolerance", spec.tolerance.is_some())];
     match of_mesh.iter().find(|(_, given)| *given && spec.mesh.is_none()) {
-        Some((key, _)) => Err(Error::invalid(format!("{place}.{key}"), "found it without a mesh, which it is for")),
+        Some((key, _)) => {
+            Err(Error::invalid(format!("{place}.{key}"), "found it without a mesh; it applies to meshes only"))
+        }
         None => Ok(()),
     }
 }
 
-/// A turn given in one of two ways, or none.
-pub fn turn(place: &str, rpy: Option<[f64; 3]>, quaternion: Option<[f64; 4]>) -> Result<Rotation, Error> {
-    match (rpy, quaternion) {
-        (None, None) => Ok(Rotation::identity()),
-        (Some(rpy), None) => {
-            coordinates(&format!("{place}.rpy"), &rpy)?;
-            let [roll, pitch, yaw] = rpy;
-            Ok(Rotation::from_euler_angles(roll, pitch, yaw))
+/// The ways to give a turn, of which at most one is used.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Turn {
+    /// Roll, pitch and yaw, rad.
+    pub rpy: Option<[f64; 3]>,
+    /// Roll, pitch and yaw, degrees.
+    pub rpy_degrees: Option<[f64; 3]>,
+    /// Unit quaternion, w x y z.
+    pub quaternion: Option<[f64; 4]>,
+}
+
+/// A turn given in one of three ways, or none.
+pub fn turn(place: &str, given: &Turn) -> Result<Rotation, Error> {
+    let euler = |key: &str, [roll, pitch, yaw]: [f64; 3], radians: f64| {
+        coordinates(&format!("{place}.{key}"), &[roll, pitch, yaw])?;
+        Ok(Rotation::from_euler_angles(roll * radians, pitch * radians, yaw * radians))
+    };
+    match (given.rpy, given.rpy_degrees, given.quaternion) {
+        (None, None, None) => Ok(Rotation::identity()),
+        (Some(rpy), None, None) => euler("rpy", rpy, 1.0),
+        (None, Some(rpy), None) => euler("rpy_degrees", rpy, 1f64.to_radians()),
+        (None, None, Some(quaternion)) => unit_quaternion(&format!("{place}.quaternion"), quaternion),
+        _ => {
+            let keys = [given.rpy.map(|_| "rpy"), given.rpy_degrees.map(|_| "rpy_degrees")];
+            let keys: Vec<&str> = keys.into_iter().chain([given.quaternion.map(|_| "quaternion")]).flatten().collect();
+            Err(Error::invalid(place, format!("found both {} and {}, expected one of them", keys[0], keys[1])))
         }
-        (None, Some(quaternion)) => unit_quaternion(&format!("{place}.quaternion"), quaternion),
-        (Some(_), Some(_)) => Err(Error::invalid(place, "found both rpy and quaternion, expected one of them")),
     }
+}
+
+/// A hint where angles in radians are larger than a turn: they are probably degrees.
+pub fn degrees_hint(place: &str, rpy: Option<[f64; 3]>) -> Option<String> {
+    let large = rpy?.into_iter().find(|angle| angle.abs() > std::f64::consts::TAU)?;
+    Some(format!("{place}.rpy: found {large} rad, more than a full turn; did you mean rpy_degrees?"))
 }
 
 fn cuboid(place: &str, sides: [f64; 3]) -> Result<Polytope, Error> {

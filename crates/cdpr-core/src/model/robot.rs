@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
 use crate::numerics::{MOST_BODIES, MOST_CABLES, ON_SURFACE};
+use crate::words::small_length;
 
 /// A straight cable from a fixed outlet to the platform.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,10 @@ impl TryFrom<RobotSpec> for Robot {
     fn try_from(spec: RobotSpec) -> Result<Self, Error> {
         if let Some(version) = spec.version.filter(|v| *v != FORMAT_VERSION) {
             return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
+        }
+        body::optional_name("name", spec.name.as_deref())?;
+        for (k, part) in spec.platform.iter().enumerate() {
+            body::optional_name(&format!("platform[{k}].name"), part.name.as_deref())?;
         }
         if spec.platform.is_empty() {
             return Err(Error::invalid("platform", "found no parts, expected at least one (a point will do)"));
@@ -105,6 +110,7 @@ impl Robot {
 }
 
 fn checked_cable(index: usize, spec: &CableSpec) -> Result<Cable, Error> {
+    body::optional_name("name", spec.name.as_deref())?;
     Ok(Cable {
         name: spec.name.clone().unwrap_or_else(|| format!("cable {index}")),
         outlet: body::point("outlet", spec.outlet)?,
@@ -137,7 +143,8 @@ fn attachments_outside(cables: &[Cable], parts: &[Polytope], seams: &[Seam]) -> 
         if let Some((k, depth)) = depths.enumerate().find(|(_, depth)| *depth > ON_SURFACE) {
             let place = if k < parts.len() { format!("platform[{k}]") } else { "two abutting parts".to_string() };
             let problem = format!(
-                "found a point {depth:.3e} m inside {place}, expected one on the surface or outside; move it to the surface"
+                "found a point {} inside {place}, expected one on the surface or outside; move it to the surface",
+                small_length(depth)
             );
             return Err(Error::invalid(format!("cables[{i}].attachment"), problem));
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use sha2::{Digest, Sha256};
 
-use super::body;
+use super::body::{self, Turn};
 use super::robot::Robot;
 use super::spec::{
     BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, QuerySpec, RobotSource, SceneSpec, WrenchSpec,
@@ -13,6 +13,7 @@ use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
 use crate::numerics::{MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
+use crate::words::small_length;
 
 /// The name that stands for the platform in messages and in `ignore`.
 pub const PLATFORM: &str = "platform";
@@ -74,6 +75,7 @@ impl Scene {
                 return Err(Error::invalid("robot", problem));
             }
         };
+        body::optional_name("name", spec.name.as_deref())?;
         body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
         let clearance = body::not_negative("clearance", spec.clearance.unwrap_or(0.0))?;
         if let Some(wrench) = &spec.wrench {
@@ -96,6 +98,7 @@ impl Scene {
             Some(source) => orientation("query.orientation", source, &orientations)?,
             None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
         };
+        let notes = degrees_hints(&spec, &robot);
         Ok(Scene {
             spec,
             robot,
@@ -108,7 +111,7 @@ impl Scene {
             ignored,
             start,
             goal,
-            notes: Vec::new(),
+            notes,
         })
     }
 
@@ -294,6 +297,21 @@ impl Scene {
     }
 }
 
+/// Hints at angles that are probably degrees. Parts of one mesh are turned alike, and give one hint.
+fn degrees_hints(spec: &SceneSpec, robot: &Robot) -> Vec<String> {
+    let bodies = |list: &str, bodies: &[BodySpec]| -> Vec<String> {
+        let hint = |(k, body): (usize, &BodySpec)| body::degrees_hint(&format!("{list}[{k}]"), body.rpy);
+        let mut hints: Vec<(Option<String>, String)> =
+            bodies.iter().enumerate().filter_map(|at| Some((at.1.name.clone(), hint(at)?))).collect();
+        hints.dedup_by(|a, b| a.0.is_some() && a.0 == b.0);
+        hints.into_iter().map(|(_, hint)| hint).collect()
+    };
+    let orientations = spec.orientations.iter().enumerate();
+    let orientations = orientations.filter_map(|(k, o)| body::degrees_hint(&format!("orientations[{k}]"), o.rpy));
+    let platform = bodies("robot.platform", &robot.spec().platform);
+    platform.into_iter().chain(bodies("obstacles", &spec.obstacles)).chain(orientations).collect()
+}
+
 /// A rotation in digits that do not depend on how it was given.
 fn rounded(rotation: &Rotation) -> [f64; 4] {
     let digits = [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (x / SAME_TURN).round() * SAME_TURN);
@@ -303,13 +321,15 @@ fn rounded(rotation: &Rotation) -> [f64; 4] {
 
 fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Error> {
     let mut all: Vec<(String, Rotation)> = Vec::new();
-    for (k, OrientationSpec { name, rpy, quaternion }) in specs.iter().enumerate() {
+    for (k, OrientationSpec { name, rpy, rpy_degrees, quaternion }) in specs.iter().enumerate() {
         let place = format!("orientations[{k}]");
-        if name.is_empty() || all.iter().any(|(other, _)| other == name) {
+        body::name(&format!("{place}.name"), name)?;
+        if all.iter().any(|(other, _)| other == name) {
             let problem = format!("found \"{name}\", expected a name that no other orientation has");
             return Err(Error::invalid(format!("{place}.name"), problem));
         }
-        all.push((name.clone(), body::turn(&place, *rpy, *quaternion)?));
+        let turn = Turn { rpy: *rpy, rpy_degrees: *rpy_degrees, quaternion: *quaternion };
+        all.push((name.clone(), body::turn(&place, &turn)?));
     }
     Ok(all)
 }
@@ -348,6 +368,7 @@ fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> 
     let mut obstacles: Vec<Obstacle> = Vec::new();
     for (k, spec) in specs.iter().enumerate() {
         let place = format!("obstacles[{k}]");
+        body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
         let part = body::build(&place, spec)?;
         if !part.has_volume() {
             return Err(Error::invalid(
@@ -386,8 +407,9 @@ fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Res
             let depth = body.depth_of(&cable.outlet);
             if depth > ON_SURFACE {
                 let problem = format!(
-                    "found a point {depth:.3e} m inside obstacle \"{name}\", expected one outside or on its surface; \
-                     move one of them"
+                    "found a point {} inside obstacle \"{name}\", expected one outside or on its surface; \
+                     move one of them",
+                    small_length(depth)
                 );
                 return Err(Error::invalid(format!("robot.cables[{i}].outlet"), problem));
             }

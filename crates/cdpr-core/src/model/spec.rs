@@ -2,6 +2,7 @@
 //! its shape; [`crate::model::Robot`] and [`crate::model::Scene`] do that once.
 
 use crate::choice::choices;
+use crate::fixed_length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
@@ -178,6 +179,9 @@ pub struct BodySpec {
     /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy: Option<[f64; 3]>,
+    /// The same in degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rpy_degrees: Option<[f64; 3]>,
     /// The turn as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
@@ -320,7 +324,7 @@ pub struct QuerySpec {
 }
 
 /// A way to turn the platform, world-from-platform.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OrientationSpec {
     /// Its name.
@@ -328,6 +332,9 @@ pub struct OrientationSpec {
     /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy: Option<[f64; 3]>,
+    /// The same in degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rpy_degrees: Option<[f64; 3]>,
     /// The turn as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
@@ -365,7 +372,7 @@ impl<'de> Deserialize<'de> for OrientationSource {
             }
 
             fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<OrientationSource, A::Error> {
-                <[f64; 4]>::deserialize(de::value::SeqAccessDeserializer::new(seq)).map(OrientationSource::Quaternion)
+                fixed_length::from_seq(seq).map(OrientationSource::Quaternion)
             }
         }
         deserializer.deserialize_any(Visitor)

@@ -132,7 +132,16 @@ impl WrenchConstraint {
         };
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
         let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.rank_deficient;
-        Some(Violation { at, kind: Kind::Wrench, culprits, margin: None, unproved, wrench: Some(limit) })
+        Some(Violation {
+            at,
+            kind: Kind::Wrench,
+            culprits,
+            gap: None,
+            required: None,
+            margin: None,
+            unproved,
+            wrench: Some(limit),
+        })
     }
 
     /// The measure with the least slack on a motion, and the fraction where it is least.

@@ -109,7 +109,7 @@ impl Statics {
             return Err(Error::invalid("characteristic_length", problem));
         }
         body::coordinates("gravity", gravity.as_ref())?;
-        body::finite("load", load.as_slice())?;
+        body::wrench("load", &(*load).into())?;
         let mass = robot.mass().ok_or_else(|| {
             Error::invalid("robot.mass", "found none, expected the platform's mass in kg; wrench work needs it")
         })?;

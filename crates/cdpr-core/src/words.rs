@@ -1,0 +1,38 @@
+//! Numbers in sentences: how many of a thing, and how long.
+
+/// "1 obstacle", "3 obstacles"; `thing` in the singular.
+///
+/// # Example
+/// ```
+/// use cdpr_core::words::count;
+/// assert_eq!((count(1, "waypoint"), count(3, "body")), ("1 waypoint".to_string(), "3 bodies".to_string()));
+/// ```
+pub fn count(number: usize, thing: &str) -> String {
+    match (number, thing.strip_suffix('y')) {
+        (1, _) => format!("1 {thing}"),
+        (_, Some(stem)) => format!("{number} {stem}ies"),
+        (_, None) => format!("{number} {thing}s"),
+    }
+}
+
+/// A length in m with three digits behind the point, from a metre on in metres, else in millimetres.
+///
+/// # Example
+/// ```
+/// use cdpr_core::words::length;
+/// assert_eq!([length(12.0), length(-0.0125), length(0.0)], ["12.000 m", "-12.500 mm", "0.000 mm"]);
+/// ```
+pub fn length(metres: f64) -> String {
+    if metres.abs() >= 1.0 { format!("{metres:.3} m") } else { format!("{:.3} mm", metres * 1e3) }
+}
+
+/// As [`length`], but what is below a micrometre in micrometres, where a length that is not zero should not read as zero.
+///
+/// # Example
+/// ```
+/// use cdpr_core::words::small_length;
+/// assert_eq!([small_length(4e-9), small_length(0.0125)], ["0.004 µm", "12.500 mm"]);
+/// ```
+pub fn small_length(metres: f64) -> String {
+    if metres.abs() < 1e-6 { format!("{:.3} µm", metres * 1e6) } else { length(metres) }
+}
