@@ -1,6 +1,7 @@
 //! The command line: names, defaults and help.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
@@ -9,17 +10,19 @@ use cdpr_core::model::{OrientationSource, Unit};
 use cdpr_core::plan::{PlanOptions, Post, Processing};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{RegionOptions, Space};
-use cdpr_core::{Choice, Error};
+use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
+use cdpr_core::{Choice, Error, io};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
-use crate::output::Talk;
+use crate::output::{Talk, is_standard_output};
 
 /// Plan, check and look at paths of cable-driven parallel robots among obstacles.
 ///
 /// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 130 interrupted.
 /// Results go to standard output, everything else to standard error, in colours only on a terminal. `-` in the place of a
-/// file is standard input or output; where a file goes to standard output, results go to standard error.
+/// file is standard input or output, and pipes that the shell has opened are read and written as well; where a file goes to
+/// standard output, results go to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "cdpr", version, arg_required_else_help = true)]
 pub struct Cli {
@@ -164,6 +167,49 @@ pub enum Command {
     Completions(CompletionsArgs),
 }
 
+/// What a command is going to write.
+pub enum Target<'a> {
+    File(&'a Path),
+    Folder(&'a Path),
+}
+
+impl Target<'_> {
+    /// Checks that it can be written, before any work is done for it.
+    pub fn check(&self) -> Result<(), Error> {
+        match self {
+            Target::File(path) if is_standard_output(path) => Ok(()),
+            Target::File(path) => io::check_target(path),
+            Target::Folder(path) => io::check_folder(path),
+        }
+    }
+}
+
+impl Command {
+    /// All that this command is going to write.
+    pub fn targets(&self) -> Vec<Target<'_>> {
+        fn file(path: &Option<PathBuf>) -> Option<Target<'_>> {
+            path.as_deref().map(Target::File)
+        }
+        fn folder(path: &Option<PathBuf>) -> Option<Target<'_>> {
+            path.as_deref().map(Target::Folder)
+        }
+        match self {
+            Command::Plan(args) => [file(&args.output), file(&args.html)].into_iter().flatten().collect(),
+            Command::Post(args) => file(&args.output).into_iter().collect(),
+            Command::New(args) => file(&args.output).into_iter().collect(),
+            Command::Import(args) => vec![Target::File(&args.output)],
+            Command::View(args) => vec![Target::File(&args.output)],
+            Command::Shadows(args) => vec![Target::File(&args.output)],
+            Command::Wrench(args) => file(&args.output).into_iter().collect(),
+            Command::Batch(args) => vec![Target::Folder(&args.output)],
+            Command::Merge(args) => vec![Target::Folder(&args.output)],
+            Command::Report(args) => [file(&args.output), folder(&args.plots)].into_iter().flatten().collect(),
+            Command::Man(args) => folder(&args.output).into_iter().collect(),
+            Command::Check(_) | Command::Info(_) | Command::Schema(_) | Command::Completions(_) => Vec::new(),
+        }
+    }
+}
+
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// For people.
@@ -228,8 +274,8 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub settings: PlannerArgs,
     /// Stop after this time, ms, compiling of the scene included (the samples may run out first).
-    #[arg(long, value_name = "T", value_parser = positive)]
-    pub budget_ms: Option<f64>,
+    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
+    pub budget_ms: Option<Duration>,
     #[command(flatten)]
     pub checker: CheckerArgs,
     /// Seed of everything random.
@@ -465,7 +511,7 @@ pub struct BatchArgs {
     #[arg(long)]
     pub resume: bool,
     /// Threads [default: as many as there are cores].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
     /// Number of trials instead of the experiment's, or a range of them, the end not included.
     #[arg(long, value_name = "N|A..B", value_parser = trials)]
@@ -473,6 +519,11 @@ pub struct BatchArgs {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse().map_err(|_| "expected a whole number")?;
+    thread_count(number).map_err(|e| e.to_string())
 }
 
 /// A range of trials; a type of its own, since clap takes ranges for lists.
@@ -544,7 +595,7 @@ impl PlanArgs {
             step: self.rewinding.step,
             post: self.post,
             repeats: self.rewinding.repeats,
-            budget: self.budget_ms.map(|ms| std::time::Duration::from_secs_f64(ms * 1e-3)),
+            budget: self.budget_ms,
         })
     }
 }
@@ -578,7 +629,13 @@ fn something() -> impl TypedValueParser<Value = Post> {
         .map(|name| Post::named(&name).expect("one of the possible names"))
 }
 
-/// A positive number; a step or a time.
+/// A time in milliseconds.
+fn budget(text: &str) -> Result<Duration, String> {
+    let ms: f64 = text.parse().map_err(|_| "expected a number")?;
+    time_budget("", ms, TimeUnit::Millisecond).map_err(|e| e.to_string())
+}
+
+/// A positive number, such as a step.
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number <= 1e9 => Ok(number),

@@ -1,5 +1,7 @@
 //! Reading: scenes, paths and experiments from files, or from standard input where `-` stands for the file.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
@@ -10,11 +12,14 @@ use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene, io};
 
 use crate::args::{PathArgs, SceneArgs};
-use crate::output::{Console, count, is_standard};
+use crate::output::{Console, count, is_dash};
 use crate::progress::interrupted;
 
 /// How standard input is called in messages.
 const STANDARD_INPUT: &str = "standard input";
+/// Where files that the shell has opened are found: those of `<(command)`, for instance. Somebody is at their other end, so
+/// reading them does not wait for ever, as it may with any other pipe.
+const OPENED_BY_SHELL: [&str; 2] = ["/dev/fd/", "/proc/self/fd/"];
 
 /// Ends on Ctrl-C: meshes can take seconds.
 pub fn loader() -> Loader<'static> {
@@ -24,9 +29,9 @@ pub fn loader() -> Loader<'static> {
 /// The scene, turned as asked for. Files that one from standard input names are relative to where the program runs.
 pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let clock = Instant::now();
-    let scene = match is_standard(&args.scene) {
-        true => from_standard(|text| loader().scene_from_text(text, notation(text), Some(Path::new(""))))?,
-        false => loader().scene(&args.scene)?,
+    let scene = match stream_of(&args.scene)? {
+        Some(stream) => stream.parse(|text| loader().scene_from_text(text, notation(text), Some(Path::new(""))))?,
+        None => loader().scene(&args.scene)?,
     };
     let parts = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
     let what = format!("{} of {}", count(scene.obstacles().len(), "obstacle"), count(parts, "part"));
@@ -39,7 +44,7 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
 
 /// A path, and its scene at the orientation of the path.
 pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
-    if is_standard(&args.scene.scene) && is_standard(&args.path) {
+    if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
         return Err(only_one());
     }
     let scene = scene(&args.scene, out)?;
@@ -52,14 +57,14 @@ fn only_one() -> Error {
 
 /// A path of a scene, and the scene at the orientation of the path.
 pub fn path(scene: &Scene, args: &SceneArgs, path: &Path) -> Result<(Scene, LoadedPath), Error> {
-    if !is_standard(path) {
-        let loaded = io::load_waypoints(path)?;
-        return Ok((scene_of_path(scene, &loaded).map_err(|e| e.in_file(path))?, loaded));
-    }
-    if is_standard(&args.scene) {
+    if is_standard_input(&args.scene) && is_standard_input(path) {
         return Err(only_one());
     }
-    from_standard(|text| {
+    let Some(stream) = stream_of(path)? else {
+        let loaded = io::load_waypoints(path)?;
+        return Ok((scene_of_path(scene, &loaded).map_err(|e| e.in_file(path))?, loaded));
+    };
+    stream.parse(|text| {
         let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
         Ok((scene_of_path(scene, &loaded)?, loaded))
     })
@@ -67,16 +72,39 @@ pub fn path(scene: &Scene, args: &SceneArgs, path: &Path) -> Result<(Scene, Load
 
 /// An experiment.
 pub fn experiment(path: &Path) -> Result<Experiment, Error> {
-    match is_standard(path) {
-        true => from_standard(|text| loader().experiment_from_text(text, notation(text), None)),
-        false => loader().experiment(path),
+    match stream_of(path)? {
+        Some(stream) => stream.parse(|text| loader().experiment_from_text(text, notation(text), None)),
+        None => loader().experiment(path),
     }
 }
 
-fn from_standard<T>(parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
-    let name = Path::new(STANDARD_INPUT);
-    let text = io::text::read_stream(std::io::stdin(), name)?;
-    parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.in_file(name))
+fn is_standard_input(path: &Path) -> bool {
+    is_dash(path) || path == "/dev/stdin"
+}
+
+/// Something to read that is no file.
+struct Stream<'a> {
+    name: &'a Path,
+    bytes: Box<dyn Read>,
+}
+
+/// The stream that stands in the place of a file, if one does.
+fn stream_of(path: &Path) -> Result<Option<Stream<'_>>, Error> {
+    if is_standard_input(path) {
+        return Ok(Some(Stream { name: Path::new(STANDARD_INPUT), bytes: Box::new(std::io::stdin()) }));
+    }
+    if !OPENED_BY_SHELL.iter().any(|folder| path.starts_with(folder)) {
+        return Ok(None);
+    }
+    let file = File::open(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?;
+    Ok(Some(Stream { name: path, bytes: Box::new(file) }))
+}
+
+impl Stream<'_> {
+    fn parse<T>(self, parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
+        let text = io::text::read_stream(self.bytes, self.name)?;
+        parse(&text).map_err(|e| e.in_file(self.name))
+    }
 }
 
 /// JSON begins with a brace, TOML never does.

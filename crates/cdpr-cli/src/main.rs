@@ -8,7 +8,7 @@ mod progress;
 
 use std::process::ExitCode;
 
-use args::{Cli, Command};
+use args::{Cli, Command, Target};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
 use output::Console;
@@ -21,7 +21,14 @@ enum Answer {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(asked) if !asked.use_stderr() => {
+            output::print_help(&asked.render());
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => error.exit(),
+    };
     // Without a handler Ctrl-C would still end the program, but without the best answer so far.
     let _ = ctrlc::set_handler(progress::interrupt);
     let out = Console::new(cli.talk.level());
@@ -38,6 +45,7 @@ fn main() -> ExitCode {
 }
 
 fn run(command: Command, out: &Console) -> Result<Answer, Error> {
+    command.targets().iter().try_for_each(Target::check)?;
     match command {
         Command::Plan(args) => commands::plan::run(&args, out),
         Command::Check(args) => commands::check::run(&args, out),

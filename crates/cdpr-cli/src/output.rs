@@ -6,13 +6,18 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 use cdpr_core::collision::Constraints;
+use cdpr_core::error::printable;
 use cdpr_core::geometry::Point;
 use cdpr_core::{Error, Scene, io};
+
+pub use cdpr_core::words::count;
 
 use crate::progress::writing;
 
 /// What stands for standard input or output in the place of a file.
 pub const STANDARD: &str = "-";
+/// Other names of standard output. Opened as files they would be written over, not appended to.
+const STANDARD_OUTPUTS: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 const GOOD: Style = AnsiColor::Green.on_default().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
@@ -45,7 +50,7 @@ impl Console {
 
     /// The same, where this file may be standard output.
     pub fn beside(self, output: Option<&Path>) -> Self {
-        Console { taken: self.taken || output.is_some_and(is_standard), ..self }
+        Console { taken: self.taken || output.is_some_and(is_standard_output), ..self }
     }
 
     /// How much is said.
@@ -53,8 +58,18 @@ impl Console {
         self.talk
     }
 
-    /// Prints a line of the result.
+    /// Prints lines of the result.
     pub fn result(&self, text: &str) {
+        self.print(&printable_lines(text));
+    }
+
+    /// Prints an answer, its first words in colour.
+    pub fn verdict(&self, Verdict { good, words, rest }: &Verdict) {
+        let style = if *good { GOOD } else { BAD };
+        self.print(&format!("{style}{words}{style:#}{}", printable_lines(rest)));
+    }
+
+    fn print(&self, text: &str) {
         if self.taken {
             let _ = writeln!(anstream::stderr(), "{text}");
         } else {
@@ -64,21 +79,23 @@ impl Console {
 
     /// Says something that is not part of the result.
     pub fn say(&self, text: &str) {
-        if self.talk >= Talk::Usual {
-            let _ = writeln!(anstream::stderr(), "{text}");
-        }
+        self.tell(Talk::Usual, &printable_lines(text));
     }
 
     /// Says what only the curious want to know.
     pub fn detail(&self, text: &str) {
-        if self.talk >= Talk::Verbose {
-            let _ = writeln!(anstream::stderr(), "{text}");
-        }
+        self.tell(Talk::Verbose, &printable_lines(text));
     }
 
     /// Says what is special.
     pub fn note(&self, text: &str) {
-        self.say(&format!("{NOTE}note:{NOTE:#} {text}"));
+        self.tell(Talk::Usual, &format!("{NOTE}note:{NOTE:#} {}", printable_lines(text)));
+    }
+
+    fn tell(&self, from: Talk, text: &str) {
+        if self.talk >= from {
+            let _ = writeln!(anstream::stderr(), "{text}");
+        }
     }
 
     /// Says what is special about a scene.
@@ -93,12 +110,13 @@ impl Console {
 
     /// Writes a file, or standard output, and says so; `hint` is what to do with it.
     pub fn write(&self, path: &Path, contents: &[u8], hint: &str) -> Result<(), Error> {
-        if is_standard(path) {
+        if is_standard_output(path) {
             let mut out = std::io::stdout();
             arrived(out.write_all(contents).and_then(|()| out.flush()));
             return Ok(());
         }
-        let writing = writing();
+        // A pipe may wait for its reader; nothing half done is left there if the program ends meanwhile.
+        let writing = (!io::is_stream(path)).then(writing);
         io::write_atomically(path, contents)?;
         drop(writing);
         self.wrote(path, hint);
@@ -122,24 +140,57 @@ fn arrived(written: std::io::Result<()>) {
     }
 }
 
-/// Whether standard input or output is meant.
-pub fn is_standard(path: &Path) -> bool {
+/// A path for JSON, which knows Unicode only.
+pub fn lossy(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// Prints what was asked for instead of a command: help, or the version.
+pub fn print_help(help: &clap::builder::StyledStr) {
+    arrived(write!(anstream::stdout(), "{}", help.ansi()).and_then(|()| std::io::stdout().flush()));
+}
+
+/// Whether this is `-`.
+pub fn is_dash(path: &Path) -> bool {
     path.as_os_str() == STANDARD
 }
 
-/// A word that means yes.
-pub fn good(word: &str) -> String {
-    format!("{GOOD}{word}{GOOD:#}")
+/// Whether standard output is meant.
+pub fn is_standard_output(path: &Path) -> bool {
+    is_dash(path) || STANDARD_OUTPUTS.iter().any(|name| path.as_os_str() == *name)
 }
 
-/// A word that means no.
-pub fn bad(word: &str) -> String {
-    format!("{BAD}{word}{BAD:#}")
+/// Whether what is written goes to standard output, a pipe or a device that has no extension to tell the format.
+pub fn is_stream(path: &Path) -> bool {
+    is_standard_output(path) || (path.extension().is_none() && io::is_stream(path))
 }
 
-/// "1 obstacle", "3 obstacles".
-pub fn count(number: usize, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+/// Lines of text fit for a terminal, whatever names and paths they hold.
+fn printable_lines(text: &str) -> String {
+    let keep = |c: char| c == '\n' || c == '\t';
+    text.split_inclusive(keep)
+        .map(|line| match line.strip_suffix(keep) {
+            Some(start) => format!("{}{}", printable(start), &line[start.len()..]),
+            None => printable(line).into_owned(),
+        })
+        .collect()
+}
+
+/// An answer whose first words are shown in the colour of yes or no.
+pub struct Verdict {
+    pub good: bool,
+    pub words: &'static str,
+    pub rest: String,
+}
+
+impl Verdict {
+    pub fn yes(words: &'static str, rest: String) -> Self {
+        Verdict { good: true, words, rest }
+    }
+
+    pub fn no(words: &'static str, rest: String) -> Self {
+        Verdict { good: false, words, rest }
+    }
 }
 
 /// A position for people.

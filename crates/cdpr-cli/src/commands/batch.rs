@@ -68,7 +68,7 @@ fn lines(summary: &Value) -> Vec<String> {
     let name =
         |m: &Value| format!("{}, {}", m["scenario"].as_str().unwrap_or("?"), m["method"].as_str().unwrap_or("?"));
     let width = methods.iter().map(|m| name(m).chars().count()).max().unwrap_or(0);
-    let head = "solved   planning, ms    median   rewinding, ms        raw, m           cost, m";
+    let head = "solved   planning, ms    median  shortening, ms        raw, m           cost, m";
     let mut lines = vec![format!("{:width$}  {head}", "mean ± standard deviation")];
     for method in &methods {
         let number = |measure: &str, key: &str| method[measure][key].as_f64().unwrap_or(f64::NAN);

@@ -4,12 +4,13 @@ use cdpr_core::Error;
 use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
 use cdpr_core::plan::{CheckReport, check, engine_within};
 use cdpr_core::watch::Watch;
+use cdpr_core::words::length;
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 
 use crate::Answer;
 use crate::args::{Format, PathArgs};
 use crate::input;
-use crate::output::{Console, bad, count, good, scene_line, short, thousandths};
+use crate::output::{Console, Verdict, count, scene_line, short, thousandths};
 use crate::progress::interrupted;
 
 pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
@@ -23,7 +24,7 @@ pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
             out.result(&scene_line(&scene));
-            out.result(&verdict(report, path.waypoints.len()));
+            out.verdict(&verdict(report, path.waypoints.len()));
             report.violations.iter().for_each(|v| out.result(&violation_line(v)));
             report.min_clearance.iter().for_each(|nearest| out.result(&nearest_line(nearest)));
             wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
@@ -32,12 +33,12 @@ pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
     Ok(if report.valid { Answer::Yes } else { Answer::No })
 }
 
-fn verdict(report: &PathReport, waypoints: usize) -> String {
-    let path = format!("{} m, {}", short(report.length), count(waypoints, "waypoint"));
+fn verdict(report: &PathReport, waypoints: usize) -> Verdict {
+    let path = format!(" {} m, {}", short(report.length), count(waypoints, "waypoint"));
     if report.valid {
-        format!("{} {path}", good("valid:"))
+        Verdict::yes("valid:", path)
     } else {
-        format!("{} {path}, {}", bad("not valid:"), count(report.violations.len(), "violation"))
+        Verdict::no("not valid:", format!("{path}, {}", count(report.violations.len(), "violation")))
     }
 }
 
@@ -47,9 +48,9 @@ fn violation_line(v: &PathViolation) -> String {
 
 /// The nearest approach in words.
 pub fn nearest_line(nearest: &PathClearance) -> String {
-    let millimetres = nearest.value * 1e3;
     format!(
-        "nearest approach {millimetres:.3} mm: {} at {:.3} of segment {}",
+        "nearest approach {}: {} at {:.3} of segment {}",
+        length(nearest.value),
         nearest.culprits.join(" and "),
         nearest.at,
         nearest.segment

@@ -6,10 +6,10 @@ use cdpr_core::io::{ImportOptions, Imported, check_robot_name, robot_toml, save_
 use crate::Answer;
 use crate::args::{Format, ImportArgs};
 use crate::input::loader;
-use crate::output::{Console, count, is_standard};
+use crate::output::{Console, count, is_stream, lossy};
 
 pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
-    if !is_standard(&args.output) {
+    if !is_stream(&args.output) {
         check_robot_name(&args.output)?;
     }
     let out = &out.beside(Some(&args.output));
@@ -19,7 +19,7 @@ pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
         platform: args.platform.clone().map(|mesh| (mesh, args.units)),
     };
     let found = loader().import(&args.source, &options)?;
-    if is_standard(&args.output) {
+    if is_stream(&args.output) {
         out.write(&args.output, robot_toml(&found).as_bytes(), "")?;
     } else {
         save_imported(&args.output, &found)?;
@@ -28,7 +28,7 @@ pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
     match args.format {
         Format::Json => {
             let summary = serde_json::json!({
-                "output": args.output,
+                "output": lossy(&args.output),
                 "robot": found.robot.name,
                 "cables": found.robot.cables.len(),
                 "origin": found.origin,

@@ -9,18 +9,19 @@ use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
-use crate::output::{Console, is_standard, position};
+use crate::output::{Console, STANDARD, is_stream, position};
 use crate::progress::with_sign_of_life;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
 
 pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
-    let Some(path) = args.output.as_ref().filter(|path| !is_standard(path)) else {
+    let Some(path) = args.output.as_ref().filter(|path| !is_stream(path)) else {
         let notation = match args.format {
             Format::Text => Notation::Toml,
             Format::Json => Notation::Json,
         };
-        out.result(text(args, notation, Path::new("scene.toml"), out)?.trim_end());
+        let scene = text(args, notation, Path::new("scene.toml"), out)?;
+        out.write(args.output.as_deref().unwrap_or(Path::new(STANDARD)), scene.as_bytes(), "")?;
         return Ok(Answer::Yes);
     };
     let notation = Notation::of(path)?;

@@ -14,14 +14,14 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
-use crate::output::{Console, Talk, bad, count, good, is_standard, position, scene_line, short};
+use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, position, scene_line, short};
 use crate::progress::{interrupted, with_sign_of_life};
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
     let files = [args.output.as_deref(), args.html.as_deref()];
-    if files.iter().flatten().filter(|file| is_standard(file)).count() > 1 {
+    if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
         return Err(Error::invalid("", "found - for both -o and --html, but there is one standard output only"));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
@@ -50,7 +50,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Format::Json => out.result(&format!("{json:#}")),
         Format::Text => {
             out.result(&question(&scene, &options));
-            out.result(&answer(&scene, &options, &found));
+            out.verdict(&answer(&scene, &options, &found));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
             nearest.iter().for_each(|nearest| out.result(&super::check::nearest_line(nearest)));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
@@ -103,26 +103,24 @@ fn question(scene: &Scene, options: &PlanOptions) -> String {
     format!("{}; from {} to {}", scene_line(scene), ends[0], ends[1])
 }
 
-fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> String {
+fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     let reason = || found.reason.as_ref().map_or(String::new(), |r| format!(": {}", r.sentence()));
     match found.status {
         Status::Solved => solved(options, found),
         Status::BudgetSpent if found.stats.samples == 0 => {
-            format!("{}: the budget ended while the scene was compiled", bad("no path found"))
+            Verdict::no("no path found", ": the budget ended while the scene was compiled".to_string())
         }
-        Status::BudgetSpent => format!(
-            "{} after {} ({:.1} ms, seed {}); there may still be one",
-            bad("no path found"),
-            count(found.stats.samples, "sample"),
-            found.stats.planning_seconds * 1e3,
-            options.seed
-        ),
-        Status::StartInvalid => format!("{} the start of {} is not valid{}", bad("no:"), scene.name(), reason()),
-        Status::GoalInvalid => format!("{} the goal of {} is not valid{}", bad("no:"), scene.name(), reason()),
+        Status::BudgetSpent => {
+            let (samples, ms) = (count(found.stats.samples, "sample"), found.stats.planning_seconds * 1e3);
+            let rest = format!(" after {samples} ({ms:.1} ms, seed {}); there may still be one", options.seed);
+            Verdict::no("no path found", rest)
+        }
+        Status::StartInvalid => Verdict::no("no:", format!(" the start of {} is not valid{}", scene.name(), reason())),
+        Status::GoalInvalid => Verdict::no("no:", format!(" the goal of {} is not valid{}", scene.name(), reason())),
     }
 }
 
-fn solved(options: &PlanOptions, found: &PlanResult) -> String {
+fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     let PlanResult { waypoints, stats, .. } = found;
     let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
     let (before, done) = match options.post() {
@@ -132,10 +130,9 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
-    format!(
-        "{} {} m with {} ({before}{} m as the crow flies)\n\
+    let rest = format!(
+        " {} m with {} ({before}{} m as the crow flies)\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment checked once more",
-        good("solved:"),
         short(found.cost),
         count(waypoints.len(), "waypoint"),
         short(straight),
@@ -143,7 +140,8 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> String {
         count(stats.nodes, "node"),
         count(stats.motion_checks, "motion check"),
         options.seed,
-    )
+    );
+    Verdict::yes("solved:", rest)
 }
 
 /// An orientation as on the command line.
@@ -159,7 +157,7 @@ fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
     let turned =
         args.scene.orientation.as_ref().map_or(String::new(), |turn| format!(" --orientation {}", words(turn)));
     match (found.status, &args.output) {
-        (Status::Solved, Some(path)) if !is_standard(path) => {
+        (Status::Solved, Some(path)) if !is_stream(path) => {
             out.say(&format!("next: cdpr check {scene} {}{turned}", path.display()))
         }
         (Status::Solved, None) if args.scene.format == Format::Text => {

@@ -10,17 +10,17 @@ use cdpr_core::{Error, io};
 use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
-use crate::output::{Console, count, is_standard, scene_line, short};
+use crate::output::{Console, count, is_stream, scene_line, short};
 use crate::progress::{interrupted, with_sign_of_life, writing};
 
 /// Checks that a path can be written under this name, before the work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
-    path.filter(|path| !is_standard(path)).map_or(Ok(()), io::check_path_name)
+    path.filter(|path| !is_stream(path)).map_or(Ok(()), io::check_path_name)
 }
 
-/// Writes a path: JSON or CSV by the extension, JSON to standard output.
+/// Writes a path: JSON or CSV by the extension, JSON to standard output, pipes and devices.
 pub fn save_path(path: &Path, json: &serde_json::Value, out: &Console) -> Result<(), Error> {
-    if is_standard(path) {
+    if is_stream(path) {
         return out.write(path, format!("{json:#}\n").as_bytes(), "");
     }
     let writing = writing();

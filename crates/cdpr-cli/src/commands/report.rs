@@ -6,7 +6,7 @@ use cdpr_core::{Error, io};
 use super::view::{IN_BROWSER, check_page_name};
 use crate::Answer;
 use crate::args::{Format, ReportArgs};
-use crate::output::Console;
+use crate::output::{Console, lossy};
 
 pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
     let output = args.output.clone().unwrap_or_else(|| args.folder.join("report.html"));
@@ -19,7 +19,9 @@ pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
         io::save_plots(folder, &plots(&study))?;
     }
     if args.format == Format::Json {
-        out.result(&serde_json::json!({ "page": output, "plots": args.plots }).to_string());
+        out.result(
+            &serde_json::json!({ "page": lossy(&output), "plots": args.plots.as_deref().map(lossy) }).to_string(),
+        );
     }
     Ok(Answer::Yes)
 }

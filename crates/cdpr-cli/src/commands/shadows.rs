@@ -11,7 +11,7 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
 use crate::input;
-use crate::output::{Console, count, scene_line};
+use crate::output::{Console, count, lossy, scene_line};
 use crate::progress::{interrupted, writing};
 
 pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
@@ -49,7 +49,7 @@ fn triangles(found: &Regions) -> usize {
 
 fn summary(args: &ShadowsArgs, found: &Regions) -> serde_json::Value {
     json!({
-        "output": args.output,
+        "output": lossy(&args.output),
         "space": found.space,
         "box": {
             "min": found.within.min.coords.as_slice(),

@@ -12,7 +12,7 @@ use cdpr_core::{Error, io};
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input;
-use crate::output::{Console, is_standard};
+use crate::output::{Console, is_stream, lossy};
 use crate::progress::interrupted;
 
 /// What to do with a page.
@@ -36,17 +36,17 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     let page = page_within(&scene, shown.as_ref(), &violations, &watch)?;
     out.write(&args.output, page.as_bytes(), IN_BROWSER)?;
     if args.scene.format == Format::Json {
-        out.result(&serde_json::json!({ "page": args.output, "violations": violations }).to_string());
+        out.result(&serde_json::json!({ "page": lossy(&args.output), "violations": violations }).to_string());
     }
     Ok(Answer::Yes)
 }
 
 /// Checks that a page can be written under this name, before the work is done.
 pub fn check_page_name(path: &Path) -> Result<(), Error> {
-    match path.extension().and_then(|e| e.to_str()) {
+    match io::text::extension(path).as_deref() {
         Some("html" | "htm") => Ok(()),
-        _ if is_standard(path) => Ok(()),
-        _ => Err(Error::file(path, "found another extension, expected .html")),
+        _ if is_stream(path) => Ok(()),
+        _ => Err(io::text::other_extension(path, ".html")),
     }
 }
 

@@ -15,7 +15,7 @@ use cdpr_core::{Error, Scene, io};
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::input;
-use crate::output::{Console, position, scene_line, thousandths};
+use crate::output::{Console, is_stream, position, scene_line, thousandths};
 use crate::progress::{interrupted, with_sign_of_life, writing};
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
@@ -47,16 +47,16 @@ fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> R
 }
 
 fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result<Answer, Error> {
-    args.output.as_deref().map(io::check_tensions_name).transpose()?;
+    let named = args.output.as_deref().filter(|output| !is_stream(output));
+    named.map(io::check_tensions_name).transpose()?;
+    let out = &out.beside(args.output.as_deref());
     let (scene, path) = input::path(scene, &args.scene, path)?;
     let (statics, required) = asked(args, &scene)?;
     let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted)
         .map_err(|e| e.in_file(&args.scene.scene))?;
     let all_balanced = rows.iter().all(|row| row.tensions.is_some());
     if let Some(output) = &args.output {
-        let _writing = writing();
-        io::save_tensions(output, &rows)?;
-        out.wrote(output, "");
+        out.write(output, io::tensions_csv(&rows).as_bytes(), "")?;
     }
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!({ "rows": rows }))),
