@@ -40,7 +40,7 @@ from ._wrench import (
     wrench_matrix,
 )
 from ._wrench_map import WrenchMap, wrench_map
-from .exceptions import CdprError, CdprWarning, FileError, InputError
+from .exceptions import CdprError, CdprWarning, FileError, InputError, InternalError
 
 __all__ = [
     "AvailableSet",
@@ -50,6 +50,7 @@ __all__ = [
     "Distance",
     "FileError",
     "InputError",
+    "InternalError",
     "Mesh",
     "Milestone",
     "Path",

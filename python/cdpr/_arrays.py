@@ -33,11 +33,12 @@ def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
     return x, y, z
 
 
-def numbers(name: str, values: ArrayLike, count: int) -> list[float]:
-    """A list of so many numbers."""
+def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:
+    """A list of so many numbers; `parts` names them."""
     array = _numbers(name, values)
     if array.shape != (count,):
-        raise InputError(f"{name}: found an array of shape {array.shape}, expected ({count},)")
+        named = f": {parts}" if parts else ""
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected ({count},){named}")
     if not np.isfinite(array).all():
         raise InputError(f"{name}: found {array}, expected finite numbers")
     found: list[float] = array.tolist()

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 import warnings
 from collections.abc import Callable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
@@ -28,6 +29,8 @@ _RANGES = 64
 _PATIENCE = 0.05
 
 _NAMES = ("scenario", "method", "status")
+# Text that reads like a formula has an apostrophe in front in CSV files, so that no spreadsheet runs it.
+_FORMULA = re.compile(r"^'(?=[=+\-@\t\r'])")
 _INTEGERS = {"trial": np.int64, "seed": np.uint64, "samples": np.int64}
 
 
@@ -176,7 +179,7 @@ def run_batch(
     if executor is None:
         rows, failures = checked.run(first, end, thread_count(threads), progress)
     else:
-        rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if threads is None else threads)
+        rows, failures = _on_executor(checked, executor, progress, (first, end), thread_count(threads) or 1)
     for failure in failures:
         warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
     trials_csv, timings_csv, history_csv, summary = checked.tables(first, end, rows)
@@ -281,7 +284,7 @@ def _table(text: bytes) -> Any:
 
 def _column(name: str, values: tuple[str, ...]) -> np.ndarray[Any, Any]:
     if name in _NAMES:
-        return np.array(values)
+        return np.array([_FORMULA.sub("", value) for value in values])
     if name in _INTEGERS:
         return np.array([int(value) for value in values], dtype=_INTEGERS[name])
     return np.array([float(value) if value else np.nan for value in values])

@@ -51,7 +51,7 @@ class Path(ByValue):
         """Take array_likes."""
         object.__setattr__(self, "waypoints", rows("waypoints", self.waypoints))
         if self.orientation is not None:
-            object.__setattr__(self, "orientation", np.array(numbers("orientation", self.orientation, 4)))
+            object.__setattr__(self, "orientation", np.array(numbers("orientation", self.orientation, 4, "w x y z")))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         """Return the waypoints, (k, 3), m."""

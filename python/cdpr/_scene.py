@@ -94,7 +94,7 @@ class Scene(Immutable):
         if not isinstance(orientations or {}, Mapping):
             raise InputError(f"orientations: found {type(orientations).__name__}, expected a mapping of names")
         named = (orientations or {}).items()
-        spec["orientations"] = [{"name": key, "quaternion": numbers(key, value, 4)} for key, value in named]
+        spec["orientations"] = [{"name": key, "quaternion": numbers(key, value, 4, "w x y z")} for key, value in named]
         self._adopt(_from_spec(spec))
 
     @classmethod
@@ -244,7 +244,8 @@ class Scene(Immutable):
         obstacle: Obstacle,
         *,
         position: ArrayLike = (0.0, 0.0, 0.0),
-        rpy: ArrayLike = (0.0, 0.0, 0.0),
+        rpy: ArrayLike | None = None,
+        rpy_degrees: ArrayLike | None = None,
     ) -> Scene:
         """Return a scene with one more obstacle.
 
@@ -256,8 +257,10 @@ class Scene(Immutable):
             As in the class, in its own frame, m.
         position : array_like (3,)
             Where its frame stands in the world, m.
-        rpy : array_like (3,)
+        rpy : array_like (3,), optional
             How it is turned there: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
+        rpy_degrees : array_like (3,), optional
+            The same in degrees.
 
         Returns
         -------
@@ -276,7 +279,9 @@ class Scene(Immutable):
         """
         if name in self._names():
             raise InputError(f"name: found {name!r}, which an obstacle has already, expected a new one")
-        pose = {"position": point("position", position), "rpy": point("rpy", rpy)}
+        turns = {"rpy": rpy, "rpy_degrees": rpy_degrees}
+        pose = {"position": point("position", position)}
+        pose |= {key: point(key, turn) for key, turn in turns.items() if turn is not None}
         spec = self.to_dict()
         spec.setdefault("obstacles", []).extend({**part, **pose} for part in obstacle_tables(name, obstacle))
         return self._edited(spec)

@@ -77,7 +77,7 @@ def box_table(workspace: ArrayLike) -> dict[str, list[float]]:
 QUERY: dict[str, Callable[[Any], Any]] = {
     "start": lambda value: point("start", value),
     "goal": lambda value: point("goal", value),
-    "orientation": lambda value: value if isinstance(value, str) else numbers("orientation", value, 4),
+    "orientation": lambda value: value if isinstance(value, str) else numbers("orientation", value, 4, "w x y z"),
 }
 
 

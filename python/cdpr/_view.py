@@ -126,6 +126,7 @@ def save_view(
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
+    _core.check_target(os.fspath(path))
     view(scene, waypoints, interference=interference).save(path)
 
 

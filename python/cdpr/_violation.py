@@ -20,7 +20,12 @@ class Violation:
     culprits : tuple of str
         Who is involved, by the names of the scene; cables count from 0.
     margin : float or None
-        Worst gap in the world over the motion, m: minus a penetration depth where bodies overlap, 0 where cables cross.
+        Gap less what is required, m: never positive.
+    gap : float or None
+        Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
+        and the length of a cable the room left. None for the kind "wrench".
+    required : float or None
+        What the gap would have to be, m.
     segment : int
         Which segment of a path, counting from 0.
     wrench_margin : float or None
@@ -59,12 +64,16 @@ class Violation:
     at_least: tuple[str, ...] = ()
     corner: tuple[float, float, float] | None = None
     unproved: bool = False
+    gap: float | None = None
+    required: float | None = None
 
     def __repr__(self) -> str:
         """Say what is in whose way, where, and how badly."""
         parts = [f"{self.kind!r}", " / ".join(self.culprits), f"at {self.at:.4f} of segment {self.segment}"]
         if self.margin is not None:
             parts.append(f"margin {self.margin:.4f} m")
+        if self.gap is not None and self.required:
+            parts.append(f"gap {self.gap:.4f} m of {self.required:.4f} m")
         if self.wrench_margin is not None:
             parts.append(f"margin {self.wrench_margin:.4f} {self.unit}")
         if self.unproved:

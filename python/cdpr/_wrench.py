@@ -29,9 +29,9 @@ def _statics(
 ) -> _core.Statics:
     return _core.Statics(
         json.dumps(robot.to_dict()),
-        None if orientation is None else numbers("orientation", orientation, 4),
+        None if orientation is None else numbers("orientation", orientation, 4, "w x y z"),
         None if gravity is None else point("gravity", gravity),
-        None if load is None else numbers("load", load, 6),
+        None if load is None else numbers("load", load, 6, "fx fy fz mx my mz"),
         number("characteristic_length", characteristic_length),
     )
 

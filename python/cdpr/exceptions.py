@@ -39,6 +39,17 @@ class FileError(CdprError, OSError):
     """
 
 
+class InternalError(CdprError, RuntimeError):
+    """A bug of this package, not of the input; please report it with the message.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> issubclass(cdpr.exceptions.InternalError, cdpr.CdprError)
+    True
+    """
+
+
 class CdprWarning(UserWarning):
     """Something about a scene that the user should know.
 

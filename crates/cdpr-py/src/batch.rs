@@ -9,7 +9,7 @@ use cdpr_core::io::{BatchRows, Loader, text::Notation};
 use cdpr_core::watch::Watch;
 use pyo3::prelude::*;
 
-use crate::errors::{interruptible, raised};
+use crate::errors::{answered, interruptible};
 use crate::serialized;
 
 /// Least time between two calls of a progress function: each needs the interpreter.
@@ -97,12 +97,12 @@ impl Experiment {
 
     /// `trials.csv`, `timings.csv`, `history.csv` if the experiment asks for it, and `summary.json` of rows.
     fn tables(&self, py: Python<'_>, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<Tables> {
-        let made = py.detach(|| BatchRows::new(&self.0, first..end, rows)?.tables()).map_err(raised)?;
+        let made = py.detach(|| answered(|| BatchRows::new(&self.0, first..end, rows)?.tables()))?;
         Ok((made.trials, made.timings, made.history, made.summary.to_string()))
     }
 
     /// Writes the folder of a run.
     fn save(&self, py: Python<'_>, path: PathBuf, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<()> {
-        py.detach(|| BatchRows::new(&self.0, first..end, rows)?.save(&path)).map_err(raised)
+        py.detach(|| answered(|| BatchRows::new(&self.0, first..end, rows)?.save(&path)))
     }
 }

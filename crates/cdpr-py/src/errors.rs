@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
+use cdpr_core::error::caught;
 use cdpr_core::watch::Interrupt;
 use cdpr_core::{Error, ErrorClass};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -14,6 +15,7 @@ use pyo3::types::PyType;
 static INPUT_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static OUT_OF_TIME: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static INTERNAL_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// The exception for an error of the core.
 pub fn raised(error: Error) -> PyErr {
@@ -21,6 +23,7 @@ pub fn raised(error: Error) -> PyErr {
         ErrorClass::Input => (&INPUT_ERROR, "InputError"),
         ErrorClass::File => (&FILE_ERROR, "FileError"),
         ErrorClass::OutOfTime => (&OUT_OF_TIME, "CdprError"),
+        ErrorClass::Internal => (&INTERNAL_ERROR, "InternalError"),
         ErrorClass::Interrupted => return PyKeyboardInterrupt::new_err(()),
     };
     Python::attach(|py| match class.import(py, "cdpr.exceptions", name) {
@@ -33,6 +36,12 @@ pub fn raised(error: Error) -> PyErr {
 const PERIOD: Duration = Duration::from_millis(20);
 /// Stack of the thread that works, bytes: as large as that of a main thread usually is.
 const STACK: usize = 8 << 20;
+
+/// Runs short work. A panic within it comes out as an `InternalError`: PyO3 would raise a `PanicException`, which no
+/// `except Exception` catches.
+pub fn answered<T>(work: impl FnOnce() -> Result<T, Error>) -> PyResult<T> {
+    caught(work).map_err(raised)
+}
 
 /// Runs long work with the interpreter released. The work polls its argument, on any thread; Ctrl-C, or whatever a signal
 /// handler raises, then comes out as its exception.
@@ -50,15 +59,12 @@ pub fn abandonable<T: Send + 'static>(
 ) -> PyResult<T> {
     py.detach(|| {
         let (send, receive) = mpsc::sync_channel(1);
-        let worker = move || drop(send.send(work()));
-        let handle = std::thread::Builder::new().stack_size(STACK).spawn(worker).expect("a thread can be started");
+        let worker = move || drop(send.send(caught(work)));
+        std::thread::Builder::new().stack_size(STACK).spawn(worker).map_err(|e| raised(no_thread(&e)))?;
         loop {
             match receive.recv_timeout(PERIOD) {
                 Ok(run) => return run.map_err(raised),
-                Err(RecvTimeoutError::Disconnected) => match handle.join() {
-                    Err(panic) => std::panic::resume_unwind(panic),
-                    Ok(()) => unreachable!("the work ended without sending its answer"),
-                },
+                Err(RecvTimeoutError::Disconnected) => return Err(raised(no_answer())),
                 Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
             }
         }
@@ -78,17 +84,15 @@ pub fn interruptible_with_rest<T: Send>(
         let (send, receive) = mpsc::sync_channel(1);
         std::thread::scope(|scope| {
             let stop = &stop;
-            let worker = move || send.send(work(&|| stop.load(Ordering::Relaxed)));
-            let handle = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, worker);
-            let handle = handle.expect("a thread can be started");
+            let worker = move || drop(send.send(caught(|| work(&|| stop.load(Ordering::Relaxed)))));
+            if let Err(problem) = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, worker) {
+                return (Err(no_thread(&problem)), None);
+            }
             let mut signal = None;
             loop {
                 match receive.recv_timeout(PERIOD) {
                     Ok(run) => return (run, signal),
-                    Err(RecvTimeoutError::Disconnected) => match handle.join() {
-                        Err(panic) => std::panic::resume_unwind(panic),
-                        Ok(_) => unreachable!("the work ended without sending its answer"),
-                    },
+                    Err(RecvTimeoutError::Disconnected) => return (Err(no_answer()), signal),
                     Err(RecvTimeoutError::Timeout) if signal.is_none() => {
                         signal = Python::attach(|py| py.check_signals()).err();
                         stop.store(signal.is_some(), Ordering::Relaxed);
@@ -98,4 +102,12 @@ pub fn interruptible_with_rest<T: Send>(
             }
         })
     })
+}
+
+fn no_thread(problem: &std::io::Error) -> Error {
+    Error::internal(format!("no thread can be started: {problem}"))
+}
+
+fn no_answer() -> Error {
+    Error::internal("the work ended without an answer")
 }

@@ -20,7 +20,7 @@ use cdpr_core::plan::{
 use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings, SearchTree};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::view::{ShownPath, page_within};
-use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -29,7 +29,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use convert::{point, points, row, triples};
-use errors::{abandonable, interruptible, interruptible_with_rest, raised};
+use errors::{abandonable, answered, interruptible, interruptible_with_rest, raised};
 
 /// A checked scene, with the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -68,7 +68,7 @@ fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Res
 }
 
 fn named<T: Choice>(name: &str) -> PyResult<T> {
-    T::named(name).map_err(raised)
+    answered(|| T::named(name))
 }
 
 fn serialized(value: &impl serde::Serialize) -> String {
@@ -97,12 +97,12 @@ impl Scene {
 
     /// Writes a scene file, the robot in place.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
-        io::save_table(&path, self.0.spec()).map_err(raised)
+        answered(|| io::save_table(&path, self.0.spec()))
     }
 
     /// Identifies what paths of this scene are planned against.
-    fn fingerprint(&self) -> String {
-        self.0.fingerprint()
+    fn fingerprint(&self) -> PyResult<String> {
+        answered(|| Ok(self.0.fingerprint()))
     }
 
     /// Names and quaternions of the scene's orientations.
@@ -112,7 +112,7 @@ impl Scene {
 
     /// The scene for a path that holds at this orientation, if it says one; none if it is the scene itself.
     fn for_path_at(&self, orientation: Option<[f64; 4]>) -> PyResult<Option<Scene>> {
-        let scene = self.0.for_path_at(orientation.map(Into::into)).map_err(raised)?;
+        let scene = answered(|| self.0.for_path_at(orientation.map(Into::into)))?;
         Ok((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)))
     }
 
@@ -169,7 +169,8 @@ impl Scene {
         engine: &str,
         interference: &str,
     ) -> PyResult<bool> {
-        Ok(engine_of(py, self, engine, interference)?.motion_valid(&point(start), &point(end)))
+        let engine = engine_of(py, self, engine, interference)?;
+        answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
     }
 
     /// World-from-platform unit quaternion, w x y z.
@@ -210,7 +211,7 @@ impl Scene {
         interference: &str,
     ) -> PyResult<String> {
         let engine = engine_of(py, self, engine, interference)?;
-        Ok(serialized(&engine.violations(&point(start), &point(end))))
+        answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
     }
 
     /// The report on a path as JSON.
@@ -235,8 +236,8 @@ impl Scene {
         step: f64,
         reference: Option<Vec<f64>>,
     ) -> PyResult<String> {
-        let statics = core_wrench::Statics::of(&self.0).map_err(raised)?;
-        let required = core_wrench::constraint::required_of(&self.0, None, None).map_err(raised)?;
+        let statics = answered(|| core_wrench::Statics::of(&self.0))?;
+        let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
         let waypoints = points(waypoints.as_slice()?);
         let along = |stop: &Interrupt| {
             core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
@@ -262,9 +263,10 @@ impl Scene {
         settings: &str,
         on_improvement: Option<Py<PyAny>>,
     ) -> PyResult<Planned<'py>> {
-        let settings: PlannerSettings = io::text::parse(settings, Notation::Json).map_err(raised)?;
+        let settings: PlannerSettings = answered(|| io::text::parse(settings, Notation::Json))?;
+        let planner = named(planner)?;
         let options = PlanOptions {
-            planner: PlannerOptions::new(named(planner)?, step, &settings).map_err(raised)?,
+            planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
             engine: named(engine)?,
             interference: named(interference)?,
             seed,
@@ -273,7 +275,7 @@ impl Scene {
             step,
             post: post.map(named).transpose()?,
             repeats,
-            budget: budget.map(seconds).transpose()?,
+            budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
         let search = |stop: &Interrupt, tell: &Listener<Point>| {
             let watch = options.watch(stop);
@@ -299,7 +301,7 @@ impl Scene {
         };
         let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
         let Appraisal { nearest, wrench, .. } = appraisal;
-        let json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
+        let json = answered(|| Ok(io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref())))?;
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
@@ -335,10 +337,11 @@ impl Scene {
     ) -> PyResult<String> {
         let engine = engine_of(py, self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
-        let processing = named::<Post>(post)?.processing(step, repeats).map_err(raised)?;
+        let post: Post = named(post)?;
+        let processing = answered(|| post.processing(step, repeats))?;
         let shorter =
             interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
-        Ok(io::path_json(&self.0, &shorter).to_string())
+        answered(|| Ok(io::path_json(&self.0, &shorter).to_string()))
     }
 
     /// The path rewound once, and every motion asked about: starts, ends, answers.
@@ -365,23 +368,8 @@ impl Scene {
 
     /// What there is to draw, as JSON: obstacles by name, world; platform and attachments around the platform's origin,
     /// turned as in the scene. Each part has vertices and faces, corners counter-clockwise seen from outside.
-    fn bodies(&self) -> String {
-        let scene = &self.0;
-        let turned = |part: &Polytope| part.transformed(scene.orientation(), &Vector::zeros());
-        let cables = scene.robot().cables();
-        json!({
-            "obstacles": scene.obstacles().iter().map(|o| json!({
-                "name": o.name,
-                "parts": o.parts.iter().map(faces).collect::<Vec<_>>(),
-            })).collect::<Vec<_>>(),
-            "platform": scene.robot().parts().iter().map(|part| faces(&turned(part))).collect::<Vec<_>>(),
-            "cables": cables.iter().map(|cable| json!({
-                "name": cable.name,
-                "outlet": <[f64; 3]>::from(cable.outlet),
-                "attachment": <[f64; 3]>::from(scene.orientation() * cable.attachment),
-            })).collect::<Vec<_>>(),
-        })
-        .to_string()
+    fn bodies(&self) -> PyResult<String> {
+        answered(|| Ok(drawn(&self.0)))
     }
 
     /// Each forbidden region as summary (JSON), vertices (n, 3) and triangles (m, 3).
@@ -413,10 +401,10 @@ impl Scene {
         cables: Vec<String>,
         obstacles: Vec<String>,
     ) -> PyResult<()> {
-        io::RegionFormat::of(&path).map_err(raised)?;
+        answered(|| io::RegionFormat::of(&path).and_then(|_| io::check_target(&path)))?;
         let options = region_options(space, all, cables, obstacles)?;
         let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
-        py.detach(|| io::save_regions(&path, &self.0, &found)).map_err(raised)
+        py.detach(|| answered(|| io::save_regions(&path, &self.0, &found)))
     }
 
     /// A self-contained page that shows the scene and, if given, a path.
@@ -520,11 +508,23 @@ fn faces(body: &Polytope) -> Value {
     json!({ "vertices": vertices, "faces": body.facets().iter().map(|f| &f.corners).collect::<Vec<_>>() })
 }
 
-fn seconds(budget: f64) -> PyResult<std::time::Duration> {
-    std::time::Duration::try_from_secs_f64(budget)
-        .ok()
-        .filter(|b| !b.is_zero())
-        .ok_or_else(|| raised(Error::invalid("budget", format!("found {budget} s, expected a positive number"))))
+/// What [`Scene::bodies`] answers.
+fn drawn(scene: &cdpr_core::Scene) -> String {
+    let turned = |part: &Polytope| part.transformed(scene.orientation(), &Vector::zeros());
+    let cables = scene.robot().cables();
+    json!({
+        "obstacles": scene.obstacles().iter().map(|o| json!({
+            "name": o.name,
+            "parts": o.parts.iter().map(faces).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+        "platform": scene.robot().parts().iter().map(|part| faces(&turned(part))).collect::<Vec<_>>(),
+        "cables": cables.iter().map(|cable| json!({
+            "name": cable.name,
+            "outlet": <[f64; 3]>::from(cable.outlet),
+            "attachment": <[f64; 3]>::from(scene.orientation() * cable.attachment),
+        })).collect::<Vec<_>>(),
+    })
+    .to_string()
 }
 
 /// Checks a robot given as JSON text, and gives it back with its meshes as convex parts.
@@ -537,8 +537,7 @@ fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
 /// Writes a robot file of a robot given as JSON text.
 #[pyfunction]
 fn save_robot(path: std::path::PathBuf, text: &str) -> PyResult<()> {
-    let robot = io::robot_from_text(text, Notation::Json, None).map_err(raised)?;
-    io::save_table(&path, robot.spec()).map_err(raised)
+    answered(|| io::save_table(&path, io::robot_from_text(text, Notation::Json, None)?.spec()))
 }
 
 /// A robot of another program as JSON text, and what was not carried over.
@@ -580,7 +579,7 @@ fn polytope_distance(
     let (a, b) = (points(a.as_slice()?), points(b.as_slice()?));
     let few = a.len() + b.len() <= FEW_POINTS;
     let answer = move || Ok(distance(&hull("a", &a)?, &hull("b", &b)?));
-    let found = if few { answer().map_err(raised) } else { abandonable(py, answer) }?;
+    let found = if few { answered(answer) } else { abandonable(py, answer) }?;
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
@@ -590,9 +589,11 @@ type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String);
 /// The waypoints of a path file as rows, and its orientation; refused if it says it belongs to another scene.
 #[pyfunction]
 fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<LoadedPath> {
-    let loaded = io::load_waypoints(&path).map_err(raised)?;
-    let turned =
-        scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| raised(e.in_file(&path)))).transpose()?;
+    let (loaded, turned) = answered(|| {
+        let loaded = io::load_waypoints(&path)?;
+        let turned = scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| e.in_file(&path)));
+        Ok((loaded, turned.transpose()?))
+    })?;
     let said = loaded.file.as_ref().and_then(|file| file.orientation);
     let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
     let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));
@@ -602,20 +603,36 @@ fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<Loaded
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.
 #[pyfunction]
 fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
-    let value = io::text::parse(json, Notation::Json).map_err(raised)?;
-    io::save_path(&path, &value).map_err(raised)
+    answered(|| io::save_path(&path, &io::text::parse(json, Notation::Json)?))
 }
 
 /// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 fn schema(of: &str) -> PyResult<String> {
-    Ok(io::schema(named(of)?).to_string())
+    answered(|| Ok(io::schema(Choice::named(of)?).to_string()))
+}
+
+/// Checks that a file can be written, before the work for it is done.
+#[pyfunction]
+fn check_target(path: std::path::PathBuf) -> PyResult<()> {
+    answered(|| io::check_target(&path))
 }
 
 /// Writes a text file whole or not at all.
 #[pyfunction]
 fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
-    io::write_atomically(&path, text.as_bytes()).map_err(raised)
+    answered(|| io::write_atomically(&path, text.as_bytes()))
+}
+
+/// Fails as a bug would, on this thread or on another one, so that a test can see what becomes of it.
+#[pyfunction]
+fn panic(py: Python<'_>, thread: &str) -> PyResult<()> {
+    let bug = || -> Result<(), Error> { panic!("this is a test") };
+    match thread {
+        "other" => interruptible(py, |_| bug()),
+        "abandonable" => abandonable(py, bug),
+        _ => answered(bug),
+    }
 }
 
 #[pymodule(gil_used = false)]
@@ -629,8 +646,8 @@ mod _core {
     use super::*;
     #[pymodule_export]
     use super::{
-        Scene, check_robot, import_robot, load_path, load_robot, polytope_distance, save_path, save_robot, save_text,
-        schema,
+        Scene, check_robot, check_target, import_robot, load_path, load_robot, panic, polytope_distance, save_path,
+        save_robot, save_text, schema,
     };
 
     #[pymodule_init]

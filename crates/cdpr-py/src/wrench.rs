@@ -12,7 +12,7 @@ use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::convert::{point, points, row, triples};
-use crate::errors::{interruptible, raised};
+use crate::errors::{answered, interruptible, raised};
 
 /// A robot with the loads that its cables must balance.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -23,7 +23,7 @@ pub struct Statics {
 
 impl Statics {
     fn core(&self) -> PyResult<wrench::Statics> {
-        wrench::Statics::new(&self.robot, &self.loads).map_err(raised)
+        answered(|| wrench::Statics::new(&self.robot, &self.loads))
     }
 }
 
@@ -38,10 +38,9 @@ impl Statics {
         load: Option<[f64; 6]>,
         characteristic_length: f64,
     ) -> PyResult<Self> {
-        let spec: RobotSpec = io::text::parse(robot, Notation::Json).map_err(raised)?;
-        let robot = Robot::try_from(spec).map_err(raised)?;
+        let robot = answered(|| Robot::try_from(io::text::parse::<RobotSpec>(robot, Notation::Json)?))?;
         let default = Loads::default();
-        let turned = |q| model::body::unit_quaternion("orientation", q).map_err(raised);
+        let turned = |q| answered(|| model::body::unit_quaternion("orientation", q));
         let loads = Loads {
             orientation: orientation.map(turned).transpose()?.unwrap_or(default.orientation),
             gravity: gravity.map_or(default.gravity, Vector::from),
@@ -59,11 +58,14 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let positions = points(positions.as_slice()?);
         let mut numbers = Vec::with_capacity(positions.len() * 6 * self.robot.cables().len());
-        for (k, position) in positions.iter().enumerate() {
-            let matrix = kinematics::wrench_matrix(&self.robot, &self.loads.orientation, position);
-            let matrix = matrix.map_err(|e| raised(e.under(&format!("positions[{k}]"))))?;
-            numbers.extend(matrix.transpose().iter()); // column by column of the transpose: row by row
-        }
+        answered(|| {
+            for (k, position) in positions.iter().enumerate() {
+                let matrix = kinematics::wrench_matrix(&self.robot, &self.loads.orientation, position);
+                let matrix = matrix.map_err(|e| e.under(&format!("positions[{k}]")))?;
+                numbers.extend(matrix.transpose().iter()); // column by column of the transpose: row by row
+            }
+            Ok(())
+        })?;
         PyArray1::from_vec(py, numbers).reshape([positions.len(), 6, self.robot.cables().len()])
     }
 
@@ -79,9 +81,10 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let required = match vertices {
             Some(corners) => Required::Polytope(corners.into_iter().map(Into::into).collect()),
-            None => Required::balls(force, moment).map_err(raised)?,
+            None => answered(|| Required::balls(force, moment))?,
         };
-        let margin = CapacityMargin::new(self.core()?, required).map_err(raised)?;
+        let statics = self.core()?;
+        let margin = answered(|| CapacityMargin::new(statics, required))?;
         let rows = positions.as_slice()?;
         let n = rows.len() / 3;
         let mut fours = vec![[0.0; 4]; n.div_ceil(4)];
@@ -143,19 +146,21 @@ impl Statics {
 
     /// The set of forces available at a position: rank, balance, margin, and its surface.
     fn force_set<'py>(&self, py: Python<'py>, position: [f64; 3]) -> PyResult<Set<'py>> {
-        surface(py, wrench::force_set(&self.core()?, &point(position)))
+        let statics = self.core()?;
+        surface(py, answered(|| wrench::force_set(&statics, &point(position)))?)
     }
 
     /// The set of moments available at a position.
     fn moment_set<'py>(&self, py: Python<'py>, position: [f64; 3]) -> PyResult<Set<'py>> {
-        surface(py, wrench::moment_set(&self.core()?, &point(position)))
+        let statics = self.core()?;
+        surface(py, answered(|| wrench::moment_set(&statics, &point(position)))?)
     }
 }
 
 type Set<'py> = (usize, [f64; 3], f64, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 
-fn surface(py: Python<'_>, set: Result<AvailableSet, Error>) -> PyResult<Set<'_>> {
-    let AvailableSet { rank, mesh, balance, margin } = set.map_err(raised)?;
+fn surface(py: Python<'_>, set: AvailableSet) -> PyResult<Set<'_>> {
+    let AvailableSet { rank, mesh, balance, margin } = set;
     let vertices = triples(py, mesh.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect())?;
     let triangles = triples(py, mesh.triangles.iter().flatten().map(|i| *i as i64).collect())?;
     Ok((rank, balance.into(), margin, vertices, triangles))

@@ -10,7 +10,7 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::errors::{interruptible, raised};
+use crate::errors::{answered, interruptible};
 use crate::{Scene, serialized};
 
 /// A map of margins over the positions of a scene.
@@ -31,8 +31,8 @@ impl Map {
         threads: Option<usize>,
     ) -> PyResult<Self> {
         let scene = &scene.0;
-        let statics = Statics::of(scene).map_err(raised)?;
-        let required = constraint::required_of(scene, force, moment).map_err(raised)?;
+        let statics = answered(|| Statics::of(scene))?;
+        let required = answered(|| constraint::required_of(scene, force, moment))?;
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
             let (min, max) = Constraints::within(scene, &Watch::on(interrupted))?.position_box();
@@ -52,24 +52,23 @@ impl Map {
         let identity = |scene: &Scene| -> Result<MapIdentity, Error> {
             Ok(MapIdentity::of(&Statics::of(&scene.0)?, &constraint::required_of(&scene.0, force, moment)?))
         };
-        let expected = scene.map(identity).transpose().map_err(raised)?;
-        io::load_wrench_map(&path, expected.as_ref()).map(Map).map_err(raised)
+        answered(|| io::load_wrench_map(&path, scene.map(identity).transpose()?.as_ref()).map(Map))
     }
 
     /// Writes a .npz or .vti file.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
-        io::save_wrench_map(&path, &self.0).map_err(raised)
+        answered(|| io::save_wrench_map(&path, &self.0))
     }
 
     /// The bytes of an .npz file.
-    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &io::wrench_map_to_npz(&self.0))
+    fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, &answered(|| Ok(io::wrench_map_to_npz(&self.0)))?))
     }
 
     /// A map from such bytes.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        io::wrench_map_from_npz(bytes).map(Map).map_err(raised)
+        answered(|| io::wrench_map_from_npz(bytes).map(Map))
     }
 
     /// Position of the first node.
@@ -98,12 +97,12 @@ impl Map {
     }
 
     /// Feasible nodes, share, volume and extent as JSON.
-    fn summary(&self) -> String {
-        let found = self.0.summary();
+    fn summary(&self) -> PyResult<String> {
+        let found = answered(|| Ok(self.0.summary()))?;
         let extent = found.extent.map(|e| [<[f64; 3]>::from(e.min), e.max.into()]);
-        serialized(&serde_json::json!({
+        Ok(serialized(&serde_json::json!({
             "feasible": found.feasible, "share": found.share, "volume": found.volume, "extent": extent,
-        }))
+        })))
     }
 }
 
