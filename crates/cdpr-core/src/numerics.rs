@@ -17,6 +17,16 @@ pub const TOUCH_DEPTH: f64 = 1e-9;
 /// obstacle, a vertex on a face of its hull. Deeper inside is an error of the model.
 pub const ON_SURFACE: f64 = 1e-7;
 
+/// Least extent of a workspace along its longest side, and of the outlets of a robot, m: a thousand times
+/// [`GAP_TOLERANCE`], to which answers are right, and so as [`ON_SURFACE`] and [`FLAT`]. At a ten-thousandth of the size of a
+/// tabletop robot, they are then still right to three digits; where sizes come near the tolerances, walls become flat,
+/// gaps become contacts, and all of that would go without a word.
+pub const LEAST_EXTENT: f64 = 1e-4;
+
+/// Least extent of an obstacle along its longest side, and of a platform that is more than a point, m: a hundred times
+/// [`GAP_TOLERANCE`]; parts of a body may be smaller.
+pub const LEAST_BODY: f64 = 1e-5;
+
 /// Extent below which a point set counts as flat in that direction, m. Thinner bodies have no interior.
 pub const FLAT: f64 = 1e-7;
 

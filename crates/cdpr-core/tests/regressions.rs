@@ -4,10 +4,11 @@ mod support;
 
 use std::time::{Duration, Instant};
 
-use cdpr_core::collision::{Checker, Constraint, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::collision::{Checker, Constraint, Engine, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
-use cdpr_core::plan::{Processing, shorten_path};
+use cdpr_core::numerics::GAP_TOLERANCE;
+use cdpr_core::plan::{Processing, engine_for, shorten_path};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::testing::block;
 use cdpr_core::watch::Watch;
@@ -263,4 +264,104 @@ fn dense_paths_are_rewound_in_bounded_time() {
     let late = || clock.elapsed() > Duration::from_millis(50);
     let stopped = shorten_path(&engine, &detour, &Processing::Rewind(small.clone()), &Watch::on(&late));
     assert!(stopped.is_err() || clock.elapsed() < Duration::from_secs(1));
+}
+
+/// A scene with all its lengths multiplied.
+fn scaled(scene: &Scene, factor: f64) -> Result<Scene, cdpr_core::Error> {
+    let by = |x: &mut [f64; 3]| x.iter_mut().for_each(|x| *x *= factor);
+    let body = |body: &mut BodySpec| {
+        body.cuboid.iter_mut().chain(&mut body.position).for_each(by);
+        body.vertices.iter_mut().flatten().for_each(by);
+    };
+    let mut spec = scene.spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot stands in place") };
+    robot.platform.iter_mut().chain(&mut spec.obstacles).for_each(body);
+    robot.cables.iter_mut().for_each(|cable| [&mut cable.outlet, &mut cable.attachment].into_iter().for_each(by));
+    [&mut spec.workspace.min, &mut spec.workspace.max].into_iter().for_each(by);
+    let query = spec.query.get_or_insert_default();
+    query.start.iter_mut().chain(&mut query.goal).for_each(by);
+    Scene::new(spec)
+}
+
+#[test]
+fn a_scene_gets_the_same_answers_at_any_size_or_is_refused() {
+    for scene in [cdpr_core::testing::hard1(), cdpr_core::testing::hard3()] {
+        let engines = |scene: &Scene| {
+            [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(scene, engine, Interference::Exact).unwrap())
+        };
+        let own = engines(&scene);
+        for factor in [1e-7, 1e-6, 1e-5, 2e-5, 1e-4, 1e-3, 1e-2, 10.0, 1e3, 1e5] {
+            let other = match scaled(&scene, factor) {
+                Ok(_) if factor < 5e-5 => panic!("a scene of {factor} of the size is accepted"),
+                Ok(other) => engines(&other),
+                Err(refused) => {
+                    let told = refused.to_string();
+                    assert!(factor < 1e-4, "{factor}: {told}");
+                    assert!(
+                        told.contains("check the units, or scale all lengths") && told.contains("1e-7 m"),
+                        "{told}"
+                    );
+                    continue;
+                }
+            };
+            let mut rng = rng(3);
+            for _ in 0..2000 {
+                let p = Point::from([0; 3].map(|_| rng.random_range(0.1..1.9)));
+                let q = Point::from(p.coords * factor);
+                let clearance = own[0].clearance(&p, &p).unwrap().value;
+                for (own, other) in own.iter().zip(&other) {
+                    let measured = other.clearance(&q, &q).unwrap().value;
+                    let error = (measured - clearance * factor).abs();
+                    assert!(
+                        error < GAP_TOLERANCE + 1e-9 * factor,
+                        "{factor}: {p}: {measured}, not {clearance} times that"
+                    );
+                    let sure = clearance.abs() * factor > GAP_TOLERANCE;
+                    assert!(!sure || own.state_valid(&p) == other.state_valid(&q), "{factor}: {p}: {clearance}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_too_small_is_named() {
+    let scene = cdpr_core::testing::hard1();
+    let with = |change: &dyn Fn(&mut SceneSpec, &mut RobotSpec)| {
+        let mut spec = scene.spec().clone();
+        let RobotSource::Inline(mut robot) = spec.robot.clone() else { unreachable!("the robot stands in place") };
+        change(&mut spec, &mut robot);
+        Scene::new(SceneSpec { robot: RobotSource::Inline(robot), ..spec })
+    };
+    let tiny = || BodySpec { cuboid: Some([1e-6; 3]), ..BodySpec::default() };
+    for (change, words) in [
+        (
+            &(|s: &mut SceneSpec, _: &mut RobotSpec| s.workspace.max = [5e-5; 3])
+                as &dyn Fn(&mut SceneSpec, &mut RobotSpec),
+            ["workspace: found a workspace of 5e-5 m", "at least 1e-4 m"],
+        ),
+        (&|s, _| s.obstacles.push(tiny()), ["obstacles[1]: found an obstacle of", "at least 1e-5 m"]),
+        (&|_, r| r.platform = vec![tiny()], ["robot.platform: found a platform of", "at least 1e-5 m"]),
+        (
+            &|_, r| r.cables.iter_mut().for_each(|c| c.outlet = c.outlet.map(|x| 1e-5 * x)),
+            ["robot.cables: found outlets within a box of 2", "at least 1e-4 m"],
+        ),
+    ] {
+        let told = with(change).unwrap_err().to_string();
+        assert!(words.iter().all(|word| told.contains(word)), "{words:?} in {told}");
+    }
+    // A point is no small body, a part of a body no body, and one cable has no extent.
+    let sliver = BodySpec {
+        name: Some("pillar".into()),
+        cuboid: Some([2e-6, 2e-6, 2e-6]),
+        position: Some([0.85, 1.0, 0.5]),
+        ..BodySpec::default()
+    };
+    assert!(with(&|s, _| s.obstacles.push(sliver.clone())).is_ok());
+    let lone = |r: &mut RobotSpec| {
+        r.platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];
+        r.cables.truncate(1);
+        r.cables[0].attachment = [0.0; 3];
+    };
+    assert!(with(&|_, r| lone(r)).is_ok());
 }

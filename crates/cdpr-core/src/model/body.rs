@@ -3,7 +3,7 @@
 use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector};
-use crate::numerics::{MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
+use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
 pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
@@ -33,6 +33,29 @@ pub fn name(place: &str, name: &str) -> Result<(), Error> {
 /// Checks a name that may be left out.
 pub fn optional_name(place: &str, given: Option<&str>) -> Result<(), Error> {
     given.map_or(Ok(()), |given| name(place, given))
+}
+
+/// Checks that what these points span is large enough for the tolerances of this program, or a point.
+pub fn large_enough<'a>(
+    place: &str,
+    what: &str,
+    points: impl IntoIterator<Item = &'a Point>,
+    least: f64,
+) -> Result<(), Error> {
+    let (low, high) = points
+        .into_iter()
+        .fold((Vector::repeat(f64::INFINITY), Vector::repeat(f64::NEG_INFINITY)), |(low, high), p| {
+            (low.inf(&p.coords), high.sup(&p.coords))
+        });
+    let extent = (high - low).max();
+    if !(extent > 0.0 && extent < least) {
+        return Ok(());
+    }
+    let problem = format!(
+        "found {what} of {extent:e} m, expected at least {least:e} m: distances are right to {GAP_TOLERANCE:e} m, which is \
+         too coarse for less; lengths are metres, so check the units, or scale all lengths of the scene up"
+    );
+    Err(Error::invalid(place, problem))
 }
 
 /// Checks that a list is not longer than can be dealt with.

@@ -5,7 +5,7 @@ use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
-use crate::numerics::{MOST_BODIES, MOST_CABLES, ON_SURFACE};
+use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES, ON_SURFACE};
 use crate::words::small_length;
 
 /// A straight cable from a fixed outlet to the platform.
@@ -65,6 +65,8 @@ impl TryFrom<RobotSpec> for Robot {
         let cables = (spec.cables.iter().enumerate())
             .map(|(k, cable)| checked_cable(k, cable).map_err(|e| e.under(&format!("cables[{k}]"))))
             .collect::<Result<Vec<_>, _>>()?;
+        body::large_enough("platform", "a platform", parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
+        body::large_enough("cables", "outlets within a box", cables.iter().map(|c| &c.outlet), LEAST_EXTENT)?;
         let seams = seams(&parts.iter().collect::<Vec<_>>());
         unique_names(&cables)?;
         attachments_outside(&cables, &parts, &seams)?;

@@ -12,7 +12,7 @@ use super::spec::{
 use crate::error::{Error, nearest_name};
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
-use crate::numerics::{MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
+use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
 /// The name that stands for the platform in messages and in `ignore`.
@@ -361,11 +361,12 @@ fn workspace(spec: &SceneSpec) -> Result<Aabb, Error> {
         );
         return Err(Error::invalid("workspace", problem));
     }
+    body::large_enough("workspace", "a workspace", [&min, &max], LEAST_EXTENT)?;
     Ok(Aabb { min, max })
 }
 
 fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> {
-    let mut obstacles: Vec<Obstacle> = Vec::new();
+    let (mut obstacles, mut places): (Vec<Obstacle>, Vec<String>) = (Vec::new(), Vec::new());
     for (k, spec) in specs.iter().enumerate() {
         let place = format!("obstacles[{k}]");
         body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
@@ -385,8 +386,14 @@ fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> 
         }
         match obstacles.iter_mut().find(|o| o.name == name) {
             Some(body) => body.parts.push(part),
-            None => obstacles.push(Obstacle { name, parts: vec![part] }),
+            None => {
+                places.push(place);
+                obstacles.push(Obstacle { name, parts: vec![part] });
+            }
         }
+    }
+    for (place, obstacle) in places.iter().zip(&obstacles) {
+        body::large_enough(place, "an obstacle", obstacle.parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
     }
     Ok(obstacles)
 }
