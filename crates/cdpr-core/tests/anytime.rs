@@ -443,3 +443,85 @@ fn a_budget_counts_from_the_call() {
     let found = planned(&forest, &PlanOptions { budget, ..seeded(0) });
     assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 0)); // over before the scene was compiled
 }
+
+/// A wall with a corridor for the platform, `play` wider than it, in a workspace with so much room above the platform.
+fn corridor(play: f64, room: f64) -> Scene {
+    let half = |name: &str, from: f64, to: f64| block(name, [0.4, to - from, 1.0], [1.0, 0.5 * (from + to), 0.5]);
+    let gap = 0.15 + play;
+    let mut spec =
+        platform_only(vec![half("left", -0.5, 0.6 - 0.5 * gap), half("right", 0.6 + 0.5 * gap, 2.5)]).spec().clone();
+    spec.workspace.min[2] = 0.4 - 0.025;
+    spec.workspace.max[2] = 0.4 + 0.025 + room;
+    spec.query = Some(QuerySpec { start: Some([0.3, 1.5, 0.4]), goal: Some([1.7, 1.5, 0.4]), orientation: None });
+    scene(spec)
+}
+
+#[test]
+fn a_narrow_corridor_is_found_however_flat_the_workspace() {
+    for room in [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4] {
+        for play in [1e-4, 1e-2] {
+            let scene = corridor(play, room);
+            for seed in 0..3 {
+                let found = planned(&scene, &seeded(seed));
+                assert_eq!(found.status, Status::Solved, "room {room}, play {play}, seed {seed}");
+                valid_by_both(&scene, &found.waypoints);
+                let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+                let ends = [scene.start().unwrap(), scene.goal().unwrap()];
+                let bound = lower_bound(&*engine, &ends[0], &ends[1], &Watch::NONE).unwrap();
+                // From the start around both corners of the left or the right block's mouth, and straight through.
+                let bends = [[0.3, 1.5], [0.725, 0.6 + 0.5 * play], [1.275, 0.6 + 0.5 * play], [1.7, 1.5]];
+                let best: f64 = bends.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum();
+                assert!((found.cost - best).abs() < 1e-6, "room {room}, play {play}: {} {best}", found.cost);
+                assert!(bound <= found.cost + 1e-9, "room {room}, play {play}: {bound}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flat_workspace_is_planned_like_a_low_one() {
+    for (draw, scene) in (0..6).map(|draw| (draw, random_scenes(4).draw(draw).unwrap())) {
+        let with_room = |room: f64| {
+            let mut spec = scene.spec().clone();
+            spec.workspace.min[2] = 0.7 - 0.025;
+            spec.workspace.max[2] = 0.7 + 0.025 + room;
+            let query = spec.query.as_mut().unwrap();
+            for end in [&mut query.start, &mut query.goal] {
+                end.as_mut().unwrap()[2] = 0.7;
+            }
+            Scene::new(spec).unwrap()
+        };
+        let [flat, low] = [0.0, 1e-5].map(|room| {
+            let scene = with_room(room);
+            let found = planned(&scene, &seeded(1));
+            if found.status == Status::Solved {
+                valid_by_both(&scene, &found.waypoints);
+            }
+            found
+        });
+        assert_eq!(flat.status, low.status, "{draw}");
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-3 * b;
+        assert!(flat.status != Status::Solved || near(flat.cost, low.cost), "{draw}: {} {}", flat.cost, low.cost);
+    }
+}
+
+#[test]
+fn every_planner_finds_its_way_on_a_plane_and_along_a_line() {
+    let mut plane = corridor(0.2, 0.0).spec().clone();
+    let line = {
+        let mut spec = plane.clone();
+        spec.obstacles.clear();
+        spec.ignore.clear();
+        (spec.workspace.min[1], spec.workspace.max[1]) = (1.5 - 0.075, 1.5 + 0.075);
+        spec
+    };
+    plane.name = Some("plane".to_string());
+    for (scene, straight) in [(scene(plane), false), (scene(line), true)] {
+        for planner in [Planner::Anytime, Planner::RrtConnect, Planner::ModifiedRrt, Planner::Rrt, Planner::RrtStar] {
+            let found = planned(&scene, &PlanOptions { planner: PlannerOptions::of(planner), ..seeded(0) });
+            assert_eq!(found.status, Status::Solved, "{} {planner:?}", scene.name());
+            valid_by_both(&scene, &found.waypoints);
+            assert!(!straight || (found.cost - 1.4).abs() < 1e-9, "{planner:?}: {}", found.cost);
+        }
+    }
+}

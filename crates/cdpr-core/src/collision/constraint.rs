@@ -239,7 +239,14 @@ impl Constraints {
         let vertices = || self.platform.iter().flat_map(|part| part.vertices());
         let low = vertices().fold(Vector::repeat(f64::INFINITY), |low, v| low.inf(&v.coords));
         let high = vertices().fold(Vector::repeat(f64::NEG_INFINITY), |high, v| high.sup(&v.coords));
-        let (min, max) = (scene.workspace().min - low, scene.workspace().max - high);
+        let (mut min, mut max) = (scene.workspace().min - low, scene.workspace().max - high);
+        for axis in 0..3 {
+            // A platform as large as the workspace has one place there; rounding must not take it away.
+            if max[axis] < min[axis] && min[axis] - max[axis] <= TOUCH_DEPTH {
+                let middle = 0.5 * (min[axis] + max[axis]);
+                (min[axis], max[axis]) = (middle, middle);
+            }
+        }
         self.list.push(Constraint::Workspace { min, max });
     }
 

@@ -20,7 +20,7 @@ pub struct RrtStarOptions {
     /// Probability of taking the goal for a sample, 0 to 1; 0, as in the paper, is no bias.
     pub goal_bias: f64,
     /// Radius of the ball that is looked at around a new node, m, whatever the number n of nodes; by default
-    /// min(γ (ln n / n)^(1/3), step).
+    /// min(γ (ln n / n)^(1/3), step), see [`StateSpace::near_radius`].
     pub near_radius: Option<f64>,
     /// What ends the search: the first path, or 500 000 samples.
     pub limits: Limits,
@@ -95,7 +95,7 @@ fn grow<S: StateSpace>(
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
         let x_new = steer(space, tree.state(x_nearest), &x_rand, options.step);
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
-            let radius = options.near_radius.unwrap_or_else(|| near_radius(space, tree.len(), options.step));
+            let radius = options.near_radius.unwrap_or_else(|| space.near_radius(tree.len()).min(options.step));
             let x_near = neighbours.near(space, &tree, &x_new, radius);
             let x_parent = find_parent(search, &tree, &x_near, x_nearest, &x_new)?;
             let x_new = tree.append(space, x_parent, x_new);
@@ -104,12 +104,6 @@ fn grow<S: StateSpace>(
             newest = Some(x_new);
         }
     }
-}
-
-/// min(γ (ln n / n)^(1/3), step) for n nodes.
-fn near_radius<S: StateSpace>(space: &S, nodes: usize, step: f64) -> f64 {
-    let n = nodes as f64;
-    (space.gamma() * (n.ln() / n).cbrt()).min(step)
 }
 
 /// `FindParent(x_near, x_nearest, x_new)`: the near node through which the new state is reached at the least cost; the

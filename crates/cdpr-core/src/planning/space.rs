@@ -4,6 +4,7 @@ use rand::{Rng, RngExt};
 
 use crate::collision::Constraints;
 use crate::geometry::{Point, Vector};
+use crate::numerics::FLAT;
 
 /// States, straight lines between them, and their length.
 pub trait StateSpace: Sync {
@@ -35,10 +36,10 @@ pub trait StateSpace: Sync {
     /// Where a state stands among the others, for finding neighbours: places are never farther apart than their states.
     fn place(&self, state: &Self::State) -> Point;
 
-    /// γ of S. Karaman and E. Frazzoli (2011), (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space
-    /// and the volume ζ of the unit ball: with a ball of radius γ (ln n / n)^(1/d) around the n-th node RRT* tends to
-    /// the optimum.
-    fn gamma(&self) -> f64;
+    /// γ (ln n / n)^(1/d), m, with γ = (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space and the volume ζ
+    /// of the unit ball: with a ball of this radius around the n-th node RRT* tends to the optimum (S. Karaman and E.
+    /// Frazzoli, 2011).
+    fn near_radius(&self, nodes: usize) -> f64;
 }
 
 /// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` on the way to `to`, or `to` if that is
@@ -70,7 +71,7 @@ impl StateSpace for TranslationSpace {
     type State = Point;
 
     fn sample(&self, rng: &mut impl Rng) -> Option<Point> {
-        let size = self.max - self.min;
+        let size = self.size();
         let [x, y, z]: [f64; 3] = std::array::from_fn(|_| rng.random());
         (size.min() >= 0.0).then(|| self.min + size.component_mul(&Vector::new(x, y, z)))
     }
@@ -80,7 +81,9 @@ impl StateSpace for TranslationSpace {
     fn sample_between(&self, from: &Point, to: &Point, length: f64, rng: &mut impl Rng) -> Option<Point> {
         let straight = (to - from).norm();
         let across = 0.5 * (length * length - straight * straight).max(0.0).sqrt();
-        let size = self.max - self.min;
+        // Across a flat axis the ellipsoid is as wide as anything drawn from it before it is put back into the space.
+        let size = self.size();
+        let size = Vector::from_fn(|axis, _| if self.is_flat(axis) { 2.0 * across } else { size[axis] });
         if !(4.0 / 3.0 * std::f64::consts::PI * 0.5 * length * across * across < size.product()) {
             return self.sample(rng);
         }
@@ -111,10 +114,17 @@ impl StateSpace for TranslationSpace {
         *state
     }
 
-    fn gamma(&self) -> f64 {
-        let size = self.max - self.min;
-        let unit_ball = 4.0 / 3.0 * std::f64::consts::PI;
-        (8.0 / 3.0 * size.map(|side| side.max(0.0)).product() / unit_ball).cbrt()
+    fn near_radius(&self, nodes: usize) -> f64 {
+        let crowd = (nodes as f64).ln() / nodes as f64;
+        let wide: Vec<f64> = (0..3).filter(|&axis| !self.is_flat(axis)).map(|axis| self.size()[axis]).collect();
+        let volume: f64 = wide.iter().product();
+        let pi = std::f64::consts::PI;
+        match wide.len() {
+            0 => 0.0,
+            1 => 4.0 * volume / 2.0 * crowd,
+            2 => (3.0 * volume / pi).sqrt() * crowd.sqrt(),
+            _ => (8.0 / 3.0 * volume / (4.0 / 3.0 * pi)).cbrt() * crowd.cbrt(),
+        }
     }
 }
 
@@ -122,7 +132,20 @@ impl StateSpace for TranslationSpace {
 const NEAREST_SHARE: f64 = 1e-3;
 
 impl TranslationSpace {
-    fn inside(&self, position: Point) -> Option<Point> {
+    fn size(&self) -> Vector {
+        self.max - self.min
+    }
+
+    /// Whether there is no room to speak of along an axis: the platform is as high as the workspace.
+    fn is_flat(&self, axis: usize) -> bool {
+        self.max[axis] - self.min[axis] <= FLAT
+    }
+
+    /// A drawn position, if it is in the space; put back into it along flat axes, which a draw never hits.
+    fn inside(&self, mut position: Point) -> Option<Point> {
+        for axis in (0..3).filter(|&axis| self.is_flat(axis)) {
+            position[axis] = position[axis].max(self.min[axis]).min(self.max[axis]);
+        }
         (0..3).all(|axis| self.min[axis] <= position[axis] && position[axis] <= self.max[axis]).then_some(position)
     }
 }

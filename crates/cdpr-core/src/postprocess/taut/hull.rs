@@ -131,6 +131,16 @@ impl Hull {
 }
 
 impl Piece {
+    /// What a box leaves of it, maybe a single point; none if it misses the box.
+    pub fn within(&self, low: &Point, high: &Point) -> Option<Piece> {
+        let length = self.along.norm();
+        let direction = self.along.try_normalize(0.0)?;
+        let [from, to] = in_box(low, high, &self.from, &direction);
+        let range = [from.max(0.0), to.min(length)];
+        let [from, to] = range.map(|t| (self.from + direction * t).sup(low).inf(high));
+        (range[0] <= range[1]).then_some(Piece { from, along: to - from })
+    }
+
     /// The point at a share of it.
     pub fn at(&self, share: f64) -> Point {
         self.from + self.along * share
@@ -153,7 +163,7 @@ impl Piece {
         self.from + self.along * rng.random::<f64>()
     }
 
-    /// Its pieces outside of all hulls.
+    /// Its pieces outside of all hulls that are longer than rounding, or all of it.
     pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>) -> Vec<Piece> {
         let mut covered: Vec<[f64; 2]> =
             hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
@@ -162,7 +172,7 @@ impl Piece {
         let mut at = 0.0;
         for [start, end] in covered.into_iter().chain([[1.0, 1.0]]) {
             let piece = Piece { from: self.from + self.along * at, along: self.along * (start.min(1.0) - at) };
-            if start > at && piece.along.norm() > STANDOFF {
+            if start > at && piece.along.norm() >= STANDOFF.min(self.along.norm()) {
                 free.push(piece);
             }
             at = at.max(end);

@@ -8,7 +8,7 @@ use rand::{Rng, RngExt};
 use super::hull::{Hull, Overlap, Piece};
 use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
-use crate::numerics::ON_SURFACE;
+use crate::numerics::{FLAT, ON_SURFACE};
 
 /// Hulls in one place.
 #[derive(Debug)]
@@ -87,7 +87,7 @@ impl Hulls {
     ) -> Option<Point> {
         (0..DRAWS.min(DRAWS * self.list.len())).find_map(|_| {
             let hull = &self.list[rng.random_range(0..self.list.len())];
-            hull.face_edges(rng.random_range(0..hull.planes().len()), &self.low, &self.high, polygon, edges);
+            self.edges(hull, rng.random_range(0..hull.planes().len()), polygon, edges);
             let edge = edges.get(rng.random_range(0..edges.len().max(1)))?;
             let share = rng.random::<f64>();
             if !promising(&edge.at(share)) {
@@ -98,6 +98,20 @@ impl Hulls {
             let piece = pieces.get(rng.random_range(0..pieces.len().max(1)))?;
             Some(piece.sample(rng)).filter(promising)
         })
+    }
+}
+
+impl Hulls {
+    /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and the face itself to nothing that
+    /// rounding leaves; so there the face is cut by a thicker box first.
+    fn edges(&self, hull: &Hull, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
+        let flat = (self.high - self.low).map(|size| size <= FLAT);
+        if !flat.iter().any(|flat| *flat) {
+            return hull.face_edges(face, &self.low, &self.high, polygon, edges);
+        }
+        let thicker = flat.map(|flat| if flat { MARGIN } else { 0.0 });
+        hull.face_edges(face, &(self.low - thicker), &(self.high + thicker), polygon, edges);
+        *edges = edges.iter().filter_map(|edge| edge.within(&self.low, &self.high)).collect();
     }
 }
 
