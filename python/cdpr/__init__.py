@@ -40,9 +40,10 @@ from ._wrench import (
     wrench_matrix,
 )
 from ._wrench_map import WrenchMap, wrench_map
-from .exceptions import CdprError, CdprWarning, FileError, InputError, InternalError
+from .exceptions import AnotherSceneWarning, CdprError, CdprWarning, FileError, InputError, InternalError
 
 __all__ = [
+    "AnotherSceneWarning",
     "AvailableSet",
     "BatchResult",
     "CdprError",

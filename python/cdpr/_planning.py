@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import warnings
 from collections.abc import Callable
 from typing import Any, Literal, TypeAlias
 
@@ -15,8 +16,8 @@ from . import _core
 from ._arrays import Floats, number, point, rows, whole
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Engine, Interference, Scene
-from ._violation import violation_from
-from .exceptions import InputError
+from ._violation import exemption_from, violation_from
+from .exceptions import AnotherSceneWarning, InputError
 
 Planner: TypeAlias = Literal["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
@@ -178,17 +179,23 @@ def _finite(name: str, value: float | None) -> float | None:
     return found
 
 
-def core_for(scene: Scene, waypoints: ArrayLike | Path) -> _core.Scene:
-    """The scene at the orientation of the path."""
+def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:
+    """The scene at the orientation of the path; it warns of a path that was planned for another scene, or refuses it."""
     if not isinstance(scene, Scene):
         raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
-    turn = waypoints.orientation if isinstance(waypoints, Path) else None
-    return scene._core.for_path_at(None if turn is None else turn.tolist()) or scene._core
+    if not isinstance(waypoints, Path):
+        return scene._core.for_path(None)[0] or scene._core
+    turn, planned_for = waypoints.orientation, waypoints._planned_for()
+    identity = None if planned_for is None else (planned_for["name"], planned_for["fingerprint"])
+    turned, warning = scene._core.for_path(None if turn is None else turn.tolist(), identity, strict)
+    if warning is not None:
+        warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
+    return turned or scene._core
 
 
 def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
     """The scene at the orientation of the path, as :func:`core_for`."""
-    same = core_for(scene, waypoints) is scene._core
+    same = core_for(scene, waypoints, level=level) is scene._core
     return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
 
 
@@ -208,6 +215,7 @@ def rewind(
     repeats: int = 1,
     engine: Engine = "cspace",
     interference: Interference = "exact",
+    strict: bool = False,
 ) -> Path:
     """Shorten anyone's path by backward and forward rewinding; the result is valid and never longer.
 
@@ -224,6 +232,8 @@ def rewind(
         How often the pair of rewindings runs.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -245,7 +255,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    return _shortened(scene, waypoints, order, number("step", step), whole("repeats", repeats), engine, interference)
+    return _shortened(scene, waypoints, order, number("step", step), whole("repeats", repeats), engine, interference, strict)
 
 
 def refine(
@@ -254,6 +264,7 @@ def refine(
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
+    strict: bool = False,
 ) -> Path:
     """Pull anyone's path taut: a shortest path of its kind, valid and never longer.
 
@@ -264,6 +275,8 @@ def refine(
         Positions of the platform's origin, world, m; every segment must be valid.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -282,7 +295,7 @@ def refine(
     >>> print(f"{refine(scene, raw).cost:.6f}")
     2.435167
     """
-    return _shortened(scene, waypoints, "taut", 1.0, 1, engine, interference)
+    return _shortened(scene, waypoints, "taut", 1.0, 1, engine, interference, strict)
 
 
 def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
@@ -298,8 +311,9 @@ def _shortened(
     repeats: int,
     engine: Engine,
     interference: Interference,
+    strict: bool = False,
 ) -> Path:
-    core = core_for(scene, waypoints)
+    core = core_for(scene, waypoints, strict=strict, level=4)
     text = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
     found = json.loads(text)
     return Path(_array(found["waypoints"]), found["cost"], found["orientation"], _json=text)
@@ -335,6 +349,7 @@ def check(
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
+    strict: bool = False,
 ) -> Report:
     """Check a path: every violation with culprits, place and margin, and the nearest approach.
 
@@ -345,6 +360,8 @@ def check(
         Positions of the platform's origin, world, m.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -353,7 +370,8 @@ def check(
     Raises
     ------
     InputError
-        Wrong shape, fewer than two waypoints, numbers that are not finite.
+        Wrong shape, fewer than two waypoints, numbers that are not finite; a path at an orientation that the scene does not
+        have; with ``strict``, a path that was planned for another scene.
 
     Examples
     --------
@@ -361,13 +379,13 @@ def check(
     >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
     False
     """
-    core = core_for(scene, waypoints)
+    core = core_for(scene, waypoints, strict=strict)
     found = json.loads(core.check(path_rows("waypoints", waypoints), engine, interference))
     violations = tuple(violation_from(values) for values in found["violations"])
     return Report(**{**found, "violations": violations})
 
 
-def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
+def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False) -> Path:
     """Load a path file.
 
     Parameters
@@ -375,7 +393,9 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
     path : path
         .json or .csv.
     scene : Scene, optional
-        A file that says it was planned for another scene is refused.
+        A file that says it was planned for another scene is met with an `AnotherSceneWarning`.
+    strict : bool
+        Refuse such a file.
 
     Returns
     -------
@@ -387,7 +407,7 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
     FileError
         It cannot be read, or its name has another extension.
     InputError
-        Bad contents, or a path of another scene.
+        Bad contents; a path at an orientation that the scene does not have; with ``strict``, one of another scene.
 
     Examples
     --------
@@ -398,7 +418,10 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None) -> Path:
     ...     load_path(f"{folder}/path.csv", scene)
     Path(2.4352 m, 3 waypoints)
     """
-    rows_of_file, turn, text = _core.load_path(os.fspath(path), None if scene is None else scene._core)
+    core = None if scene is None else scene._core
+    rows_of_file, turn, text, warning = _core.load_path(os.fspath(path), core, strict)
+    if warning is not None:
+        warnings.warn(f"{os.fspath(path)}: {warning}", AnotherSceneWarning, stacklevel=2)
     waypoints = _array(rows_of_file)
     cost = float(np.linalg.norm(np.diff(waypoints, axis=0), axis=1).sum())
     return Path(waypoints, cost, None if turn is None else np.array(turn), _json=text)

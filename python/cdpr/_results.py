@@ -76,12 +76,18 @@ class Path(ByValue):
         """What the file says: all that is known of the path, but nothing that is known of another one."""
         known: dict[str, Any] = json.loads(self._json)
         waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
-        same_turn = known.get("orientation") in (None, turn)
-        if same_turn and known.get("waypoints") == waypoints:
+        if known.get("orientation") in (None, turn) and known.get("waypoints") == waypoints:
             return known | {"orientation": turn}
-        kept = {"scene": known["scene"]} if same_turn and "scene" in known else {}
+        scene = self._planned_for()
+        kept = {} if scene is None else {"scene": scene}
         cost = self.cost if np.isfinite(self.cost) else None
         return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
+
+    def _planned_for(self) -> dict[str, str] | None:
+        """Name and fingerprint of the scene that the path was planned for, if it is known."""
+        known: dict[str, Any] = json.loads(self._json)
+        turn = None if self.orientation is None else self.orientation.tolist()
+        return known.get("scene") if known.get("orientation") in (None, turn) else None
 
     def to_pandas(self) -> Any:
         """Return the waypoints as a table; it needs pandas.

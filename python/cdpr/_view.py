@@ -81,7 +81,7 @@ class View:
         )
 
 
-def view(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interference: Interference = "exact") -> View:
+def view(scene: Scene, waypoints: ArrayLike | Path | None, interference: Interference, strict: bool) -> View:
     result = waypoints if isinstance(waypoints, Result) else None
     given = waypoints.waypoints if isinstance(waypoints, Path) else waypoints
     array = None if given is None else rows("waypoints", given)
@@ -91,7 +91,7 @@ def view(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     status = None if result is None else result.status
     planner = None if result is None else str(json.loads(result._json)["planner"])
     tree = None if result is None else (np.ascontiguousarray(result.tree[0]), np.ascontiguousarray(result.tree[1]))
-    core = scene._core if waypoints is None else core_for(scene, waypoints)
+    core = scene._core if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
     return View(core.page(status, array, cost, raw, raw_cost, planner, tree, interference))
 
 
@@ -101,6 +101,7 @@ def save_view(
     waypoints: ArrayLike | Path | None = None,
     *,
     interference: Interference = "exact",
+    strict: bool = False,
 ) -> None:
     """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline.
 
@@ -113,6 +114,8 @@ def save_view(
         As in :func:`show`.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Raises
     ------
@@ -127,10 +130,16 @@ def save_view(
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
     _core.check_target(os.fspath(path))
-    view(scene, waypoints, interference=interference).save(path)
+    view(scene, waypoints, interference, strict).save(path)
 
 
-def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interference: Interference = "exact") -> View:
+def show(
+    scene: Scene,
+    waypoints: ArrayLike | Path | None = None,
+    *,
+    interference: Interference = "exact",
+    strict: bool = False,
+) -> View:
     """Show a scene and, if given, a path: inline as the last line of a notebook's cell, otherwise in a browser tab.
 
     Parameters
@@ -140,6 +149,8 @@ def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
         Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -152,7 +163,7 @@ def show(scene: Scene, waypoints: ArrayLike | Path | None = None, *, interferenc
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> page = cdpr.show(scene, cdpr.plan(scene))  # doctest: +SKIP
     """
-    shown = view(scene, waypoints, interference=interference)
+    shown = view(scene, waypoints, interference, strict)
     if not _in_notebook():
         shown.open()
     return shown

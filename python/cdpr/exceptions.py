@@ -61,3 +61,18 @@ class CdprWarning(UserWarning):
     >>> [warning.category.__name__ for warning in told]
     ['CdprWarning']
     """
+
+
+class AnotherSceneWarning(CdprWarning):
+    """A path was planned for another scene than the one it is checked against or shown in.
+
+    Examples
+    --------
+    >>> import cdpr, warnings
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> path = cdpr.plan(scene)
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     valid = cdpr.check(scene.replace(clearance=0.01), path).valid
+    >>> valid, [warning.category.__name__ for warning in told]
+    (False, ['AnotherSceneWarning'])
+    """

@@ -271,7 +271,7 @@ def simple_setup(
     >>> solve(setup, 0.2).asString()
     'Exact solution'
     """
-    scene._core.for_path_at(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
+    scene._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)

@@ -20,7 +20,7 @@ LEFT_OUT = {
     "SS05",  # "Collision-free paths" is a summary, too
 }
 MODULES = ["cdpr", "cdpr.ompl", "cdpr.figures", "cdpr.exceptions"]
-ERRORS = ["CdprError", "InputError", "FileError", "InternalError", "CdprWarning"]
+ERRORS = ["CdprError", "InputError", "FileError", "InternalError", "CdprWarning", "AnotherSceneWarning"]
 
 
 def public():

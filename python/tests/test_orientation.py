@@ -65,8 +65,17 @@ def test_what_a_path_is_made_of_is_what_is_saved(plank: cdpr.Scene, tmp_path: Pa
         assert ("min_clearance" in said) == known and said["scene"]["name"] == "plank"
     result.save(tmp_path / "path.json")
     cdpr.load_path(tmp_path / "path.json", plank).save(tmp_path / "again.json")
-    with pytest.raises(cdpr.InputError, match="another scene"):
+    with pytest.warns(cdpr.AnotherSceneWarning, match="another scene"):
         cdpr.load_path(tmp_path / "again.json", plank.without("left"))
+    # At an orientation that the scene no longer has there is no answer.
+    spec = plank.to_dict()
+    spec["orientations"] = [turn for turn in spec["orientations"] if turn["name"] != "along"]
+    spec["orientations"].append({"name": "askew", "rpy": [0.0, 0.0, 0.3]})
+    with pytest.warns(cdpr.CdprWarning):
+        without = cdpr.Scene.from_dict(spec)
+    for ask in (lambda: cdpr.load_path(tmp_path / "again.json", without), lambda: cdpr.check(without, result)):
+        with pytest.raises(cdpr.InputError, match="none of the scene's orientations"):
+            ask()
     with pytest.raises(cdpr.InputError, match="orientation"):
         cdpr.Path(result.waypoints, 1.1, [1, 0, 0])
 

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import warnings
 import pickle
 import signal
 import subprocess
@@ -144,8 +145,10 @@ def test_path_files_round_trip_and_belong_to_their_scene(hard1, empty, tmp_path)
         result.save(tmp_path / name)
         assert (cdpr.load_path(tmp_path / name, hard1).waypoints == result.waypoints).all()
     assert json.loads((tmp_path / "path.json").read_text())["status"] == "solved"
-    with pytest.raises(cdpr.InputError, match="another scene"):
-        cdpr.load_path(tmp_path / "path.json", empty)
+    with pytest.raises(cdpr.InputError, match="path.json: scene: found a path planned for another scene"):
+        cdpr.load_path(tmp_path / "path.json", empty, strict=True)
+    with pytest.warns(cdpr.AnotherSceneWarning, match='path.json: the path was planned for another scene: "hard1"'):
+        assert (cdpr.load_path(tmp_path / "path.json", empty).waypoints == result.waypoints).all()
     with pytest.raises(cdpr.FileError, match="expected .json or .csv"):
         result.save(tmp_path / "path.txt")
     with pytest.raises(cdpr.FileError, match="cannot be written"):
@@ -411,3 +414,28 @@ def test_the_example_runs(tmp_path):
     run = subprocess.run([sys.executable, example], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "valid: True" in run.stdout
     assert (tmp_path / "path.json").exists() and (tmp_path / "view.html").exists()
+
+
+def test_a_path_of_another_scene_is_answered_with_a_warning(hard1, tmp_path):
+    path = cdpr.plan(hard1)
+    edited = hard1.without("pillar").with_obstacle("block", hard1.obstacles["pillar"][0], position=[0.7, 0.8, 0.3])
+    asks = [
+        lambda **strict: cdpr.check(edited, path, **strict),
+        lambda **strict: cdpr.refine(edited, path, **strict),
+        lambda **strict: cdpr.rewind(edited, path, **strict),
+        lambda **strict: cdpr.save_view(tmp_path / "view.html", edited, path, **strict),
+    ]
+    for ask in asks:
+        with pytest.warns(cdpr.AnotherSceneWarning, match="planned for another scene") as told:
+            ask()
+        assert [warning.filename for warning in told] == [__file__]
+        with pytest.raises(cdpr.InputError, match="planned for another scene"):
+            ask(strict=True)
+    with pytest.warns(cdpr.AnotherSceneWarning):
+        assert len(cdpr.tensions_along(edited, path, step=0.1).positions) > 10
+    # What is known of a path, or is none of its scene's business, is answered without a word.
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert cdpr.check(edited, path.waypoints).valid
+        assert cdpr.check(hard1.replace(name="other", start=None), path, strict=True).valid
+        assert cdpr.check(edited, cdpr.Path(path.waypoints, path.cost)).valid

@@ -250,7 +250,17 @@ pub struct PathArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: PathBuf,
     #[command(flatten)]
+    pub strict: Strict,
+    #[command(flatten)]
     pub checker: CheckerArgs,
+}
+
+/// What is done with a path that was planned for another scene.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct Strict {
+    /// Refuse a path that was planned for another scene, instead of a warning.
+    #[arg(long)]
+    pub strict: bool,
 }
 
 /// Who checks motions, and how strictly.
@@ -443,6 +453,8 @@ pub struct ViewArgs {
     #[arg(short, long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
     pub output: PathBuf,
     #[command(flatten)]
+    pub strict: Strict,
+    #[command(flatten)]
     pub checker: CheckerArgs,
 }
 
@@ -485,6 +497,8 @@ pub struct WrenchArgs {
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub along: Option<PathBuf>,
+    #[command(flatten)]
+    pub strict: Strict,
     /// Distance of the rows along the path, m.
     #[arg(long, value_name = "M", default_value_t = 0.01, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,

@@ -11,7 +11,7 @@ use cdpr_core::io::{LoadedPath, Loader, scene_of_path, waypoints_from_text};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene, io};
 
-use crate::args::{PathArgs, SceneArgs};
+use crate::args::{PathArgs, SceneArgs, Strict};
 use crate::output::{Console, count, is_dash};
 use crate::progress::interrupted;
 
@@ -48,26 +48,35 @@ pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPa
         return Err(only_one());
     }
     let scene = scene(&args.scene, out)?;
-    path(&scene, &args.scene, &args.path)
+    path(&scene, &args.scene, &args.path, args.strict, out)
 }
 
 fn only_one() -> Error {
     Error::invalid("", "found - for both scene and path, but there is one standard input only")
 }
 
-/// A path of a scene, and the scene at the orientation of the path.
-pub fn path(scene: &Scene, args: &SceneArgs, path: &Path) -> Result<(Scene, LoadedPath), Error> {
+/// A path of a scene, and the scene at the orientation of the path. Warns of a path that was planned for another scene.
+pub fn path(
+    scene: &Scene,
+    args: &SceneArgs,
+    path: &Path,
+    Strict { strict }: Strict,
+    out: &Console,
+) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene) && is_standard_input(path) {
         return Err(only_one());
     }
-    let Some(stream) = stream_of(path)? else {
-        let loaded = io::load_waypoints(path)?;
-        return Ok((scene_of_path(scene, &loaded).map_err(|e| e.in_file(path))?, loaded));
+    let in_scene = |loaded: LoadedPath| {
+        let (scene, warning) = scene_of_path(scene, &loaded, strict)?;
+        warning.iter().for_each(|warning| out.warning(warning));
+        Ok((scene, loaded))
     };
-    stream.parse(|text| {
-        let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
-        Ok((scene_of_path(scene, &loaded)?, loaded))
-    })
+    match stream_of(path)? {
+        Some(stream) => {
+            stream.parse(|text| waypoints_from_text(text, text.trim_start().starts_with('{')).and_then(in_scene))
+        }
+        None => io::load_waypoints(path).and_then(|loaded| in_scene(loaded).map_err(|e: Error| e.in_file(path))),
+    }
 }
 
 /// An experiment.

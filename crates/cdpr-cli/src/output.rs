@@ -98,7 +98,12 @@ impl Console {
         }
     }
 
-    /// Says what is special about a scene.
+    /// Says what puts an answer in doubt; also where all else is quiet.
+    pub fn warning(&self, text: &str) {
+        let _ = writeln!(anstream::stderr(), "{BAD}warning:{BAD:#} {text}");
+    }
+
+    /// Says what is special about a scene, besides what is exempt from a clearance.
     pub fn notes(&self, constraints: &Constraints) {
         constraints.notes.iter().for_each(|note| self.note(note));
     }

@@ -149,9 +149,9 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
         (vec!["plan", "hard1.toml", "--planner", "magic", "-o", "out.json"], vec!["magic", "modified-rrt"]),
         (vec!["plan", "hard1.toml", "-o", "nofolder/out.json"], vec!["nofolder", "cannot be written"]),
         (vec!["check", "hard1.toml", "empty.json"], vec!["empty.json", "waypoints", "at least two"]),
-        (vec!["check", "hard1.toml", "other.json"], vec!["other.json", "another scene", "empty", "hard1"]),
-        (vec!["post", "hard1.toml", "other.json", "-o", "out.json"], vec!["other.json", "another scene"]),
-        (vec!["view", "hard1.toml", "other.json", "-o", "out.html"], vec!["other.json", "another scene"]),
+        (vec!["check", "hard1.toml", "other.json", "--strict"], vec!["other.json", "another scene", "empty", "hard1"]),
+        (vec!["post", "hard1.toml", "other.json", "--strict", "-o", "out.json"], vec!["other.json", "another scene"]),
+        (vec!["view", "hard1.toml", "other.json", "--strict", "-o", "out.html"], vec!["other.json", "another scene"]),
         (vec!["frobnicate"], vec!["frobnicate"]),
     ] {
         let output = cdpr_in(folder.path(), &arguments);
@@ -164,6 +164,42 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
     let left: Vec<String> =
         fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     assert!(!left.iter().any(|name| name.starts_with("out") || name.starts_with('.')), "{left:?}");
+}
+
+#[test]
+fn a_path_of_another_scene_is_answered_with_a_warning() {
+    let folder = folder();
+    let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("hall.toml"), &hard1).unwrap();
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", "hall.toml", "-o", "path.json"])), 0);
+    // The pillar moves away from the path, then into it.
+    for (place, valid) in [("position = [0.3, 1.0, 1.85]", false), ("position = [1.7, 0.1, 0.1]", true)] {
+        fs::write(at("hall.toml"), hard1.replace("position = [1.0, 1.0, 0.75]", place)).unwrap();
+        let checked = cdpr_in(folder.path(), &["check", "hall.toml", "path.json", "--format", "json"]);
+        assert_eq!((status(&checked), json(&checked)["valid"].clone()), (i32::from(!valid), valid.into()));
+        for arguments in [
+            vec!["check", "hall.toml", "path.json"],
+            vec!["check", "hall.toml", "path.json", "--quiet"],
+            vec!["view", "hall.toml", "path.json", "-o", "view.html"],
+            vec!["post", "hall.toml", "path.json", "-o", "shorter.json"],
+            vec!["wrench", "hall.toml", "--along", "path.json"],
+        ] {
+            let answer = cdpr_in(folder.path(), &arguments);
+            let said = stderr(&answer);
+            assert!(
+                said.contains("warning: the path was planned for another scene: \"hard1\""),
+                "{arguments:?}: {said}"
+            );
+            let strict = cdpr_in(folder.path(), &[&arguments[..], &["--strict"]].concat());
+            assert_eq!(status(&strict), 2, "{arguments:?}: {}", stderr(&strict));
+            assert!(stderr(&strict).contains("path.json: scene: found a path planned for another scene"));
+        }
+    }
+    assert!(at("view.html").exists() && at("shorter.json").exists());
+    // What is written anew belongs to the edited scene.
+    let again = cdpr_in(folder.path(), &["check", "hall.toml", "shorter.json", "--strict"]);
+    assert_eq!((status(&again), stderr(&again)), (0, String::new()));
 }
 
 #[test]

@@ -30,8 +30,8 @@ pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
-    LoadedPath, PathFile, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_of_path,
-    waypoints_from_text,
+    LoadedPath, PathFile, SceneId, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_for,
+    scene_of_path, waypoints_from_text,
 };
 pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};

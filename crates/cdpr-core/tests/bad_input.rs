@@ -184,7 +184,7 @@ fn paths_that_make_no_sense_are_refused() {
         let path = folder.path().join(name);
         fs::write(&path, text).unwrap();
         let message = load_waypoints(&path)
-            .and_then(|loaded| scene_of_path(&scene, &loaded).map_err(|e| e.in_file(&path)))
+            .and_then(|loaded| scene_of_path(&scene, &loaded, true).map_err(|e| e.in_file(&path)))
             .unwrap_err()
             .to_string();
         assert!(message.contains(expected) && message.contains(name), "{name}: expected \"{expected}\" in: {message}");

@@ -153,22 +153,38 @@ fn a_path_is_checked_at_its_own_orientation() {
     let file = folder.path().join("path.json");
     save_path(&file, &plan_json(&planned.scene, &PlanOptions::default(), &planned.result, None, None)).unwrap();
     let loaded = load_waypoints(&file).unwrap();
-    let found = scene_of_path(&scene, &loaded).unwrap();
+    let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
+    assert_eq!(warning, None);
     assert_eq!((found.orientation_name(), &loaded.waypoints), (Some("along"), &planned.result.waypoints));
     // Not at another one that the scene was told.
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
-    let refused = scene_of_path(&across, &loaded).unwrap_err().to_string();
+    let refused = scene_of_path(&across, &loaded, false).unwrap_err().to_string();
     assert!(refused.contains("orientation: found a path at [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
     // Bare positions say none, and a scene that leaves it open is no answer.
     let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
-    let refused = scene_of_path(&scene, &bare).unwrap_err().to_string();
+    let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
     assert!(refused.contains("which names across, along, askew; choose one"), "{refused}");
-    assert!(scene_of_path(&across, &bare).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
+    assert!(scene_of_path(&across, &bare, true).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
     assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
     // Another scene stays another scene.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);
-    assert!(scene_of_path(&Scene::new(other).unwrap(), &loaded).unwrap_err().to_string().contains("another scene"));
+    let edited = Scene::new(other.clone()).unwrap();
+    let (found, warning) = scene_of_path(&edited, &loaded, false).unwrap();
+    assert_eq!(found.orientation_name(), Some("along"));
+    assert!(warning.unwrap().contains("planned for another scene: \"slot\""));
+    assert!(scene_of_path(&edited, &loaded, true).unwrap_err().to_string().contains("another scene"));
+    // One that no longer has the orientation of the path gets none.
+    other.orientations.retain(|orientation| orientation.name != "along");
+    let without = Scene::new(other).unwrap();
+    let refused = scene_of_path(&without, &loaded, false).unwrap_err().to_string();
+    assert!(refused.contains("none of the scene's orientations (across, askew)"), "{refused}");
+    // A path that was planned for just this scene at an orientation without a name is checked at that.
+    let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();
+    let json = plan_json(&aside, &PlanOptions::default(), &planned.result, &Nearest::default(), None);
+    save_path(&file, &json).unwrap();
+    let (found, warning) = scene_of_path(&scene, &load_waypoints(&file).unwrap(), false).unwrap();
+    assert_eq!((found.orientation(), warning), (aside.orientation(), None));
 }
 
 #[test]

@@ -110,10 +110,19 @@ impl Scene {
         self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
     }
 
-    /// The scene for a path that holds at this orientation, if it says one; none if it is the scene itself.
-    fn for_path_at(&self, orientation: Option<[f64; 4]>) -> PyResult<Option<Scene>> {
-        let scene = answered(|| self.0.for_path_at(orientation.map(Into::into)))?;
-        Ok((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)))
+    /// The scene for a path that holds at this orientation, if it says one (none if it is the scene itself), and a warning
+    /// if the path was planned for another scene, given by name and fingerprint; an error if that is asked for.
+    #[pyo3(signature = (orientation, planned_for=None, strict=false))]
+    fn for_path(
+        &self,
+        orientation: Option<[f64; 4]>,
+        planned_for: Option<(String, String)>,
+        strict: bool,
+    ) -> PyResult<(Option<Scene>, Option<String>)> {
+        let id = planned_for.map(|(name, fingerprint)| io::SceneId { name, fingerprint });
+        let (scene, warning) =
+            answered(|| io::scene_for(&self.0, orientation.map(Into::into), id.as_ref(), strict))?;
+        Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
     }
 
     /// What is special about the scene.
@@ -583,17 +592,18 @@ fn polytope_distance(
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
-/// Waypoints, orientation, and all that the file says as JSON.
-type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String);
+/// Waypoints, orientation, all that the file says as JSON, and a warning if it was planned for another scene.
+type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
 
-/// The waypoints of a path file as rows, and its orientation; refused if it says it belongs to another scene.
+/// The waypoints of a path file as rows, and its orientation; strictly, a file of another scene is an error.
 #[pyfunction]
-fn load_path(path: std::path::PathBuf, scene: Option<&Scene>) -> PyResult<LoadedPath> {
-    let (loaded, turned) = answered(|| {
+fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
+    let (loaded, of_scene) = answered(|| {
         let loaded = io::load_waypoints(&path)?;
-        let turned = scene.map(|scene| io::scene_of_path(&scene.0, &loaded).map_err(|e| e.in_file(&path)));
-        Ok((loaded, turned.transpose()?))
+        let of_scene = scene.map(|scene| io::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
+        Ok((loaded, of_scene.transpose()?))
     })?;
+    let (turned, warning) = of_scene.unzip();
     let said = loaded.file.as_ref().and_then(|file| file.orientation);
     let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
     let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));

@@ -26,7 +26,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, shown, violations) = match &args.path {
         None => (scene, None, Vec::new()),
         Some(path) => {
-            let (scene, loaded) = input::path(&scene, &args.scene, path)?;
+            let (scene, loaded) = input::path(&scene, &args.scene, path, args.strict, out)?;
             let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
             let report = check_path(&*engine, &loaded.waypoints, &watch)?;

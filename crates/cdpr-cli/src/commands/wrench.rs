@@ -50,7 +50,7 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     let named = args.output.as_deref().filter(|output| !is_stream(output));
     named.map(io::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
-    let (scene, path) = input::path(scene, &args.scene, path)?;
+    let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
     let (statics, required) = asked(args, &scene)?;
     let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted)
         .map_err(|e| e.in_file(&args.scene.scene))?;

@@ -205,31 +205,45 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
     if json { from_json(text) } else { from_csv(text).map(|waypoints| LoadedPath { waypoints, file: None }) }
 }
 
-/// The scene at the orientation of a path of it: the scene's own, or, where the scene leaves it open, the one that the
-/// path's file says.
+/// The scene at the orientation of a path: the scene's own, or, where the scene leaves it open, the one that the path's file
+/// says; and a warning if the path was planned for another scene.
 ///
 /// # Errors
-/// A path that says it was planned for another scene or at another orientation.
-pub fn scene_of_path(scene: &Scene, path: &LoadedPath) -> Result<Scene, Error> {
+/// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
+pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(Scene, Option<String>), Error> {
     let said =
         |file: &PathFile| file.orientation.map(OrientationSource::from).or(file.orientation_name.clone().map(Named));
-    let own = scene.for_path_at(path.file.as_ref().and_then(said))?;
-    match path.file.as_ref().and_then(|file| file.scene.as_ref()) {
-        Some(id) if id.fingerprint != own.fingerprint() => Err(another_scene(&own, id)),
-        _ => Ok(own),
-    }
+    let planned_for = path.file.as_ref().and_then(|file| file.scene.as_ref());
+    scene_for(scene, path.file.as_ref().and_then(said), planned_for, strict)
 }
 
-fn another_scene(scene: &Scene, id: &SceneId) -> Error {
-    let problem = format!(
-        "found a path planned for another scene (\"{}\", {}), expected one for \"{}\" ({}); \
-         plan again, or remove the key \"scene\" from the file to use the path anyway",
-        id.name,
-        id.fingerprint,
-        scene.name(),
-        scene.fingerprint()
-    );
-    Error::invalid("scene", problem)
+/// As [`scene_of_path`], for a path that holds at this orientation and was planned for that scene, if it says so.
+///
+/// # Errors
+/// As [`scene_of_path`].
+pub fn scene_for(
+    scene: &Scene,
+    orientation: Option<OrientationSource>,
+    planned_for: Option<&SceneId>,
+    strict: bool,
+) -> Result<(Scene, Option<String>), Error> {
+    let own = scene.for_path_at(orientation)?;
+    let Some(id) = planned_for.filter(|id| id.fingerprint != own.fingerprint()) else { return Ok((own, None)) };
+    if scene.orientation_is_open() && own.orientation_name().is_none() {
+        let names: Vec<&str> = scene.orientations().iter().map(|(name, _)| name.as_str()).collect();
+        let problem = format!(
+            "found a path at {:?}, which is none of the scene's orientations ({})",
+            quaternion(own.orientation()),
+            names.join(", ")
+        );
+        return Err(Error::invalid("orientation", problem));
+    }
+    let other = format!("another scene: \"{}\" ({})", id.name, id.fingerprint);
+    let this = format!("\"{}\" ({})", own.name(), own.fingerprint());
+    if strict {
+        return Err(Error::invalid("scene", format!("found a path planned for {other}, expected one for {this}")));
+    }
+    Ok((own, Some(format!("the path was planned for {other}; the answer is about {this}"))))
 }
 
 fn from_json(text: &str) -> Result<LoadedPath, Error> {
