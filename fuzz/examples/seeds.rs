@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::batch::RunOptions;
 use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::io::{self, BatchFolder};
 use cdpr_core::plan::{PlanOptions, plan};
@@ -124,7 +125,7 @@ fn meshes() -> Result<(), Box<dyn Error>> {
 fn paths() -> Result<(), Box<dyn Error>> {
     let (scene, options) = (testing::hard1(), PlanOptions::paper());
     let result = plan(&scene, &options, &|| false)?;
-    let json = io::plan_json(&scene, &options, &result, None, None);
+    let json = io::plan_json(&scene, &options, &result, &Nearest::default(), None);
     for name in ["path_json/hard1.json", "path_csv/hard1.csv"] {
         put(name, "")?;
         io::save_path(&inputs("seeds").join(name), &json)?;

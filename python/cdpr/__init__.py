@@ -26,7 +26,7 @@ from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh, save_shadows, shadows
 from ._view import View, save_view, show
-from ._violation import Violation
+from ._violation import Exemption, Violation
 from ._wrench import (
     AvailableSet,
     Tensions,
@@ -49,6 +49,7 @@ __all__ = [
     "CdprError",
     "CdprWarning",
     "Distance",
+    "Exemption",
     "FileError",
     "InputError",
     "InternalError",

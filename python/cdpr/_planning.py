@@ -165,6 +165,8 @@ def plan(
         raw_cost=_number(found["raw_cost"]),
         reason=None if found["reason"] is None else violation_from(found["reason"]),
         min_clearance=found["min_clearance"],
+        min_clearance_not_exempt=found.get("min_clearance_not_exempt"),
+        exempt=tuple(exemption_from(values) for values in found["exempt"]),
         stats=found["stats"],
         history=tuple(Milestone(**entry) for entry in found["history"]),
         tree=SearchTree(*tree),
@@ -193,7 +195,7 @@ def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False,
     return turned or scene._core
 
 
-def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
+def scene_for(scene: Scene, waypoints: ArrayLike | Path, *, level: int = 4) -> Scene:
     """The scene at the orientation of the path, as :func:`core_for`."""
     same = core_for(scene, waypoints, level=level) is scene._core
     return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
@@ -382,7 +384,8 @@ def check(
     core = core_for(scene, waypoints, strict=strict)
     found = json.loads(core.check(path_rows("waypoints", waypoints), engine, interference))
     violations = tuple(violation_from(values) for values in found["violations"])
-    return Report(**{**found, "violations": violations})
+    exempt = tuple(exemption_from(values) for values in found["exempt"])
+    return Report(**{**found, "violations": violations, "exempt": exempt})
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False) -> Path:

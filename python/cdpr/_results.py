@@ -14,7 +14,7 @@ from . import _core
 from ._arrays import Floats, Ints, numbers, rows
 from ._pandas import frame
 from ._values import ByValue, same
-from ._violation import Violation
+from ._violation import Exemption, Violation
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -211,7 +211,12 @@ class Result(Path):
     reason : Violation or None
         Why the start or goal is invalid.
     min_clearance : dict or None
-        Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``.
+        Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
+        clearance that this pair is held to, m. Exempt pairs count.
+    min_clearance_not_exempt : dict or None
+        The same of the pairs that are not exempt, where some are.
+    exempt : tuple of Exemption
+        Pairs that are not held to the clearance of their kind.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
     history : tuple of Milestone
@@ -236,6 +241,8 @@ class Result(Path):
     raw_cost: float = float("nan")
     reason: Violation | None = None
     min_clearance: Mapping[str, Any] | None = None
+    min_clearance_not_exempt: Mapping[str, Any] | None = None
+    exempt: tuple[Exemption, ...] = ()
     stats: Mapping[str, float] = field(default_factory=dict)
     history: tuple[Milestone, ...] = ()
     tree: SearchTree = field(default_factory=_no_tree)
@@ -276,7 +283,12 @@ class Report(ByValue):
     violations : tuple of Violation
         In order along the path.
     min_clearance : dict or None
-        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``.
+        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the clearance that this pair
+        is held to, m. Exempt pairs count.
+    min_clearance_not_exempt : dict or None
+        The same of the pairs that are not exempt, where some are.
+    exempt : tuple of Exemption
+        Pairs that are not held to the clearance of their kind: ``valid`` does not mean that they keep it.
     min_wrench_margin : dict or None
         On scenes with ``[wrench]`` the least margin beyond what is demanded: ``value``, ``unit``, ``measure``, ``segment``,
         ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
@@ -296,6 +308,8 @@ class Report(ByValue):
     length: float
     violations: tuple[Violation, ...]
     min_clearance: Mapping[str, Any] | None
+    exempt: tuple[Exemption, ...] = ()
+    min_clearance_not_exempt: Mapping[str, Any] | None = None
     min_wrench_margin: Mapping[str, Any] | None = None
     tension_range: Mapping[str, Any] | None = None
 

@@ -6,7 +6,7 @@ import difflib
 import json
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal, TypeAlias
 
@@ -16,7 +16,19 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arrays import Floats, number, numbers, point, rows, thread_count
 from ._robot import Robot
-from ._tables import KEPT, QUERY, Kept, Obstacle, box_table, obstacle_tables, put
+from ._tables import (
+    KEPT,
+    QUERY,
+    Clearances,
+    Kept,
+    Names,
+    Obstacle,
+    box_table,
+    clearances_table,
+    obstacle_tables,
+    pairs_table,
+    put,
+)
 from ._values import Immutable
 from ._violation import Violation, violation_from
 from .exceptions import CdprWarning, InputError
@@ -47,6 +59,13 @@ class Scene(Immutable):
         Named orientations.
     clearance : float, default 0
         Least distance to keep between whatever must not touch, m.
+    clearances : mapping of str or tuple of str to float, optional
+        Clearances that differ from it, m: of a kind, "platform_obstacle", "cable_obstacle", "cable_platform" or
+        "cable_cable", or of a pair of names such as ``("cable 1", "pillar")``, which comes before its kind.
+    touch : iterable of tuple of str, optional
+        Pairs of names that may touch, but not enter each other, such as ``("platform", "conveyor")``.
+    ignore : iterable of tuple of str, optional
+        Pairs of names that are not checked against each other.
     name : str, optional
         For messages and pictures.
 
@@ -76,6 +95,9 @@ class Scene(Immutable):
         orientation: ArrayLike | str | None = None,
         orientations: Mapping[str, ArrayLike] | None = None,
         clearance: float = 0.0,
+        clearances: Clearances | None = None,
+        touch: Iterable[Names] = (),
+        ignore: Iterable[Names] = (),
         name: str | None = None,
     ) -> None:
         """See the class."""
@@ -84,11 +106,15 @@ class Scene(Immutable):
         spec: dict[str, Any] = {
             "version": 1,
             "clearance": number("clearance", clearance),
+            "ignore": pairs_table("ignore", ignore),
+            "touch": pairs_table("touch", touch),
             "workspace": box_table(workspace),
             "robot": _robot_table(robot),
             "obstacles": parts,
             "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
         }
+        if clearances is not None:
+            spec["clearances"] = clearances_table(clearances)
         if name is not None:
             spec["name"] = name
         if not isinstance(orientations or {}, Mapping):
@@ -188,6 +214,9 @@ class Scene(Immutable):
         goal: ArrayLike | None | Kept = KEPT,
         orientation: ArrayLike | str | None | Kept = KEPT,
         clearance: float | None = None,
+        clearances: Clearances | None | Kept = KEPT,
+        touch: Iterable[Names] | None | Kept = KEPT,
+        ignore: Iterable[Names] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Scene:
         """Return a scene that differs in what is given; this one stays as it is.
@@ -204,6 +233,10 @@ class Scene(Immutable):
             of those, or no turn.
         clearance : float, optional
             Metres.
+        clearances : mapping or None, optional
+            All clearances by kind and pair, as in the class; None takes them away.
+        touch, ignore : iterable of tuple of str or None, optional
+            All such pairs; None takes them away.
         name : str or None, optional
             None takes it away.
 
@@ -230,6 +263,9 @@ class Scene(Immutable):
             spec["workspace"] = box_table(workspace)
         if clearance is not None:
             spec["clearance"] = number("clearance", clearance)
+        put(spec, "clearances", clearances, clearances_table)
+        put(spec, "touch", touch, lambda pairs: pairs_table("touch", pairs))
+        put(spec, "ignore", ignore, lambda pairs: pairs_table("ignore", pairs))
         put(spec, "name", name, lambda text: text)
         query = spec.setdefault("query", {})
         for key, value in (("start", start), ("goal", goal), ("orientation", orientation)):
@@ -287,7 +323,7 @@ class Scene(Immutable):
         return self._edited(spec)
 
     def without(self, *names: str) -> Scene:
-        """Return a scene without some obstacles, nor the contacts with them that it allowed.
+        """Return a scene without some obstacles, and without the pairs in ``clearances``, ``touch`` and ``ignore`` they are in.
 
         Parameters
         ----------
@@ -315,7 +351,11 @@ class Scene(Immutable):
         spec = self.to_dict()
         parts = zip(self._names(), spec.get("obstacles", []), strict=True)
         spec["obstacles"] = [{**part, "name": name} for name, part in parts if name not in names]
-        spec["ignore"] = [pair for pair in spec.get("ignore", []) if not set(pair) & set(names)]
+        for key in ("ignore", "touch"):
+            spec[key] = [pair for pair in spec.get(key, []) if not set(pair) & set(names)]
+        clearances = spec.get("clearances", {})
+        if "pairs" in clearances:
+            clearances["pairs"] = [pair for pair in clearances["pairs"] if not set(pair["between"]) & set(names)]
         return self._edited(spec)
 
     def _names(self) -> list[str]:
@@ -370,8 +410,32 @@ class Scene(Immutable):
 
     @property
     def required_clearance(self) -> float:
-        """Least distance to keep between whatever must not touch, m."""
+        """Least distance to keep between whatever must not touch, m; `clearances` may say otherwise of a pair."""
         return float(self._spec.get("clearance", 0.0))
+
+    @property
+    def clearances(self) -> Mapping[str | Names, float]:
+        """Clearances of kinds and of pairs of names that differ from `required_clearance`, read-only, m.
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml").replace(clearances={("cable 1", "pillar"): 0.05})
+        >>> dict(scene.clearances)
+        {('cable 1', 'pillar'): 0.05}
+        """
+        table = dict(self._spec.get("clearances", {}))
+        pairs = {tuple(pair["between"]): pair["clearance"] for pair in table.pop("pairs", [])}
+        return MappingProxyType(table | pairs)
+
+    @property
+    def touch(self) -> tuple[Names, ...]:
+        """Pairs of names that may touch, but not enter each other."""
+        return tuple((a, b) for a, b in self._spec.get("touch", []))
+
+    @property
+    def ignore(self) -> tuple[Names, ...]:
+        """Pairs of names that are not checked against each other."""
+        return tuple((a, b) for a, b in self._spec.get("ignore", []))
 
     @property
     def name(self) -> str:
@@ -467,7 +531,8 @@ class Scene(Immutable):
         -------
         ndarray of float (n,)
             Metres: minus a penetration depth where bodies overlap, 0 where cables cross; infinite where there is nothing
-            to keep away from. Cables and what they end on are left out, and so is the workspace.
+            to keep away from. Pairs that may touch, or can never be as far apart as demanded, count too. Cables and what
+            they end on are left out, and so are ignored pairs and the workspace.
 
         Examples
         --------

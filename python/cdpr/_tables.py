@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import numbers, point, rows
+from ._arrays import number, numbers, point, rows
 from .exceptions import InputError
 
 
@@ -55,6 +55,40 @@ def body_table(place: str, body: ArrayLike | TriangleMesh) -> dict[str, Any]:
         raise InputError(f"{place}.faces: found {triangles.min()}, expected indices from 0")
     vertices = rows(f"{place}.vertices", body.vertices).tolist()
     return {"mesh": {"vertices": vertices, "triangles": triangles.tolist()}}
+
+
+Names: TypeAlias = tuple[str, str]
+Clearances: TypeAlias = Mapping[str | Names, float]
+
+
+def clearances_table(clearances: Clearances) -> dict[str, Any]:
+    """The table of clearances, from a mapping of kinds and pairs of names to metres."""
+    if not isinstance(clearances, Mapping):
+        found = type(clearances).__name__
+        raise InputError(f"clearances: found {found}, expected a mapping of kinds and pairs of names to metres")
+    kinds = {key: number(f"clearances[{key!r}]", value) for key, value in clearances.items() if isinstance(key, str)}
+    if "pairs" in kinds:
+        raise InputError("clearances: found the kind 'pairs', expected kinds and pairs of names as keys")
+    pairs = [
+        {"between": _names(f"clearances[{key!r}]", key), "clearance": number(f"clearances[{key!r}]", value)}
+        for key, value in clearances.items()
+        if not isinstance(key, str)
+    ]
+    return kinds | ({"pairs": pairs} if pairs else {})
+
+
+def pairs_table(key: str, pairs: Iterable[Names]) -> list[list[str]]:
+    """The table of pairs of names."""
+    if isinstance(pairs, str) or not isinstance(pairs, Iterable):
+        raise InputError(f"{key}: found {type(pairs).__name__}, expected pairs of names")
+    return [_names(f"{key}[{k}]", pair) for k, pair in enumerate(pairs)]
+
+
+def _names(place: str, pair: Any) -> list[str]:
+    names = list(pair) if isinstance(pair, Sequence) and not isinstance(pair, str) else [pair]
+    if len(names) != 2 or not all(isinstance(name, str) for name in names):
+        raise InputError(f"{place}: found {pair!r}, expected two names")
+    return names
 
 
 class Kept(Enum):

@@ -85,3 +85,43 @@ def violation_from(values: Mapping[str, Any]) -> Violation:
     """A violation from the core's JSON."""
     fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
     return Violation(**fields)
+
+
+@dataclass(frozen=True)
+class Exemption:
+    """A pair that is not held to the clearance of its kind.
+
+    Attributes
+    ----------
+    pair : tuple of str
+        Two names of the scene.
+    reason : str
+        "unattainable" (at no position can the pair be as far apart; it must still not touch, if it can keep from that),
+        "touch" (the scene lets it touch, but not enter each other) or "ignore" (not checked at all).
+    demanded : float
+        The clearance that would have to be kept otherwise, m.
+    attainable : float or None
+        For "unattainable" the largest gap at any position, m; negative where thick cables overlap everywhere.
+    gap : float or None
+        Nearest approach of the pair on the path, m; None where it is not measured: ignored pairs, and those that touch by
+        construction.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml").replace(touch=[("platform", "pillar")])
+    >>> [exemption.reason for exemption in cdpr.plan(scene).exempt]
+    ['touch']
+    """
+
+    pair: tuple[str, str]
+    reason: str
+    demanded: float
+    attainable: float | None
+    gap: float | None
+
+
+def exemption_from(values: Mapping[str, Any]) -> Exemption:
+    """An exemption from the core's JSON."""
+    first, second = values["pair"]
+    return Exemption(**{**values, "pair": (first, second)})

@@ -25,6 +25,7 @@ REPRS = {
     "Result": "Result('solved', 2.4352 m, 3 waypoints)",
     "Report": "Report(9 violations, 1.9799 m)",
     "Violation": "Violation('cable-obstacle', cable 1 / pillar, at 0.2668 of segment 0, margin -0.0750 m)",
+    "Exemption": "Exemption(pair=('platform', 'pillar'), reason='touch', demanded=0.0, attainable=None, gap=0.0)",
     "Milestone": "Milestone(seconds=0.5, samples=3, cost=2.5)",
     "SearchTree": "SearchTree(2 nodes)",
     "Mesh": "Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)",
@@ -55,6 +56,8 @@ def make(name):
             return cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
         case "Violation":
             return cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).violations[0]
+        case "Exemption":
+            return cdpr.Exemption(("platform", "pillar"), "touch", 0.0, None, 0.0)
         case "Milestone":
             return cdpr.Milestone(0.5, 3, 2.5)
         case "SearchTree":
@@ -99,7 +102,7 @@ def test_each_is_equal_by_value_and_to_nothing_else(name):
         assert (one == other) is True and (one != other) is False
     for stranger in (None, 5, "text", object(), make("Milestone" if name != "Milestone" else "Distance")):
         assert (one == stranger) is False and (one != stranger) is True
-    if name in ("Robot", "Scene", "Violation", "Milestone", "Distance", "View"):
+    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View"):
         assert hash(one) == hash(other) and len({one, other}) == 1
     else:
         with pytest.raises(TypeError, match="unhashable"):

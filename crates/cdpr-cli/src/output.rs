@@ -108,6 +108,11 @@ impl Console {
         constraints.notes.iter().for_each(|note| self.note(note));
     }
 
+    /// Says all that is special about a scene, where the answer does not list what is exempt.
+    pub fn remarks(&self, constraints: &Constraints) {
+        constraints.remarks().iter().for_each(|note| self.note(note));
+    }
+
     /// Says what went wrong; also where all else is quiet.
     pub fn error(&self, error: &Error) {
         let _ = writeln!(anstream::stderr(), "{BAD}cdpr:{BAD:#} {error}");

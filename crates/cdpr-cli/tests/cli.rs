@@ -167,6 +167,53 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
 }
 
 #[test]
+fn exempt_pairs_stand_beside_the_answer() {
+    let folder = folder();
+    let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    fs::write(folder.path().join("near.toml"), format!("{hard1}\n[clearances]\ncable_cable = 0.06\n")).unwrap();
+    let touch = "version = 1\ntouch = [[\"platform\", \"pillar\"]]\nignore = [[\"cable 0\", \"pillar\"]]\n";
+    fs::write(folder.path().join("touch.toml"), hard1.replace("version = 1\n", touch)).unwrap();
+    let exempt = |output: &std::process::Output| {
+        let text = stdout(output);
+        text.lines().filter(|line| line.starts_with("exempt: ")).map(str::to_string).collect::<Vec<_>>()
+    };
+    let planned = cdpr_in(folder.path(), &["plan", "near.toml", "-o", "path.json"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    let checked = cdpr_in(folder.path(), &["check", "near.toml", "path.json"]);
+    for output in [&planned, &checked] {
+        let told = exempt(output);
+        assert!(
+            told[0].starts_with(
+                "exempt: cable 0 and cable 4 can be 50.000 mm apart at most, 60.000 mm are demanded; they must still not \
+                 touch (here "
+            ),
+            "{told:?}"
+        );
+        assert!(!stderr(output).contains("apart at most"), "{}", stderr(output));
+    }
+    let file: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("path.json")).unwrap()).unwrap();
+    let report = json(&cdpr_in(folder.path(), &["check", "near.toml", "path.json", "--format", "json"]));
+    assert_eq!((&file["exempt"], &file["min_clearance"]), (&report["exempt"], &report["min_clearance"]));
+    let first = &report["exempt"][0];
+    assert_eq!((&first["pair"][0], &first["reason"]), (&"cable 0".into(), &"unattainable".into()));
+    assert!(
+        first["gap"].as_f64() < first["attainable"].as_f64()
+            && first["attainable"].as_f64() < first["demanded"].as_f64()
+    );
+    // Where no answer has room for the list it is told as notes.
+    let shorter = cdpr_in(folder.path(), &["post", "near.toml", "path.json"]);
+    assert!(stderr(&shorter).contains("note: cable 0 and cable 4 can be"), "{}", stderr(&shorter));
+    let info = exempt(&cdpr_in(folder.path(), &["info", "touch.toml"]));
+    assert_eq!(
+        info,
+        [
+            "exempt: cable 0 and pillar are not checked against each other",
+            "exempt: platform and pillar may touch, but not enter each other"
+        ]
+    );
+}
+
+#[test]
 fn a_path_of_another_scene_is_answered_with_a_warning() {
     let folder = folder();
     let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();

@@ -7,6 +7,7 @@ pub mod batch;
 pub mod cable_cable;
 pub mod constraint;
 pub mod cspace;
+pub mod exempt;
 mod explain;
 pub mod forbidden;
 pub mod gjk_engine;
@@ -15,6 +16,7 @@ pub mod validity;
 
 pub use constraint::{Constraint, Constraints, Demand};
 pub use cspace::CspaceEngine;
+pub use exempt::{Exemption, Reason};
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
 pub use validity::{

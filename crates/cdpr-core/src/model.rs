@@ -1,13 +1,16 @@
 //! Robots, obstacles and scenes: what files say (`spec`), and what holds once it has been checked (`robot`, `scene`).
 
 pub mod body;
+pub mod pairs;
 pub mod robot;
 pub mod scene;
 pub mod spec;
 
+pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
-pub use scene::{GRAVITY, Member, Obstacle, Scene};
+pub use scene::{GRAVITY, Obstacle, Scene};
 pub use spec::{
-    BodySpec, CableSpec, MarginSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PrismSpec, QuerySpec,
-    RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableSpec, ClearancesSpec, MarginSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec,
+    PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec,
+    WrenchSpec,
 };

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
 use crate::choice::choices;
-use crate::collision::path_check::{PathClearance, PathReport, first_invalid_segment, min_clearance, path_length};
+use crate::collision::path_check::{Nearest, PathReport, first_invalid_segment, nearest, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
@@ -253,8 +253,8 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point], watch: &W
 /// What there is to know about a found path besides its length; what was not found in time is left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Appraisal {
-    /// Its nearest approach.
-    pub nearest: Option<PathClearance>,
+    /// Its nearest approach, and what is exempt from the demanded clearance.
+    pub nearest: Nearest,
     /// Its wrenches, if the scene asks for wrench feasibility.
     pub wrench: Option<PathWrench>,
     /// The length that no path falls below, m; only if asked for.
@@ -273,7 +273,10 @@ pub fn appraise(
     bounded: bool,
     watch: &Watch,
 ) -> Result<Appraisal, Error> {
-    let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else { return Ok(Appraisal::default()) };
+    let unmeasured = || Nearest::unmeasured(engine.constraints());
+    let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else {
+        return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
+    };
     let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
     let watch = Watch { deadline: grace, ..*watch };
     let lower_bound = match watch.left() {
@@ -283,7 +286,7 @@ pub fn appraise(
         _ => lower_bound(engine, start, goal, &watch).map(Some),
     };
     Ok(Appraisal {
-        nearest: unless_stopped(min_clearance(engine, waypoints, &watch))?,
+        nearest: unless_stopped(nearest(engine.constraints(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
         wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
         lower_bound: unless_stopped(lower_bound)?,
     })

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::collision::{Checker, Constraint, Engine, Interference, Violation};
+use crate::collision::{Checker, Constraint, Engine, Exemption, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::kinematics::{rank, wrench_matrix};
@@ -55,6 +55,8 @@ pub struct Survey {
     pub start: Option<Violation>,
     /// Why the goal is invalid, if it is.
     pub goal: Option<Violation>,
+    /// Pairs that are not held to the clearance of their kind.
+    pub exempt: Vec<Exemption>,
     /// Further remarks.
     pub notes: Vec<String>,
 }
@@ -113,6 +115,7 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         samples: positions.len(),
         start: at(scene.start()),
         goal: at(scene.goal()),
+        exempt: constraints.exempt.clone(),
         notes: constraints.notes.clone(),
     })
 }

@@ -43,6 +43,8 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         gravity: None,
         clearance: None,
         ignore: Vec::new(),
+        touch: Vec::new(),
+        clearances: None,
         orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] },
         robot: RobotSource::Inline(paper_robot()),

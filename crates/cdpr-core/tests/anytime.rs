@@ -162,7 +162,7 @@ fn a_clearance_is_kept_to_the_last_digit() {
             assert!(found.cost > free);
             valid_by_both(&scene, &found.waypoints);
             let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
-            let least = check_path(&gjk, &found.waypoints, &Watch::NONE).unwrap().min_clearance.unwrap().value;
+            let least = check_path(&gjk, &found.waypoints, &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value;
             assert!(least >= clearance - 1e-9, "{least}");
         }
     }

@@ -2,6 +2,7 @@
 
 mod support;
 
+use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::io::{load_waypoints, plan_json, save_path, scene_of_path, waypoints_from_text};
@@ -151,7 +152,8 @@ fn a_path_is_checked_at_its_own_orientation() {
     let planned = choose(&scene);
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("path.json");
-    save_path(&file, &plan_json(&planned.scene, &PlanOptions::default(), &planned.result, None, None)).unwrap();
+    save_path(&file, &plan_json(&planned.scene, &PlanOptions::default(), &planned.result, &Nearest::default(), None))
+        .unwrap();
     let loaded = load_waypoints(&file).unwrap();
     let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
     assert_eq!(warning, None);
@@ -166,7 +168,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     assert!(refused.contains("which names across, along, askew; choose one"), "{refused}");
     assert!(scene_of_path(&across, &bare, true).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
     assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
-    // Another scene stays another scene.
+    // An edited scene gets an answer and a warning, or an error.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);
     let edited = Scene::new(other.clone()).unwrap();

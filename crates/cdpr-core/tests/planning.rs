@@ -249,7 +249,7 @@ fn a_report_names_segment_place_culprits_and_nearest_approach() {
     let platform = report.violations.iter().find(|v| v.violation.culprits == ["platform", "pillar"]).unwrap();
     // The platform's face x = p.x + 0.075 reaches the pillar's side x = 0.85 where p.x = 0.775.
     assert!((platform.violation.at - (0.775 - 0.3) / 1.4).abs() < 1e-8, "{platform:?}");
-    assert!(report.min_clearance.unwrap().value < -0.1);
+    assert!(report.nearest.min_clearance.unwrap().value < -0.1);
 }
 
 #[test]
@@ -272,8 +272,8 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
             solved += 1;
             assert_valid(&engine, &found.waypoints);
             assert!(
-                check_path(&engine, &found.waypoints, &Watch::NONE).unwrap().min_clearance.unwrap().value
-                    > scene.clearance() - 1e-7
+                check_path(&engine, &found.waypoints, &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value
+                    > scene.pairs().largest() - 1e-7
             );
         }
     }

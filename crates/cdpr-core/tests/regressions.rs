@@ -31,6 +31,8 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         gravity: None,
         clearance: Some(clearance),
         ignore: Vec::new(),
+        touch: Vec::new(),
+        clearances: None,
         orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [-100.0; 3], max: [100.0; 3] },
         robot: RobotSource::Inline(robot),

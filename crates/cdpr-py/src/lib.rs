@@ -127,7 +127,7 @@ impl Scene {
 
     /// What is special about the scene.
     fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.notes)
+        Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
     }
 
     /// Whether each row of an (n, 3) array is a valid position.
@@ -310,7 +310,7 @@ impl Scene {
         };
         let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
         let Appraisal { nearest, wrench, .. } = appraisal;
-        let json = answered(|| Ok(io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref())))?;
+        let json = answered(|| Ok(io::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
@@ -607,7 +607,7 @@ fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> P
     let said = loaded.file.as_ref().and_then(|file| file.orientation);
     let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
     let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));
-    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json))
+    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json, warning.flatten()))
 }
 
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.

@@ -1,7 +1,8 @@
 //! `cdpr check`
 
 use cdpr_core::Error;
-use cdpr_core::collision::path_check::{PathClearance, PathReport, PathViolation};
+use cdpr_core::collision::Exemption;
+use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::plan::{CheckReport, check, engine_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::words::length;
@@ -26,7 +27,7 @@ pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
             out.result(&scene_line(&scene));
             out.verdict(&verdict(report, path.waypoints.len()));
             report.violations.iter().for_each(|v| out.result(&violation_line(v)));
-            report.min_clearance.iter().for_each(|nearest| out.result(&nearest_line(nearest)));
+            nearest_lines(&report.nearest).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
         }
     }
@@ -46,15 +47,32 @@ fn violation_line(v: &PathViolation) -> String {
     format!("  segment {} at {:.3}: {}", v.segment, v.violation.at, v.violation.sentence())
 }
 
-/// The nearest approach in words.
-pub fn nearest_line(nearest: &PathClearance) -> String {
-    format!(
-        "nearest approach {}: {} at {:.3} of segment {}",
-        length(nearest.value),
-        nearest.culprits.join(" and "),
-        nearest.at,
-        nearest.segment
-    )
+/// The nearest approach and what is exempt in words.
+pub fn nearest_lines(nearest: &Nearest) -> Vec<String> {
+    let line = |what: &str, nearest: &PathClearance| {
+        let (gap, culprits) = (length(nearest.value), nearest.culprits.join(" and "));
+        format!("{what} {gap}: {culprits} at {:.3} of segment {}", nearest.at, nearest.segment)
+    };
+    let Nearest { min_clearance, min_clearance_not_exempt, exempt } = nearest;
+    let of_all = min_clearance.iter().map(|nearest| line("nearest approach", nearest));
+    let differs = |other: &&PathClearance| Some(*other) != min_clearance.as_ref();
+    let of_others = min_clearance_not_exempt.iter().filter(differs).map(|n| line("without exempt pairs", n));
+    let measured: Vec<(&Exemption, Option<f64>)> = exempt.iter().map(|e| (&e.exemption, e.gap)).collect();
+    of_all.chain(of_others).chain(exempt_lines(&measured)).collect()
+}
+
+/// Exempt pairs of one answer that are written out.
+const MOST_EXEMPT: usize = 12;
+
+/// Exempt pairs in words, with their nearest approach on a path, m, where there is one.
+pub fn exempt_lines(exempt: &[(&Exemption, Option<f64>)]) -> Vec<String> {
+    let line = |(exemption, gap): &(&Exemption, Option<f64>)| {
+        let gap = gap.map_or(String::new(), |gap| format!(" (here {})", length(gap)));
+        format!("exempt: {}{gap}", exemption.sentence())
+    };
+    let rest = exempt.len().saturating_sub(MOST_EXEMPT);
+    let rest = (rest > 0).then(|| format!("exempt: {rest} more pairs; --format json lists all"));
+    exempt.iter().take(MOST_EXEMPT).map(line).chain(rest).collect()
 }
 
 /// The scarcest wrenches and the range of tensions in words.

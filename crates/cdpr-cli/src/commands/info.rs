@@ -4,6 +4,7 @@ use cdpr_core::Error;
 use cdpr_core::survey::{Survey, survey};
 use cdpr_core::watch::Watch;
 
+use super::check::exempt_lines;
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
 use crate::input;
@@ -60,6 +61,7 @@ fn lines(s: &Survey) -> Vec<String> {
     for (end, reason) in [("start", &s.start), ("goal", &s.goal)] {
         lines.extend(reason.iter().map(|r| format!("{end} is not valid: {}", r.sentence())));
     }
+    lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
     lines.extend(s.notes.iter().map(|note| format!("note: {note}")));
     lines
 }

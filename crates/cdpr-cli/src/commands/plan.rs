@@ -44,7 +44,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     engine.iter().for_each(|engine| out.notes(engine.constraints()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
-    let mut json = io::plan_json(&scene, &options, &found, nearest.as_ref(), wrench.as_ref());
+    let mut json = io::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
     json["lower_bound"] = bound.into();
     match args.scene.format {
         Format::Json => out.result(&format!("{json:#}")),
@@ -52,7 +52,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             out.result(&question(&scene, &options));
             out.verdict(&answer(&scene, &options, &found));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
-            nearest.iter().for_each(|nearest| out.result(&super::check::nearest_line(nearest)));
+            super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
         }
     }

@@ -20,7 +20,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let watch = Watch::on(&interrupted);
     let found = regions_within(&scene, &args.options(), &watch).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
-        out.notes(&Constraints::new(&scene)?);
+        out.remarks(&Constraints::new(&scene)?);
     }
     if has_round_regions(&scene) {
         out.note("clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
@@ -40,7 +40,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
 }
 
 fn has_round_regions(scene: &Scene) -> bool {
-    scene.clearance() > 0.0 || scene.robot().cables().iter().any(|cable| cable.diameter > 0.0)
+    scene.pairs().largest() > 0.0 || scene.robot().cables().iter().any(|cable| cable.diameter > 0.0)
 }
 
 fn triangles(found: &Regions) -> usize {

@@ -6,6 +6,7 @@
 //! (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
 
 use super::constraint::CableAt;
+use super::exempt::kept;
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
@@ -19,8 +20,6 @@ pub struct CablePair {
     pub second: usize,
     /// Distance of the cables' lines to keep, m; 0: they must not cross.
     pub gap: f64,
-    /// Whether the pair can never keep what was demanded, so that only crossing counts.
-    pub excused: bool,
     /// Sum of the cables' radii, m.
     pub radii: f64,
     /// min over r in [0, 1] of |(1 - r) w + r q|, m: no position gives more room than this.
@@ -44,9 +43,9 @@ enum Plane {
 }
 
 impl CablePair {
-    /// The pair, or none if the cables share an outlet or an attachment and so touch by construction. A pair that can
-    /// never keep `demanded` metres is held to plain non-crossing.
-    pub fn new(cables: &[CableAt], first: usize, second: usize, demanded: f64) -> Option<Self> {
+    /// The pair, or none if the cables share an outlet or an attachment and so touch by construction. It is held to as
+    /// much of `clearance`, m, as it [can keep](super::exempt).
+    pub fn new(cables: &[CableAt], first: usize, second: usize, clearance: f64) -> Option<Self> {
         let (i, j) = (&cables[first], &cables[second]);
         let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
         if w.norm() <= ON_SURFACE || q.norm() <= ON_SURFACE {
@@ -63,10 +62,10 @@ impl CablePair {
         };
         let origin = Point::origin();
         let best_gap = segment_segment::closest(&origin, &origin, &Point::from(w), &Point::from(q)).distance;
-        let excused = best_gap < demanded;
-        let gap = if excused { 0.0 } else { demanded };
+        let radii = i.radius + j.radius;
+        let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        Some(CablePair { first, second, gap, excused, radii: i.radius + j.radius, best_gap, offset, w, q, plane })
+        Some(CablePair { first, second, gap, radii, best_gap, offset, w, q, plane })
     }
 
     /// Whether the cables cross wherever the platform is.

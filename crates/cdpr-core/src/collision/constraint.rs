@@ -4,11 +4,13 @@
 //! touch by construction, which can never keep the demanded distance. Engines only evaluate the list.
 
 use super::cable_cable::CablePair;
+use super::exempt::{Exemption, Reason, kept};
 use super::validity::Kind;
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
-use crate::model::{Member, Scene};
+use crate::model::scene::PLATFORM;
+use crate::model::{Member, PairRule, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, ON_SURFACE, TOUCH_DEPTH};
 use crate::watch::Watch;
 
@@ -20,8 +22,7 @@ pub enum Demand {
         /// Least distance, m.
         gap: f64,
     },
-    /// The body is not entered by more than `touch` metres; no distance is kept, because none can be, or because others
-    /// keep it.
+    /// The body, which closes a seam, is not entered by more than `touch` metres; the parts around it keep the distance.
     Outside {
         /// Depth that still counts as touching, m.
         touch: f64,
@@ -127,7 +128,11 @@ pub struct ObstacleBody {
 
 impl ObstacleBody {
     fn ignored(&self, scene: &Scene, member: Member) -> bool {
-        self.between.iter().any(|j| scene.ignores(member, Member::Obstacle(*j)))
+        self.between.iter().any(|j| scene.pairs().ignores(member, Member::Obstacle(*j)))
+    }
+
+    fn member(&self) -> Member {
+        Member::Obstacle(self.between[0])
     }
 }
 
@@ -142,7 +147,9 @@ pub struct Constraints {
     pub obstacles: Vec<ObstacleBody>,
     /// The conditions, cheap ones first.
     pub list: Vec<Constraint>,
-    /// What the user should know about pairs that are treated in a special way.
+    /// Pairs that are not held to the clearance of their kind.
+    pub exempt: Vec<Exemption>,
+    /// What else the user should know about how the scene is taken.
     pub notes: Vec<String>,
 }
 
@@ -189,6 +196,7 @@ impl Constraints {
             platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
             obstacles: obstacle_bodies(scene),
             list: Vec::new(),
+            exempt: Vec::new(),
             notes: scene.notes().iter().cloned().chain(open_orientation(scene)).collect(),
         };
         constraints.workspace(scene);
@@ -197,6 +205,7 @@ impl Constraints {
         constraints.cable_cable(scene);
         constraints.platform_obstacle(scene);
         constraints.cable_obstacle(scene, watch)?;
+        constraints.exempt_by_name(scene);
         Ok(constraints)
     }
 
@@ -212,19 +221,53 @@ impl Constraints {
         }
     }
 
-    /// The names of those whom a constraint keeps apart.
+    /// The names of those whom a constraint is about.
     pub fn culprits(&self, constraint: &Constraint) -> Vec<String> {
-        let cable = |i: &usize| self.cables[*i].name.clone();
-        let platform = || crate::model::scene::PLATFORM.to_string();
-        let obstacle = |j: &usize| self.obstacles[*j].name.clone();
-        match constraint {
-            Constraint::Workspace { .. } => vec![platform()],
-            Constraint::CableLength { cable: i, .. } => vec![cable(i)],
-            Constraint::CablePlatform { cable: i, .. } => vec![cable(i), platform()],
-            Constraint::CableCable(pair) => vec![cable(&pair.first), cable(&pair.second)],
-            Constraint::PlatformObstacle { body, .. } => vec![platform(), obstacle(body)],
-            Constraint::CableObstacle { cable: i, body, .. } => vec![cable(i), obstacle(body)],
+        self.members(constraint).iter().map(|member| self.name(*member).to_string()).collect()
+    }
+
+    fn name(&self, member: Member) -> &str {
+        match member {
+            Member::Cable(i) => &self.cables[i].name,
+            Member::Platform => PLATFORM,
+            Member::Obstacle(_) => {
+                &self.obstacles.iter().find(|o| o.member() == member).expect("every obstacle has a part").name
+            }
         }
+    }
+
+    /// Those whom a constraint is about: two, or one that it limits by itself.
+    pub fn members(&self, constraint: &Constraint) -> Vec<Member> {
+        match constraint {
+            Constraint::Workspace { .. } => vec![Member::Platform],
+            Constraint::CableLength { cable, .. } => vec![Member::Cable(*cable)],
+            Constraint::CablePlatform { cable, .. } => vec![Member::Cable(*cable), Member::Platform],
+            Constraint::CableCable(pair) => vec![Member::Cable(pair.first), Member::Cable(pair.second)],
+            Constraint::PlatformObstacle { body, .. } => vec![Member::Platform, self.obstacles[*body].member()],
+            Constraint::CableObstacle { cable, body, .. } => {
+                vec![Member::Cable(*cable), self.obstacles[*body].member()]
+            }
+        }
+    }
+
+    /// The gap of surfaces that a constraint demands, m: 0 or less where they must only not touch; none where it is not
+    /// about a distance, but about ends that touch by construction, seams, or room.
+    pub fn required(&self, constraint: &Constraint) -> Option<f64> {
+        match constraint {
+            Constraint::CableCable(pair) => Some(pair.gap - pair.radii),
+            Constraint::PlatformObstacle { body, gap, .. } => self.obstacles[*body].seam.is_none().then_some(*gap),
+            Constraint::CablePlatform { cable, demand: Demand::Apart { gap }, .. }
+            | Constraint::CableObstacle { cable, demand: Demand::Apart { gap }, .. } => {
+                Some(gap - self.cables[*cable].radius)
+            }
+            _ => None,
+        }
+    }
+
+    /// What the user should know: the notes, and which pairs cannot keep what the scene demands.
+    pub fn remarks(&self) -> Vec<String> {
+        let unattainable = self.exempt.iter().filter(|e| e.reason == Reason::Unattainable);
+        self.notes.iter().cloned().chain(unattainable.map(Exemption::sentence)).collect()
     }
 
     /// The box of positions where the platform is inside the workspace; it may be empty (min > max).
@@ -260,13 +303,13 @@ impl Constraints {
     fn cable_platform(&mut self, scene: &Scene, watch: &Watch) -> Result<(), Error> {
         for cable in 0..self.cables.len() {
             watch.check()?;
-            if scene.ignores(Member::Cable(cable), Member::Platform) {
+            if scene.pairs().ignores(Member::Cable(cable), Member::Platform) {
                 continue;
             }
+            let clearance = scene.pairs().clearance(Member::Cable(cable), Member::Platform);
             for body in 0..self.platform.len() {
                 let seam = body.checked_sub(scene.robot().parts().len()).map(|k| scene.robot().seams()[k].touch);
-                let demanded = scene.clearance() + self.cables[cable].radius;
-                if let Some(demand) = self.demand_of_part(cable, body, seam, demanded) {
+                if let Some(demand) = self.demand_of_part(cable, body, seam, clearance) {
                     self.list.push(Constraint::CablePlatform { cable, body, demand });
                 }
             }
@@ -274,9 +317,9 @@ impl Constraints {
         Ok(())
     }
 
-    fn demand_of_part(&mut self, cable: usize, body: usize, seam: Option<f64>, demanded: f64) -> Option<Demand> {
-        let CableAt { arm, name, .. } = &self.cables[cable];
-        let attachment = Point::from(*arm);
+    fn demand_of_part(&mut self, cable: usize, body: usize, seam: Option<f64>, clearance: f64) -> Option<Demand> {
+        let CableAt { arm, radius, .. } = self.cables[cable];
+        let attachment = Point::from(arm);
         let part = &self.platform[body];
         let distance = shape_distance(&Triangle::new(attachment, attachment, attachment), part).distance;
         if distance <= ON_SURFACE {
@@ -286,32 +329,76 @@ impl Constraints {
         if let Some(touch) = seam {
             return Some(Demand::Outside { touch });
         }
-        if distance < demanded {
-            self.notes.push(format!(
-                "{name} is attached {distance:.4} m from a platform part and can never keep {demanded:.4} m from it; \
-                 only entering it counts"
-            ));
-            return Some(Demand::Outside { touch: TOUCH_DEPTH });
+        Some(self.apart([Member::Cable(cable), Member::Platform], [clearance, radius, distance]))
+    }
+
+    /// A distance to keep from a body that is at most `attainable` away, as far as that goes; the rest is exempt.
+    fn apart(&mut self, members: [Member; 2], [clearance, radius, attainable]: [f64; 3]) -> Demand {
+        self.exempt_if_unattainable(members, [clearance, radius, attainable]);
+        Demand::Apart { gap: kept(clearance, radius, attainable) }
+    }
+
+    /// Notes that the next constraint, which is about this pair, demands less than the scene does, if so.
+    fn exempt_if_unattainable(&mut self, members: [Member; 2], [clearance, radii, attainable]: [f64; 3]) {
+        if clearance + radii <= attainable {
+            return;
         }
-        Some(Demand::Apart { gap: demanded })
+        let (index, attainable) = (self.list.len(), attainable - radii);
+        // Constraints come in the order of their first members.
+        let mut latest = self.exempt.iter_mut().rev().take_while(|known| known.members[0] == members[0]);
+        if let Some(known) = latest.find(|known| known.members == members) {
+            known.attainable = known.attainable.map(|best| best.min(attainable));
+            known.constraints.push(index);
+            return;
+        }
+        self.exempt.push(Exemption {
+            pair: members.map(|member| self.name(member).to_string()),
+            reason: Reason::Unattainable,
+            demanded: clearance,
+            attainable: Some(attainable),
+            members,
+            constraints: vec![index],
+        });
+    }
+
+    /// Lists the pairs that the scene lets touch, or has unchecked.
+    fn exempt_by_name(&mut self, scene: &Scene) {
+        for (members, rule) in scene.pairs().named() {
+            let reason = match rule {
+                PairRule::Apart(_) => continue,
+                PairRule::Touch => Reason::Touch,
+                PairRule::Ignore => Reason::Ignore,
+            };
+            let about = |index: &usize| {
+                let constraint = &self.list[*index];
+                self.required(constraint).is_some() && self.members(constraint).iter().all(|m| members.contains(m))
+            };
+            let constraints = (0..self.list.len()).filter(about).collect();
+            self.exempt.push(Exemption {
+                pair: members.map(|member| scene.member_name(member).to_string()),
+                reason,
+                demanded: scene.pairs().of_kind(members[0], members[1]),
+                attainable: None,
+                members,
+                constraints,
+            });
+        }
     }
 
     fn cable_cable(&mut self, scene: &Scene) {
         for first in 0..self.cables.len() {
             for second in first + 1..self.cables.len() {
-                if scene.ignores(Member::Cable(first), Member::Cable(second)) {
+                let members = [Member::Cable(first), Member::Cable(second)];
+                if scene.pairs().ignores(members[0], members[1]) {
                     continue;
                 }
-                let demanded = scene.clearance() + self.cables[first].radius + self.cables[second].radius;
-                let Some(pair) = CablePair::new(&self.cables, first, second, demanded) else { continue };
-                let names = format!("{} and {}", self.cables[first].name, self.cables[second].name);
+                let clearance = scene.pairs().clearance(members[0], members[1]);
+                let Some(pair) = CablePair::new(&self.cables, first, second, clearance) else { continue };
                 if pair.always_crossing() {
-                    self.notes.push(format!("{names} cross at every position"));
-                } else if pair.excused {
-                    self.notes.push(format!(
-                        "{names} can never keep {demanded:.4} m from each other ({:.4} m at best); only crossing counts",
-                        pair.best_gap
-                    ));
+                    let [first, second] = [first, second].map(|k| &self.cables[k].name);
+                    self.notes.push(format!("{first} and {second} cross at every position"));
+                } else {
+                    self.exempt_if_unattainable(members, [clearance, pair.radii, pair.best_gap]);
                 }
                 self.list.push(Constraint::CableCable(pair));
             }
@@ -328,7 +415,10 @@ impl Constraints {
                 if obstacle.seam.is_some() && self.platform[part].has_volume() {
                     continue;
                 }
-                let gap = if obstacle.seam.is_some() { 0.0 } else { scene.clearance() };
+                let gap = match obstacle.seam {
+                    Some(_) => 0.0,
+                    None => scene.pairs().clearance(Member::Platform, obstacle.member()),
+                };
                 self.list.push(Constraint::PlatformObstacle { part, body, gap });
             }
         }
@@ -339,7 +429,8 @@ impl Constraints {
             watch.check()?;
             for body in 0..self.obstacles.len() {
                 if !self.obstacles[body].ignored(scene, Member::Cable(cable)) {
-                    let demand = self.demand_of_obstacle(cable, body, scene.clearance() + self.cables[cable].radius);
+                    let clearance = scene.pairs().clearance(Member::Cable(cable), self.obstacles[body].member());
+                    let demand = self.demand_of_obstacle(cable, body, clearance);
                     self.list.push(Constraint::CableObstacle { cable, body, demand });
                 }
             }
@@ -347,27 +438,28 @@ impl Constraints {
         Ok(())
     }
 
-    fn demand_of_obstacle(&mut self, cable: usize, body: usize, gap: f64) -> Demand {
-        let CableAt { outlet, name, .. } = &self.cables[cable];
+    fn demand_of_obstacle(&mut self, cable: usize, body: usize, clearance: f64) -> Demand {
+        let CableAt { outlet, radius, ref name, .. } = self.cables[cable];
         let obstacle = &self.obstacles[body];
-        let normals = obstacle.body.active_normals(outlet);
+        let normals = obstacle.body.active_normals(&outlet);
         if !normals.is_empty() {
             return Demand::Leave { normals };
         }
         if let Some(touch) = obstacle.seam {
             return Demand::Outside { touch };
         }
-        let distance = shape_distance(&Triangle::new(*outlet, *outlet, *outlet), &obstacle.body).distance;
-        if distance >= gap {
-            return Demand::Apart { gap };
-        }
-        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(outlet).is_empty();
-        if self.obstacles.iter().any(carries) {
-            return Demand::Outside { touch: TOUCH_DEPTH }; // a neighbouring part of the body that the winch is bolted to
+        let (gap, distance) =
+            (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
+        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
+        // A neighbouring part of the body that the winch is bolted to can be as near as it is.
+        if distance >= gap || self.obstacles.iter().any(carries) {
+            let members = [Member::Cable(cable), obstacle.member()];
+            return self.apart(members, [clearance, radius, distance]);
         }
         self.notes.push(format!(
             "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
-             is refused; allow the contact with ignore = [[\"{name}\", \"{other}\"]]",
+             is refused; give the pair a smaller clearance in [[clearances.pairs]], or let it touch: \
+             touch = [[\"{name}\", \"{other}\"]]",
             other = obstacle.name
         ));
         Demand::Apart { gap }

@@ -29,25 +29,27 @@ fn reached(constraints: &Constraints, (value, index): (f64, usize), from: &Point
     let nearest = &constraints.list[index];
     let until = |t: f64| gap(constraints, nearest, from, &at(from, to, t));
     let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
-    Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest) }
+    let required = constraints.required(nearest).map_or(0.0, |gap| gap.max(0.0));
+    Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest), required }
 }
 
 /// Constraints that are looked at between two looks at the watch.
 const AT_A_TIME: usize = 256;
 
-/// The nearest approach of a path, and its segment. A gap changes by no more than the way gone, so one that is wide is not
-/// looked at again until the way could have used it up.
+/// The nearest approach of a path with regard to some constraints, by their indices, and its segment. A gap changes by no
+/// more than the way gone, so one that is wide is not looked at again until the way could have used it up.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn path_clearance(
     constraints: &Constraints,
+    indices: &[usize],
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<(usize, Clearance)>, Error> {
     let mut best: Option<(usize, f64, usize)> = None;
     // For each constraint a way along the path less which, at a later place, its gap is at most smaller.
-    let mut wide_until = vec![f64::NEG_INFINITY; constraints.list.len()];
+    let mut wide_until = vec![f64::NEG_INFINITY; indices.len()];
     let mut way = 0.0;
     for (segment, pair) in waypoints.windows(2).enumerate() {
         let (from, to) = (&pair[0], &pair[1]);
@@ -59,7 +61,7 @@ pub(super) fn path_clearance(
                 if *wide_until - way > least + TOUCH_DEPTH {
                     continue;
                 }
-                let index = block * AT_A_TIME + k;
+                let index = indices[block * AT_A_TIME + k];
                 let constraint = &constraints.list[index];
                 let apart = boxes_apart(constraints, constraint, from, to);
                 let gap = if apart >= least { None } else { gap(constraints, constraint, from, to) };
@@ -128,18 +130,10 @@ pub(super) fn room(constraints: &Constraints, constraint: &Constraint, from: &Po
     }
 }
 
-/// Gap in the world that a constraint is about, over a motion, m: distance or minus depth, of surfaces. None where no
-/// distance is to be kept: room, ends that touch by construction, pairs that can never keep what is demanded.
+/// Gap in the world that a constraint is about, over a motion, m: distance or minus depth, of surfaces, whether or not it
+/// is demanded. None where a constraint is not about a distance; see [`Constraints::required`].
 fn gap(constraints: &Constraints, constraint: &Constraint, from: &Point, to: &Point) -> Option<f64> {
-    let counts = match constraint {
-        Constraint::Workspace { .. } | Constraint::CableLength { .. } => false,
-        Constraint::CableCable(pair) => !pair.excused,
-        Constraint::PlatformObstacle { body, .. } => constraints.obstacles[*body].seam.is_none(),
-        Constraint::CablePlatform { demand, .. } | Constraint::CableObstacle { demand, .. } => {
-            matches!(demand, Demand::Apart { .. })
-        }
-    };
-    counts.then(|| distance(constraints, constraint, from, to))
+    constraints.required(constraint).map(|_| distance(constraints, constraint, from, to))
 }
 
 /// Distance or minus depth, of surfaces, between those whom a constraint is about, over a motion; for workspace and cable

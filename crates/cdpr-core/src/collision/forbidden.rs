@@ -76,8 +76,8 @@ fn difference(c: &Constraints, part: usize, body: usize) -> Option<Polytope> {
 /// Obstacles fattened by the distances that cables keep, each when it is first asked for: all cables share them.
 #[derive(Debug, Default)]
 pub struct Fattened {
-    gaps: Vec<f64>,
-    bodies: Vec<OnceLock<Option<Polytope>>>,
+    /// For each obstacle the distances that are kept from it, and the fattened body; none if that has no hull.
+    bodies: Vec<Vec<(f64, OnceLock<Option<Polytope>>)>>,
     /// The [`directions`] of each obstacle.
     directions: Vec<OnceLock<Vec<Vector>>>,
 }
@@ -85,25 +85,28 @@ pub struct Fattened {
 impl Fattened {
     /// Room for what the constraints of a scene ask for.
     pub fn of(c: &Constraints) -> Self {
-        let flat = c.obstacles.iter().any(|o| !o.body.has_volume());
-        let gaps = c.list.iter().filter_map(|constraint| match constraint {
-            Constraint::CableObstacle { demand: Demand::Apart { gap }, .. } => Some(*gap),
-            _ => None,
-        });
-        let gaps = gaps.flat_map(|gap| [gap, if flat { gap.max(FATTENED) } else { gap }]);
-        let mut gaps: Vec<f64> = gaps.filter(|gap| *gap > 0.0).collect();
-        gaps.sort_by(f64::total_cmp);
-        gaps.dedup();
-        let bodies = (0..gaps.len() * c.obstacles.len()).map(|_| OnceLock::new()).collect();
+        let mut gaps: Vec<Vec<f64>> = vec![Vec::new(); c.obstacles.len()];
+        for constraint in &c.list {
+            if let Constraint::CableObstacle { body, demand: Demand::Apart { gap }, .. } = constraint
+                && *gap > 0.0
+            {
+                gaps[*body].extend([*gap, gap.max(FATTENED)]);
+            }
+        }
+        let room = |mut gaps: Vec<f64>| {
+            gaps.sort_by(f64::total_cmp);
+            gaps.dedup();
+            gaps.into_iter().map(|gap| (gap, OnceLock::new())).collect()
+        };
+        let bodies = gaps.into_iter().map(room).collect();
         let directions = c.obstacles.iter().map(|_| OnceLock::new()).collect();
-        Fattened { gaps, bodies, directions }
+        Fattened { bodies, directions }
     }
 
     /// An obstacle fattened by a distance, if there is room for it; inside that, none if it has no hull.
     fn obstacle(&self, c: &Constraints, body: usize, gap: f64) -> Option<&Option<Polytope>> {
-        let which = self.gaps.iter().position(|known| *known == gap)?;
-        let fatten = || fattened(&c.obstacles[body].body, gap).map(Cow::into_owned);
-        Some(self.bodies[which * c.obstacles.len() + body].get_or_init(fatten))
+        let (_, known) = self.bodies.get(body)?.iter().find(|(known, _)| *known == gap)?;
+        Some(known.get_or_init(|| fattened(&c.obstacles[body].body, gap).map(Cow::into_owned)))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::constraint::Constraints;
+use super::exempt::Exemption;
 use super::explain;
 use super::validity::{Checker, Clearance, Validity, Violation};
 use crate::error::Error;
@@ -29,6 +31,38 @@ pub struct PathClearance {
     pub at: f64,
     /// Between whom.
     pub culprits: Vec<String>,
+    /// The clearance that the pair is held to, m; 0 where it must only not touch.
+    pub required: f64,
+}
+
+/// An exempt pair on a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PathExemption {
+    /// The pair, and why it is exempt.
+    #[serde(flatten)]
+    pub exemption: Exemption,
+    /// Its nearest approach on the path, m; none for pairs that are not checked, or touch by construction.
+    pub gap: Option<f64>,
+}
+
+/// The nearest approach of a path, and what is exempt from the demanded clearance.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Nearest {
+    /// The nearest approach of all pairs, if there is anything to keep away from.
+    pub min_clearance: Option<PathClearance>,
+    /// The nearest approach of those pairs that are not exempt, where some are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min_clearance_not_exempt: Option<PathClearance>,
+    /// Pairs that are not held to the clearance of their kind.
+    pub exempt: Vec<PathExemption>,
+}
+
+impl Nearest {
+    /// What is exempt, where nothing was measured.
+    pub fn unmeasured(constraints: &Constraints) -> Self {
+        let exempt = constraints.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
+        Nearest { exempt, ..Nearest::default() }
+    }
 }
 
 /// What was found about a path.
@@ -38,8 +72,9 @@ pub struct PathReport {
     pub valid: bool,
     /// Its length, m.
     pub length: f64,
-    /// Its nearest approach, if there is anything to keep away from.
-    pub min_clearance: Option<PathClearance>,
+    /// How near it comes to anything.
+    #[serde(flatten)]
+    pub nearest: Nearest,
     /// Everything that is wrong with it, in order along the path.
     pub violations: Vec<PathViolation>,
 }
@@ -69,24 +104,48 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
         let found = checker.violations(&pair[0], &pair[1]);
         violations.extend(found.into_iter().map(|violation| PathViolation { segment, violation }));
     }
-    let (length, min_clearance) = (path_length(waypoints), min_clearance(checker, waypoints, watch)?);
-    Ok(PathReport { valid, length, min_clearance, violations })
+    let (length, nearest) = (path_length(waypoints), nearest(checker.constraints(), waypoints, watch)?);
+    Ok(PathReport { valid, length, nearest, violations })
 }
 
-/// The nearest approach of a path to anything it must keep away from.
+/// The nearest approach of a path, of all pairs and of those that are not exempt, and of each exempt one.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn min_clearance(
-    checker: &dyn Checker,
+pub fn nearest(constraints: &Constraints, waypoints: &[Point], watch: &Watch) -> Result<Nearest, Error> {
+    let of = |indices: &[usize]| nearest_of(constraints, indices, waypoints, watch);
+    let all: Vec<usize> = (0..constraints.list.len()).collect();
+    let mut exempt = Vec::with_capacity(constraints.exempt.len());
+    for exemption in &constraints.exempt {
+        let gap = of(&exemption.constraints)?.map(|clearance| clearance.value);
+        exempt.push(PathExemption { exemption: exemption.clone(), gap });
+    }
+    let mut held = vec![true; all.len()];
+    constraints.exempt.iter().flat_map(|e| &e.constraints).for_each(|&index| held[index] = false);
+    let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
+    let min_clearance = of(&all)?;
+    let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
+    Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
+}
+
+/// The nearest approach of a path with regard to some constraints, by their indices.
+///
+/// # Errors
+/// As [`nearest`].
+pub fn nearest_of(
+    constraints: &Constraints,
+    indices: &[usize],
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
-    let Some((segment, clearance)) = explain::path_clearance(checker.constraints(), waypoints, watch)? else {
-        return Ok(None);
-    };
-    let Clearance { value, at, culprits } = clearance;
-    Ok(Some(PathClearance { value, segment, at, culprits }))
+    let found = explain::path_clearance(constraints, indices, waypoints, watch)?;
+    Ok(found.map(|(segment, Clearance { value, at, culprits, required })| PathClearance {
+        value,
+        segment,
+        at,
+        culprits,
+        required,
+    }))
 }
 
 #[cfg(test)]
@@ -108,7 +167,7 @@ mod tests {
                 for k in 0..150 {
                     path.push(path[k].map(|x| (x + step * (rng.random::<f64>() - 0.5)).clamp(0.0, 2.0)));
                 }
-                let found = min_clearance(&engine, &path, &Watch::NONE).unwrap().unwrap();
+                let found = nearest(engine.constraints(), &path, &Watch::NONE).unwrap().min_clearance.unwrap();
                 let each = path.windows(2).map(|pair| engine.clearance(&pair[0], &pair[1]).unwrap());
                 let each: Vec<f64> = each.map(|clearance| clearance.value).collect();
                 let least = each.iter().copied().fold(f64::INFINITY, f64::min);

@@ -246,6 +246,8 @@ pub struct Clearance {
     pub at: f64,
     /// Between whom.
     pub culprits: Vec<String>,
+    /// The clearance that the pair is held to, m; 0 where it must only not touch.
+    pub required: f64,
 }
 
 /// Whether a robot may be somewhere, or go somewhere in a straight line.

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
-use crate::collision::path_check::PathClearance;
+use crate::collision::path_check::Nearest;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
 use crate::model::OrientationSource::{self, Named};
@@ -62,13 +62,13 @@ pub struct SceneId {
     pub fingerprint: String,
 }
 
-/// The JSON of a planning result, its nearest approach and, where the scene asks for it, its wrenches; costs of unsolved
-/// ones are null.
+/// The JSON of a planning result, its nearest approach, what is exempt, and, where the scene asks for it, its wrenches; costs
+/// of unsolved ones are null.
 pub fn plan_json(
     scene: &Scene,
     options: &PlanOptions,
     result: &PlanResult,
-    min_clearance: Option<&PathClearance>,
+    nearest: &Nearest,
     wrench: Option<&PathWrench>,
 ) -> Value {
     let mut value = json!({
@@ -79,7 +79,6 @@ pub fn plan_json(
         "waypoints": rows(&result.waypoints),
         "orientation": quaternion(scene.orientation()),
         "orientation_name": scene.orientation_name(),
-        "min_clearance": min_clearance,
         "raw_cost": finite(result.raw_cost),
         "raw_waypoints": rows(&result.raw_waypoints),
         "planner": options.planner.planner(),
@@ -91,8 +90,10 @@ pub fn plan_json(
         "history": result.history,
         "scene": scene_id(scene),
     });
-    if let (Value::Object(all), Some(Value::Object(more))) = (&mut value, wrench.map(|wrench| json!(wrench))) {
-        all.extend(more);
+    for more in [Some(json!(nearest)), wrench.map(|wrench| json!(wrench))].into_iter().flatten() {
+        if let (Value::Object(all), Value::Object(more)) = (&mut value, more) {
+            all.extend(more);
+        }
     }
     value
 }

@@ -68,6 +68,8 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         gravity: None,
         clearance: None,
         ignore: Vec::new(),
+        touch: Vec::new(),
+        clearances: None,
         orientations: Vec::new(),
         workspace: WorkspaceSpec { min: whole_world.map(|x| -x), max: whole_world },
         robot: RobotSource::File(relative(&starter.robot, output)?),

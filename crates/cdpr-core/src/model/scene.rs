@@ -1,10 +1,9 @@
 //! A scene that has been checked: robot, obstacles, workspace, and the question asked of them.
 
-use std::collections::BTreeSet;
-
 use sha2::{Digest, Sha256};
 
 use super::body::{self, Turn};
+use super::pairs::{Member, PairRules};
 use super::robot::Robot;
 use super::spec::{
     BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, QuerySpec, RobotSource, SceneSpec, WrenchSpec,
@@ -15,7 +14,7 @@ use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
 use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
-/// The name that stands for the platform in messages and in `ignore`.
+/// The name that stands for the platform in messages, and in pairs such as those of `ignore`.
 pub const PLATFORM: &str = "platform";
 
 /// Gravity where a scene does not say, world axes, m/s².
@@ -30,17 +29,6 @@ pub struct Obstacle {
     pub parts: Vec<Polytope>,
 }
 
-/// Something that can be in contact: named in `ignore` and in messages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Member {
-    /// A cable, counting from 0.
-    Cable(usize),
-    /// The platform.
-    Platform,
-    /// An obstacle, in order of first appearance.
-    Obstacle(usize),
-}
-
 /// A checked scene. Immutable; made by [`Scene::new`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -51,8 +39,7 @@ pub struct Scene {
     workspace: Aabb,
     orientation: Rotation,
     orientations: Vec<(String, Rotation)>,
-    clearance: f64,
-    ignored: BTreeSet<(Member, Member)>,
+    pairs: PairRules,
     start: Option<Point>,
     goal: Option<Point>,
     notes: Vec<String>,
@@ -77,7 +64,6 @@ impl Scene {
         };
         body::optional_name("name", spec.name.as_deref())?;
         body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
-        let clearance = body::not_negative("clearance", spec.clearance.unwrap_or(0.0))?;
         if let Some(wrench) = &spec.wrench {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
@@ -86,9 +72,7 @@ impl Scene {
         let obstacles = obstacles(&spec.obstacles, &robot)?;
         let seams = obstacle_seams(&obstacles);
         outlets_outside(&robot, &obstacles, &seams)?;
-        let ignored = (spec.ignore.iter().enumerate())
-            .map(|(k, pair)| ignored_pair(&format!("ignore[{k}]"), pair, &robot, &obstacles))
-            .collect::<Result<_, _>>()?;
+        let pairs = PairRules::new(&spec, &robot, &obstacles)?;
         let query = spec.query.clone().unwrap_or_default();
         let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
@@ -107,8 +91,7 @@ impl Scene {
             workspace,
             orientation,
             orientations,
-            clearance,
-            ignored,
+            pairs,
             start,
             goal,
             notes,
@@ -245,9 +228,9 @@ impl Scene {
         names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
     }
 
-    /// Least distance to keep, m.
-    pub fn clearance(&self) -> f64 {
-        self.clearance
+    /// What is demanded of each pair of members.
+    pub fn pairs(&self) -> &PairRules {
+        &self.pairs
     }
 
     /// Gravity, world axes, m/s².
@@ -268,11 +251,6 @@ impl Scene {
     /// The demand of wrench feasibility, if given.
     pub fn wrench(&self) -> Option<&WrenchSpec> {
         self.spec.wrench.as_ref()
-    }
-
-    /// Whether contact between these two is allowed by the scene.
-    pub fn ignores(&self, a: Member, b: Member) -> bool {
-        self.ignored.contains(&(a.min(b), a.max(b)))
     }
 
     /// The name of a member, as in messages.
@@ -423,38 +401,4 @@ fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Res
         }
     }
     Ok(())
-}
-
-fn ignored_pair(
-    place: &str,
-    pair: &[String; 2],
-    robot: &Robot,
-    obstacles: &[Obstacle],
-) -> Result<(Member, Member), Error> {
-    let [a, b] = [member(place, &pair[0], robot, obstacles)?, member(place, &pair[1], robot, obstacles)?];
-    if a == b || matches!((a, b), (Member::Obstacle(_), Member::Obstacle(_))) {
-        let problem = format!(
-            "found [\"{}\", \"{}\"], expected two different members, at least one of them of the robot",
-            pair[0], pair[1]
-        );
-        return Err(Error::invalid(place, problem));
-    }
-    Ok((a.min(b), a.max(b)))
-}
-
-fn member(place: &str, name: &str, robot: &Robot, obstacles: &[Obstacle]) -> Result<Member, Error> {
-    if name == PLATFORM {
-        return Ok(Member::Platform);
-    }
-    let cable = robot.cables().iter().position(|c| c.name == name).map(Member::Cable);
-    let obstacle = || obstacles.iter().position(|o| o.name == name).map(Member::Obstacle);
-    cable.or_else(obstacle).ok_or_else(|| {
-        let cables = robot.cables().iter().map(|c| c.name.as_str());
-        let known = cables.chain(obstacles.iter().map(|o| o.name.as_str())).chain([PLATFORM]);
-        let hint = nearest_name(name, known).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
-        Error::invalid(
-            place,
-            format!("found \"{name}\", expected the name of a cable or obstacle, or \"platform\"{hint}"),
-        )
-    })
 }

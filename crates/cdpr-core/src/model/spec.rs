@@ -51,12 +51,18 @@ pub struct SceneSpec {
     /// Gravity in world axes, m/s²; default (0, 0, -9.81).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[f64; 3]>,
-    /// Least distance to keep between whatever must not touch, m; default 0.
+    /// Least distance to keep between whatever must not touch, m; default 0. `clearances` overrides it by kind and by pair.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearance: Option<f64>,
-    /// Allowed contacts, as pairs of names: a cable's, an obstacle's, or "platform".
+    /// Pairs that are not checked against each other, by name: a cable's, an obstacle's, or "platform".
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub ignore: Vec<[String; 2]>,
+    /// Pairs that may touch but not enter each other, named as in `ignore`: no clearance is demanded of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub touch: Vec<[String; 2]>,
+    /// Clearances of some kinds or pairs, in place of `clearance`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearances: Option<ClearancesSpec>,
     /// The box that every platform vertex must stay in.
     pub workspace: WorkspaceSpec,
     /// Named ways to turn the platform. Where the query says none, planning takes the one with the shortest path, what
@@ -74,6 +80,37 @@ pub struct SceneSpec {
     /// Start, goal and orientation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub query: Option<QuerySpec>,
+}
+
+/// Clearances that differ from the scene's `clearance`. A pair's own comes before that of its kind.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClearancesSpec {
+    /// Between the platform and obstacles, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub platform_obstacle: Option<f64>,
+    /// Between cables and obstacles, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_obstacle: Option<f64>,
+    /// Between cables and parts of the platform that they do not end on, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_platform: Option<f64>,
+    /// Between two cables, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_cable: Option<f64>,
+    /// Between two members by name.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<PairClearanceSpec>,
+}
+
+/// The clearance of one pair.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PairClearanceSpec {
+    /// Two names: a cable's, an obstacle's, or "platform".
+    pub between: [String; 2],
+    /// Least distance to keep, m.
+    pub clearance: f64,
 }
 
 /// An axis-aligned box in the world, m.

@@ -280,7 +280,7 @@ fn round_bodies_with_a_clearance_compile_soon() {
 fn the_same_answers_without_simd() {
     let mut rng = rng(11);
     for case in 0..40 {
-        let kind = Kind { clearance: [0.0, 0.05][case % 2], diameter: 0.0, special: true };
+        let kind = Kind { clearance: [0.0, 0.05][case % 2], special: true, ..Kind::default() };
         let scene = crate::support::scenes::scene(&mut rng, kind);
         let fast = CspaceEngine::new(&scene, Interference::Exact).unwrap();
         let portable = fast.clone().portable();

@@ -47,11 +47,9 @@ fn a_motion_is_as_near_as_its_nearest_state_and_kept_to_the_demand() {
     for case in 0..1_500 {
         let clearance = [0.0, 0.001, 0.05][case % 3];
         let diameter = [0.0, 0.01][case % 2];
-        let scene = scene(&mut rng, Kind { clearance, diameter, special: false });
+        let scene = scene(&mut rng, Kind { clearance, diameter, ..Kind::default() });
         let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-        if !engine.constraints().notes.is_empty() {
-            continue; // some pairs are held to less
-        }
+        let exempt = !engine.constraints().exempt.is_empty();
         for _ in 0..4 {
             let p = Point::from(vector(&mut rng, 2.5));
             let q = p + direction(&mut rng) * 10f64.powf(uniform(&mut rng, -3.0, 0.0));
@@ -70,7 +68,7 @@ fn a_motion_is_as_near_as_its_nearest_state_and_kept_to_the_demand() {
             let kept = engine.motion_valid(&p, &q);
             if found.value < clearance - GAP_TOLERANCE {
                 near += 1;
-                assert!(!kept, "case {case}: allowed although nearer than {clearance}: {found:?}");
+                assert!(!kept || exempt, "case {case}: allowed although nearer than {clearance}: {found:?}");
             } else if kept {
                 far += 1;
             } else {

@@ -141,7 +141,16 @@ fn scenes_with_clearance_and_thick_cables() {
     agree(2 << 40, 150, 60, |seed| {
         let clearance = [0.001, 0.02, 0.1, 0.0][seed as usize % 4];
         let diameter = [0.0, 0.01, 0.05][seed as usize % 3];
-        (Kind { clearance, diameter, special: seed % 2 == 0 }, Interference::Exact)
+        (Kind { clearance, diameter, special: seed % 2 == 0, mixed: false }, Interference::Exact)
+    });
+}
+
+#[test]
+fn scenes_with_a_clearance_for_each_pair() {
+    agree(4 << 40, 200, 60, |seed| {
+        let diameter = [0.0, 0.0, 0.02][seed as usize % 3];
+        let interference = if seed % 8 == 0 { Interference::Swept } else { Interference::Exact };
+        (Kind { clearance: 0.01, diameter, special: seed % 2 == 0, mixed: true }, interference)
     });
 }
 

@@ -6,6 +6,7 @@ mod cspace;
 mod engine_oracle;
 mod engines_agree;
 mod geometry_oracle;
+mod pair_distances;
 #[path = "../support/mod.rs"]
 mod support;
 mod wrench_certify;

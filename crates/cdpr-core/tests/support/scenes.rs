@@ -4,7 +4,10 @@
 //! The oracle answers hit or free only where that is proved by more than the tolerance; in between either is right.
 
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
-use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+use cdpr_core::model::{
+    BodySpec, CableSpec, ClearancesSpec, PairClearanceSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec,
+    WorkspaceSpec,
+};
 use cdpr_core::numerics::GAP_TOLERANCE;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -58,6 +61,8 @@ pub struct Kind {
     pub diameter: f64,
     /// Outlets on obstacles, obstacles of abutting parts, limits of length, small workspaces.
     pub special: bool,
+    /// Clearances by kind and by pair, and pairs that may touch.
+    pub mixed: bool,
 }
 
 pub fn scene(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
@@ -68,7 +73,42 @@ pub fn scene(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
     }
 }
 
-fn spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special }: Kind) -> SceneSpec {
+/// Random clearances of some kinds and pairs, and pairs that may touch: each pair in one place at most.
+fn mixed(rng: &mut ChaCha8Rng, spec: SceneSpec) -> SceneSpec {
+    let demand = |rng: &mut ChaCha8Rng| [0.0, 0.001, 0.02, 0.1][rng.random_range(0..4)];
+    let kind = |rng: &mut ChaCha8Rng| rng.random_bool(0.6).then(|| demand(rng));
+    let RobotSource::Inline(robot) = &spec.robot else { unreachable!("random scenes have their robot in place") };
+    let cables = (0..robot.cables.len()).map(|k| format!("cable {k}")).chain(["platform".to_string()]);
+    let robot: Vec<String> = cables.collect();
+    let mut obstacles: Vec<String> = spec.obstacles.iter().map(|o| o.name.clone().unwrap()).collect();
+    obstacles.dedup();
+    let mut clearances = ClearancesSpec {
+        platform_obstacle: kind(rng),
+        cable_obstacle: kind(rng),
+        cable_platform: kind(rng),
+        cable_cable: kind(rng),
+        pairs: Vec::new(),
+    };
+    let mut touch = Vec::new();
+    for (k, a) in robot.iter().enumerate() {
+        for b in robot[k + 1..].iter().chain(&obstacles) {
+            let between = if rng.random_bool(0.5) { [a.clone(), b.clone()] } else { [b.clone(), a.clone()] };
+            match rng.random_range(0..6) {
+                0 => touch.push(between),
+                1 | 2 => clearances.pairs.push(PairClearanceSpec { between, clearance: demand(rng) }),
+                _ => {}
+            }
+        }
+    }
+    SceneSpec { touch, clearances: Some(clearances), ..spec }
+}
+
+fn spec(rng: &mut ChaCha8Rng, kind: Kind) -> SceneSpec {
+    let spec = uniform_spec(rng, kind);
+    if kind.mixed { mixed(rng, spec) } else { spec }
+}
+
+fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }: Kind) -> SceneSpec {
     let parts = platform(rng);
     let mut obstacles: Vec<(String, Polytope)> = (0..rng.random_range(0..4))
         .map(|k| (format!("o{k}"), body(rng).transformed(&rotation(rng), &vector(rng, 2.0))))
@@ -112,6 +152,8 @@ fn spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special }: Kind) -> Sc
         gravity: None,
         clearance: Some(clearance),
         ignore: Vec::new(),
+        touch: Vec::new(),
+        clearances: None,
         orientations: Vec::new(),
         workspace: WorkspaceSpec { min: [-half; 3], max: [half; 3] },
         robot: RobotSource::Inline(RobotSpec {
