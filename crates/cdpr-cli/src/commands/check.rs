@@ -1,8 +1,8 @@
 //! `cdpr check`
 
 use cdpr_core::Error;
-use cdpr_core::collision::Exemption;
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
+use cdpr_core::collision::{Exemption, Reason};
 use cdpr_core::plan::{CheckReport, check, engine_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::words::length;
@@ -61,18 +61,23 @@ pub fn nearest_lines(nearest: &Nearest) -> Vec<String> {
     of_all.chain(of_others).chain(exempt_lines(&measured)).collect()
 }
 
-/// Exempt pairs of one answer that are written out.
+/// Exempt pairs of one answer that are written out; as many are told of those that are not checked at all.
 const MOST_EXEMPT: usize = 12;
 
 /// Exempt pairs in words, with their nearest approach on a path, m, where there is one.
 pub fn exempt_lines(exempt: &[(&Exemption, Option<f64>)]) -> Vec<String> {
-    let line = |(exemption, gap): &(&Exemption, Option<f64>)| {
+    let (unchecked, checked): (Vec<&_>, Vec<&_>) = exempt.iter().partition(|(e, _)| e.reason == Reason::Ignore);
+    let line = |(exemption, gap): &&(&Exemption, Option<f64>)| {
         let gap = gap.map_or(String::new(), |gap| format!(" (here {})", length(gap)));
         format!("exempt: {}{gap}", exemption.sentence())
     };
-    let rest = exempt.len().saturating_sub(MOST_EXEMPT);
-    let rest = (rest > 0).then(|| format!("exempt: {rest} more pairs; --format json lists all"));
-    exempt.iter().take(MOST_EXEMPT).map(line).chain(rest).collect()
+    let rest = |count: usize| count.saturating_sub(MOST_EXEMPT);
+    let more = (rest(checked.len()) > 0).then(|| format!("exempt: {} more, see --format json", rest(checked.len())));
+    let pairs = unchecked.iter().take(MOST_EXEMPT).map(|(exemption, _)| exemption.pair.join(" and "));
+    let others = (rest(unchecked.len()) > 0).then(|| format!("{} more", rest(unchecked.len())));
+    let unchecked = pairs.chain(others).collect::<Vec<_>>().join("; ");
+    let unchecked = (!unchecked.is_empty()).then(|| format!("not checked against each other: {unchecked}"));
+    checked.iter().take(MOST_EXEMPT).map(line).chain(more).chain(unchecked).collect()
 }
 
 /// The scarcest wrenches and the range of tensions in words.

@@ -63,6 +63,11 @@ fn summary(args: &ShadowsArgs, found: &Regions) -> serde_json::Value {
 
 fn lines(found: &Regions) -> Vec<String> {
     let space = found.space.name();
+    if found.box_volume() == 0.0 {
+        return vec![format!(
+            "0 regions in the space of {space}s: the box they are cut at is flat, so they have no volume"
+        )];
+    }
     let Some(largest) = found.meshes.iter().max_by(|a, b| a.mesh.volume().total_cmp(&b.mesh.volume())) else {
         return vec![format!("0 regions in the space of {space}s: nothing is forbidden there")];
     };

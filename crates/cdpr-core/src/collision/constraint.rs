@@ -3,6 +3,8 @@
 //! Everything that does not depend on the position is settled here, once: rotated platform and attachments, which pairs
 //! touch by construction, which can never keep the demanded distance. Engines only evaluate the list.
 
+use std::collections::BTreeMap;
+
 use super::cable_cable::CablePair;
 use super::exempt::{Exemption, Reason, kept};
 use super::validity::Kind;
@@ -363,26 +365,33 @@ impl Constraints {
 
     /// Lists the pairs that the scene lets touch, or has unchecked.
     fn exempt_by_name(&mut self, scene: &Scene) {
+        let mut listed: BTreeMap<[Member; 2], Exemption> = BTreeMap::new();
         for (members, rule) in scene.pairs().named() {
             let reason = match rule {
                 PairRule::Apart(_) => continue,
                 PairRule::Touch => Reason::Touch,
                 PairRule::Ignore => Reason::Ignore,
             };
-            let about = |index: &usize| {
-                let constraint = &self.list[*index];
-                self.required(constraint).is_some() && self.members(constraint).iter().all(|m| members.contains(m))
-            };
-            let constraints = (0..self.list.len()).filter(about).collect();
-            self.exempt.push(Exemption {
+            let exemption = Exemption {
                 pair: members.map(|member| scene.member_name(member).to_string()),
                 reason,
                 demanded: scene.pairs().of_kind(members[0], members[1]),
                 attainable: None,
                 members,
-                constraints,
-            });
+                constraints: Vec::new(),
+            };
+            listed.insert(members, exemption);
         }
+        if listed.values().any(|exemption| exemption.reason == Reason::Touch) {
+            for (index, constraint) in self.list.iter().enumerate() {
+                if let ([a, b], Some(_)) = (&self.members(constraint)[..], self.required(constraint))
+                    && let Some(exemption) = listed.get_mut(&[*a.min(b), *a.max(b)])
+                {
+                    exemption.constraints.push(index);
+                }
+            }
+        }
+        self.exempt.extend(listed.into_values());
     }
 
     fn cable_cable(&mut self, scene: &Scene) {

@@ -60,7 +60,11 @@ impl Exemption {
         } else {
             (format!("overlap by {} at best", small_length(-attainable)), "only the axes of cables are kept clear")
         };
-        format!("{names} {most}, {} are demanded; {still}", small_length(self.demanded))
+        let demanded = match self.demanded {
+            0.0 => String::new(),
+            demanded => format!(", {} are demanded", small_length(demanded)),
+        };
+        format!("{names} {most}{demanded}; {still}")
     }
 }
 
