@@ -187,9 +187,11 @@ def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False,
         raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
     if not isinstance(waypoints, Path):
         return scene._core.for_path(None)[0] or scene._core
-    turn, planned_for = waypoints.orientation, waypoints._planned_for()
-    identity = None if planned_for is None else (planned_for["name"], planned_for["fingerprint"])
-    turned, warning = scene._core.for_path(None if turn is None else turn.tolist(), identity, strict)
+    turn, origin = waypoints.orientation, waypoints._origin()
+    planned_for = (origin["scene"]["name"], origin["scene"]["fingerprint"]) if "scene" in origin else None
+    turned, warning = scene._core.for_path(
+        None if turn is None else turn.tolist(), origin.get("orientation_name"), planned_for, strict
+    )
     if warning is not None:
         warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
     return turned or scene._core

@@ -78,16 +78,16 @@ class Path(ByValue):
         waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
         if known.get("orientation") in (None, turn) and known.get("waypoints") == waypoints:
             return known | {"orientation": turn}
-        scene = self._planned_for()
-        kept = {} if scene is None else {"scene": scene}
+        kept = {key: value for key, value in self._origin().items() if key == "scene"}
         cost = self.cost if np.isfinite(self.cost) else None
         return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
 
-    def _planned_for(self) -> dict[str, str] | None:
-        """Name and fingerprint of the scene that the path was planned for, if it is known."""
+    def _origin(self) -> dict[str, Any]:
+        """The scene that the path was planned for, and the name of its orientation there, as far as they are known."""
         known: dict[str, Any] = json.loads(self._json)
         turn = None if self.orientation is None else self.orientation.tolist()
-        return known.get("scene") if known.get("orientation") in (None, turn) else None
+        same_turn = known.get("orientation") in (None, turn)
+        return {key: known[key] for key in ("scene", "orientation_name") if same_turn and known.get(key) is not None}
 
     def to_pandas(self) -> Any:
         """Return the waypoints as a table; it needs pandas.
@@ -308,8 +308,8 @@ class Report(ByValue):
     length: float
     violations: tuple[Violation, ...]
     min_clearance: Mapping[str, Any] | None
-    exempt: tuple[Exemption, ...] = ()
     min_clearance_not_exempt: Mapping[str, Any] | None = None
+    exempt: tuple[Exemption, ...] = ()
     min_wrench_margin: Mapping[str, Any] | None = None
     tension_range: Mapping[str, Any] | None = None
 

@@ -81,7 +81,12 @@ class View:
         )
 
 
-def view(scene: Scene, waypoints: ArrayLike | Path | None, interference: Interference, strict: bool) -> View:
+def view(
+    scene: Scene,
+    waypoints: ArrayLike | Path | None = None,
+    interference: Interference = "exact",
+    strict: bool = False,
+) -> View:
     result = waypoints if isinstance(waypoints, Result) else None
     given = waypoints.waypoints if isinstance(waypoints, Path) else waypoints
     array = None if given is None else rows("waypoints", given)

@@ -181,6 +181,10 @@ fn a_path_is_checked_at_its_own_orientation() {
     let without = Scene::new(other).unwrap();
     let refused = scene_of_path(&without, &loaded, false).unwrap_err().to_string();
     assert!(refused.contains("none of the scene's orientations (across, askew)"), "{refused}");
+    let bare =
+        Scene::new(SceneSpec { orientations: vec![named("across", 1.0), named("askew", 0.3)], ..plank() }).unwrap();
+    assert_eq!(bare.turned([1.0, 0.0, 0.0, 0.0].into()).unwrap().fingerprint(), planned.scene.fingerprint());
+    assert!(scene_of_path(&bare, &loaded, false).unwrap_err().to_string().contains("none of the scene's orientations"));
     // A path that was planned for just this scene at an orientation without a name is checked at that.
     let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();
     let json = plan_json(&aside, &PlanOptions::default(), &planned.result, &Nearest::default(), None);

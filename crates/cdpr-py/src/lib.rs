@@ -112,16 +112,17 @@ impl Scene {
 
     /// The scene for a path that holds at this orientation, if it says one (none if it is the scene itself), and a warning
     /// if the path was planned for another scene, given by name and fingerprint; an error if that is asked for.
-    #[pyo3(signature = (orientation, planned_for=None, strict=false))]
+    #[pyo3(signature = (orientation, orientation_name=None, planned_for=None, strict=false))]
     fn for_path(
         &self,
         orientation: Option<[f64; 4]>,
+        orientation_name: Option<&str>,
         planned_for: Option<(String, String)>,
         strict: bool,
     ) -> PyResult<(Option<Scene>, Option<String>)> {
         let id = planned_for.map(|(name, fingerprint)| io::SceneId { name, fingerprint });
         let (scene, warning) =
-            answered(|| io::scene_for(&self.0, orientation.map(Into::into), id.as_ref(), strict))?;
+            answered(|| io::scene_for(&self.0, orientation.map(Into::into), orientation_name, id.as_ref(), strict))?;
         Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
     }
 

@@ -19,7 +19,7 @@ use crate::plan::{PlanOptions, PlanResult};
 use crate::wrench::PathWrench;
 
 /// What a path file must hold; more keys may stand beside these, and planning writes more.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(title = "cdpr path")]
 pub struct PathFile {
     /// Version of the format, 1.
@@ -212,33 +212,35 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
 /// # Errors
 /// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(Scene, Option<String>), Error> {
-    let said =
-        |file: &PathFile| file.orientation.map(OrientationSource::from).or(file.orientation_name.clone().map(Named));
-    let planned_for = path.file.as_ref().and_then(|file| file.scene.as_ref());
-    scene_for(scene, path.file.as_ref().and_then(said), planned_for, strict)
+    let file = path.file.clone().unwrap_or_default();
+    let named = file.orientation_name;
+    let said = file.orientation.map(OrientationSource::from).or(named.clone().map(Named));
+    scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
 }
 
-/// As [`scene_of_path`], for a path that holds at this orientation and was planned for that scene, if it says so.
+/// As [`scene_of_path`], for a path that holds at this orientation, which had that name, and was planned for that scene, as
+/// far as it is known.
 ///
 /// # Errors
 /// As [`scene_of_path`].
 pub fn scene_for(
     scene: &Scene,
     orientation: Option<OrientationSource>,
+    orientation_name: Option<&str>,
     planned_for: Option<&SceneId>,
     strict: bool,
 ) -> Result<(Scene, Option<String>), Error> {
     let own = scene.for_path_at(orientation)?;
-    let Some(id) = planned_for.filter(|id| id.fingerprint != own.fingerprint()) else { return Ok((own, None)) };
-    if scene.orientation_is_open() && own.orientation_name().is_none() {
+    let another = planned_for.filter(|id| id.fingerprint != own.fingerprint());
+    // A path may have been planned for just this scene at a turn that was asked for and has no name.
+    if (another.is_some() || orientation_name.is_some()) && !scene.has_orientation_of(&own) {
         let names: Vec<&str> = scene.orientations().iter().map(|(name, _)| name.as_str()).collect();
-        let problem = format!(
-            "found a path at {:?}, which is none of the scene's orientations ({})",
-            quaternion(own.orientation()),
-            names.join(", ")
-        );
+        let names = if names.is_empty() { "no turn".to_string() } else { names.join(", ") };
+        let turn = quaternion(own.orientation());
+        let problem = format!("found a path at {turn:?}, which is none of the scene's orientations ({names})");
         return Err(Error::invalid("orientation", problem));
     }
+    let Some(id) = another else { return Ok((own, None)) };
     let other = format!("another scene: \"{}\" ({})", id.name, id.fingerprint);
     let this = format!("\"{}\" ({})", own.name(), own.fingerprint());
     if strict {

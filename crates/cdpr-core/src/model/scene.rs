@@ -188,6 +188,13 @@ impl Scene {
         !self.orientation_is_fixed() && !self.orientations.is_empty()
     }
 
+    /// Whether the orientation of another scene is this one's, or one of its named ones where it says none.
+    pub fn has_orientation_of(&self, other: &Scene) -> bool {
+        let same = |turn: &Rotation| other.orientation.angle_to(turn) <= SAME_TURN;
+        same(&self.orientation)
+            || (!self.orientation_is_fixed() && self.orientations.iter().any(|(_, turn)| same(turn)))
+    }
+
     /// The scene for a path that holds at this orientation, if it says one: turned to it where the scene says none.
     ///
     /// # Errors
