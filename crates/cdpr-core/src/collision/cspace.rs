@@ -26,9 +26,9 @@ use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
-use crate::numerics::simd::{ALL_LANES, Kernel, Lanes, Task};
+use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task};
 use crate::watch::Watch;
-use clip::{Planes, Segment};
+use clip::{CoarsePlace, Planes, Segment, not_outside};
 use grid::{Cells, FULL, Lists, Reached};
 use region::{Inner, Region, Scale, regions};
 
@@ -193,16 +193,17 @@ impl CspaceEngine {
     #[inline(always)]
     fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
         let outer = self.planes.of(&self.outer[region]);
-        if segment.apart(outer) {
+        if !segment.meets(outer, 0.0) {
             return false;
         }
+        self.certainly_refuses(region, segment) || self.reference_refuses(self.heads[region].constraint, from, to)
+    }
+
+    /// Whether a motion passes the inner polyhedron of a region.
+    #[inline(always)]
+    fn certainly_refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>) -> bool {
         let head = &self.heads[region];
-        if let Some(widen) = head.widen
-            && segment.meets(self.planes.of(&head.inner), widen)
-        {
-            return true;
-        }
-        segment.meets(outer, 0.0) && self.reference_refuses(head.constraint, from, to)
+        if let Some(widen) = head.widen { segment.meets(self.planes.of(&head.inner), widen) } else { false }
     }
 
     #[cold]
@@ -215,21 +216,20 @@ impl CspaceEngine {
     #[inline(always)]
     fn refused<L: Lanes>(&self, lanes: L, from: &Point, to: &Point) -> bool {
         let segment = Segment::new(lanes, from, to);
-        let pieces = self.cells.pieces(from, to);
+        let start = self.cells.place(lanes, from);
+        let way = lanes.sub(self.cells.place(lanes, to), start);
+        let pieces = self.cells.pieces(lanes, way);
         if pieces == 1 {
-            let cell = self.cells.cell(&nalgebra::center(from, to));
-            return self.refused_in(cell, &segment, &segment, from, to).is_some();
+            return self.refused_in(self.cells.cell(lanes, start, way), lanes, &segment, from, to).is_some();
         }
         let last = self.last_refuser.load(Ordering::Relaxed) as usize;
-        if last < self.heads.len() && self.refuses(last, &segment, from, to) {
+        if pieces > 2 && last < self.heads.len() && self.certainly_refuses(last, &segment) {
             return true;
         }
-        let step = (to - from) / pieces as f64;
+        let step = lanes.div(way, lanes.splat(pieces as f64));
         for k in 0..pieces {
-            let start = from + step * k as f64;
-            let piece = Segment::new(lanes, &start, &(start + step));
-            let cell = self.cells.cell(&(start + step * 0.5));
-            if let Some(region) = self.refused_in(cell, &piece, &segment, from, to) {
+            let start = lanes.add(start, lanes.mul(step, lanes.splat(k as f64)));
+            if let Some(region) = self.refused_in(self.cells.cell(lanes, start, step), lanes, &segment, from, to) {
                 self.last_refuser.store(region, Ordering::Relaxed);
                 return true;
             }
@@ -237,21 +237,21 @@ impl CspaceEngine {
         false
     }
 
-    /// The region that reaches into a cell and says no to a motion of which a piece passes the cell.
+    /// The region that reaches into a cell and refuses a motion of which a piece passes the cell.
     #[inline(always)]
     fn refused_in<L: Lanes>(
         &self,
-        cell: usize,
-        piece: &Segment<L>,
+        (cell, piece): (usize, [CoarsePlace; 2]),
+        lanes: L,
         whole: &Segment<L>,
         from: &Point,
         to: &Point,
     ) -> Option<u32> {
         let (planes, regions) = self.lists.of(cell);
         for (group, regions) in planes.iter().zip(regions) {
-            let mut open = !piece.outside(group) & ALL_LANES;
+            let mut open = not_outside(lanes, group, &piece);
             while open != 0 {
-                let region = regions[open.trailing_zeros() as usize];
+                let region = regions[open.trailing_zeros() as usize % INTEGERS];
                 if region & FULL != 0 || self.refuses(region as usize, whole, from, to) {
                     return Some(region & !FULL);
                 }

@@ -1,4 +1,4 @@
-//! Four numbers at a time: one kernel, written once over [`Lanes`], compiled twice, portable and with AVX2 (chosen at run
+//! Four numbers or eight integers at a time: one kernel, written once over [`Lanes`], compiled twice, portable and with AVX2 (chosen at run
 //! time, through pulp).
 //!
 //! Both do the same operations on the same numbers in the same order, without fused ones, so their answers are the same
@@ -7,15 +7,16 @@
 /// Numbers to a group.
 pub const WIDTH: usize = 4;
 
-/// One bit for each lane.
-pub const ALL_LANES: u32 = (1 << WIDTH) - 1;
+/// Integers to a group.
+pub const INTEGERS: usize = 8;
 
-/// Four numbers at a time, and what the kernel does with them.
+/// Four numbers or eight integers at a time, and what the kernel does with them.
 pub trait Lanes: Copy {
     /// Four numbers.
     type Four: Copy;
+    /// Eight integers.
+    type Integers: Copy;
     fn load(self, x: &[f64; WIDTH]) -> Self::Four;
-    fn widen(self, x: &[f32; WIDTH]) -> Self::Four;
     fn splat(self, x: f64) -> Self::Four;
     fn add(self, a: Self::Four, b: Self::Four) -> Self::Four;
     fn sub(self, a: Self::Four, b: Self::Four) -> Self::Four;
@@ -30,6 +31,14 @@ pub trait Lanes: Copy {
     /// One bit for each of the four that is not negative.
     fn not_negative(self, a: Self::Four) -> u32;
     fn store(self, a: Self::Four) -> [f64; WIDTH];
+    /// The integers next to numbers whose amount is below 2³¹, towards zero.
+    fn truncated(self, a: Self::Four) -> [i32; WIDTH];
+    /// The scalar products of eight pairs with one, which must not overflow.
+    fn pair_products(self, pairs: &[[i16; 2]; INTEGERS], with: [i16; 2]) -> Self::Integers;
+    /// Sums, which must not overflow.
+    fn plus(self, a: Self::Integers, b: Self::Integers) -> Self::Integers;
+    /// One bit for each of the eight that is negative in `a` or in `b`.
+    fn either_negative(self, a: Self::Integers, b: Self::Integers) -> u32;
 }
 
 /// Lanes as plain arrays, for any machine.
@@ -38,15 +47,11 @@ pub struct Portable;
 
 impl Lanes for Portable {
     type Four = [f64; WIDTH];
+    type Integers = [i32; INTEGERS];
 
     #[inline(always)]
     fn load(self, x: &[f64; WIDTH]) -> [f64; WIDTH] {
         *x
-    }
-
-    #[inline(always)]
-    fn widen(self, x: &[f32; WIDTH]) -> [f64; WIDTH] {
-        x.map(f64::from)
     }
 
     #[inline(always)]
@@ -108,14 +113,38 @@ impl Lanes for Portable {
     fn store(self, a: [f64; WIDTH]) -> [f64; WIDTH] {
         a
     }
+
+    #[inline(always)]
+    fn truncated(self, a: [f64; WIDTH]) -> [i32; WIDTH] {
+        a.map(|x| x as i32)
+    }
+
+    #[inline(always)]
+    fn pair_products(self, pairs: &[[i16; 2]; INTEGERS], [x, y]: [i16; 2]) -> [i32; INTEGERS] {
+        std::array::from_fn(|k| i32::from(pairs[k][0]) * i32::from(x) + i32::from(pairs[k][1]) * i32::from(y))
+    }
+
+    #[inline(always)]
+    fn plus(self, a: [i32; INTEGERS], b: [i32; INTEGERS]) -> [i32; INTEGERS] {
+        std::array::from_fn(|k| a[k] + b[k])
+    }
+
+    #[inline(always)]
+    fn either_negative(self, a: [i32; INTEGERS], b: [i32; INTEGERS]) -> u32 {
+        let mut bits = 0;
+        for k in 0..INTEGERS {
+            bits |= u32::from((a[k] | b[k]) < 0) << k;
+        }
+        bits
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use super::{Lanes, Task, WIDTH};
+    use super::{INTEGERS, Lanes, Task, WIDTH};
     use pulp::x86::V3;
-    use pulp::{NullaryFnOnce, cast, f32x4, f64x4};
-    use std::arch::x86_64::__m256d;
+    use pulp::{NullaryFnOnce, cast, f64x4};
+    use std::arch::x86_64::{__m256d, __m256i};
 
     /// A task as pulp takes it.
     pub struct OnLanes<T> {
@@ -134,15 +163,11 @@ mod avx2 {
 
     impl Lanes for V3 {
         type Four = __m256d;
+        type Integers = __m256i;
 
         #[inline(always)]
         fn load(self, x: &[f64; WIDTH]) -> __m256d {
             cast(f64x4(x[0], x[1], x[2], x[3]))
-        }
-
-        #[inline(always)]
-        fn widen(self, x: &[f32; WIDTH]) -> __m256d {
-            self.avx._mm256_cvtps_pd(cast(f32x4(x[0], x[1], x[2], x[3])))
         }
 
         #[inline(always)]
@@ -206,6 +231,27 @@ mod avx2 {
         fn store(self, a: __m256d) -> [f64; WIDTH] {
             let f64x4(x, y, z, w) = cast(a);
             [x, y, z, w]
+        }
+
+        #[inline(always)]
+        fn truncated(self, a: __m256d) -> [i32; WIDTH] {
+            cast(self.avx._mm256_cvttpd_epi32(a))
+        }
+
+        #[inline(always)]
+        fn pair_products(self, pairs: &[[i16; 2]; INTEGERS], with: [i16; 2]) -> __m256i {
+            self.avx2._mm256_madd_epi16(cast(*pairs), self.avx._mm256_set1_epi32(cast(with)))
+        }
+
+        #[inline(always)]
+        fn plus(self, a: __m256i, b: __m256i) -> __m256i {
+            self.avx2._mm256_add_epi32(a, b)
+        }
+
+        #[inline(always)]
+        fn either_negative(self, a: __m256i, b: __m256i) -> u32 {
+            let either = self.avx2._mm256_or_si256(a, b);
+            self.avx._mm256_movemask_ps(self.avx._mm256_castsi256_ps(either)) as u32
         }
     }
 }

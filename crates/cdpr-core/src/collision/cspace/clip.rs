@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-use crate::geometry::{HalfSpace, Point};
-use crate::numerics::simd::{Lanes, WIDTH};
+use crate::geometry::{HalfSpace, Point, Vector};
+use crate::numerics::simd::{INTEGERS, Lanes, WIDTH};
 
 /// Four half-spaces in structure-of-arrays order.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,27 +15,70 @@ pub struct PlaneGroup {
     offset: [f64; WIDTH],
 }
 
-/// Four half-spaces in half the memory, each a little wider than the one it stands for: what is outside of it is outside of
-/// that one.
+/// Eight half-spaces in few bits, each a little wider than the one it stands for: what is outside of it is outside of that
+/// one. Places and planes are relative to a cell: its middle is the origin, its size the unit along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub struct CoarseGroup {
-    normal: [[f32; WIDTH]; 3],
-    offset: [f32; WIDTH],
+    /// Normals along x and y.
+    xy: [[i16; 2]; INTEGERS],
+    /// Normals along z, and offsets.
+    zd: [[i16; 2]; INTEGERS],
 }
 
-impl CoarseGroup {
-    /// Everything is outside of all four.
-    pub const ALL_OUTSIDE: Self = CoarseGroup { normal: [[0.0; WIDTH]; 3], offset: [f32::NEG_INFINITY; WIDTH] };
+/// Coordinates of a [`CoarseGroup`]'s places to a cell.
+const PLACES: f64 = 16384.0;
 
-    /// Puts a half-space into a lane, widened for positions whose coordinates are at most `largest`, m.
-    pub fn set(&mut self, lane: usize, half_space: &HalfSpace, largest: f64) {
-        for axis in 0..3 {
-            self.normal[axis][lane] = half_space.normal[axis] as f32;
-        }
-        let rounding = 4.0 * f64::from(f32::EPSILON) * (largest + half_space.offset.abs());
-        self.offset[lane] = (half_space.offset + rounding) as f32;
+/// Numbers of its planes to one, for normals whose largest component is 1.
+const NORMALS: f64 = 8192.0;
+
+/// How much a half-space is widened, in units of 1 / [`NORMALS`]: more than what rounding adds to a height.
+///
+/// With coordinates of at most 1, rounding the three components of the normal adds at most 3 · ½. Cutting each coordinate
+/// off to 1 / [`PLACES`], half a unit, times a component of at most 1 adds 3 · ½ more. One unit is to spare for floating
+/// point, which is far below that as long as it comes from the arithmetic here; what it adds to positions in metres is
+/// within the rounding that every region is widened for.
+const COARSE_ROUNDING: f64 = 4.0;
+
+impl CoarseGroup {
+    /// Everything is outside of all eight.
+    pub const ALL_OUTSIDE: Self = CoarseGroup { xy: [[0; 2]; INTEGERS], zd: [[0, -1]; INTEGERS] };
+
+    /// Puts a half-space into a lane, widened; one without a normal has everything inside.
+    pub fn set(&mut self, lane: usize, normal: &Vector, offset: f64) {
+        let scale = NORMALS / normal.amax();
+        let [x, y, z] =
+            if scale.is_finite() { [0, 1, 2].map(|axis| (normal[axis] * scale).round() as i16) } else { [0; 3] };
+        let offset = if scale.is_finite() { (offset * scale + COARSE_ROUNDING).ceil() as i16 } else { i16::MAX };
+        self.xy[lane] = [x, y];
+        self.zd[lane] = [z, offset];
     }
+}
+
+/// A place near a cell as [`CoarseGroup`] takes it.
+#[derive(Debug, Clone, Copy)]
+pub struct CoarsePlace {
+    xy: [i16; 2],
+    /// Along z, and what offsets are multiplied by.
+    zd: [i16; 2],
+}
+
+impl CoarsePlace {
+    /// A place at most a cell from the middle of a cell along each axis, but for rounding.
+    #[inline(always)]
+    pub fn new<L: Lanes>(lanes: L, from_middle: L::Four) -> Self {
+        let [x, y, z, _] = lanes.truncated(lanes.mul(from_middle, lanes.splat(PLACES)));
+        CoarsePlace { xy: [x as i16, y as i16], zd: [z as i16, -PLACES as i16] }
+    }
+}
+
+/// One bit for each half-space of a group that does not have both ends of a segment outside. No sum overflows: each is at
+/// most 3 · 2¹³ · 2¹⁴ for the place and 2¹⁵ · 2¹⁴ for the offset, and a little for rounding.
+#[inline(always)]
+pub fn not_outside<L: Lanes>(lanes: L, group: &CoarseGroup, [from, to]: &[CoarsePlace; 2]) -> u32 {
+    let a = lanes.plus(lanes.pair_products(&group.xy, from.xy), lanes.pair_products(&group.zd, from.zd));
+    let b = lanes.plus(lanes.pair_products(&group.xy, to.xy), lanes.pair_products(&group.zd, to.zd));
+    lanes.either_negative(a, b)
 }
 
 /// Polyhedra as groups of planes in one array.
@@ -105,28 +148,6 @@ impl<L: Lanes> Segment<L> {
         [self.heights(&normal, offset, &self.from), self.heights(&normal, offset, &self.to)]
     }
 
-    /// One bit for each half-space of a group that has the whole segment outside.
-    #[inline(always)]
-    pub fn outside(&self, group: &CoarseGroup) -> u32 {
-        let l = self.lanes;
-        let [x, y, z] = &group.normal;
-        let (normal, offset) = ([l.widen(x), l.widen(y), l.widen(z)], l.widen(&group.offset));
-        let (a, b) = (self.heights(&normal, offset, &self.from), self.heights(&normal, offset, &self.to));
-        l.not_negative(l.min(a, b))
-    }
-
-    /// Whether one plane alone has the whole segment outside.
-    #[inline(always)]
-    pub fn apart(&self, polyhedron: &[PlaneGroup]) -> bool {
-        for group in polyhedron {
-            let [a, b] = self.both_heights(group);
-            if self.lanes.not_negative(self.lanes.min(a, b)) != 0 {
-                return true;
-            }
-        }
-        false
-    }
-
     /// Whether the segment meets the open polyhedron whose planes are moved outward by `widen`: the segment is clipped
     /// against one plane after the other, and something must be left.
     #[inline(always)]
@@ -159,20 +180,19 @@ mod tests {
     use crate::numerics::simd::{Kernel, Portable, Task};
     use rand::{RngExt, SeedableRng};
 
-    struct Both<'a> {
+    struct Meets<'a> {
         polyhedron: &'a [PlaneGroup],
         p: Point,
         q: Point,
         widen: f64,
     }
 
-    impl Task for Both<'_> {
-        type Output = (bool, bool);
+    impl Task for Meets<'_> {
+        type Output = bool;
 
         #[inline(always)]
-        fn run<L: Lanes>(self, lanes: L) -> (bool, bool) {
-            let segment = Segment::new(lanes, &self.p, &self.q);
-            (segment.apart(self.polyhedron), segment.meets(self.polyhedron, self.widen))
+        fn run<L: Lanes>(self, lanes: L) -> bool {
+            Segment::new(lanes, &self.p, &self.q).meets(self.polyhedron, self.widen)
         }
     }
 
@@ -187,9 +207,9 @@ mod tests {
             let mut number = || (rng.random_range(-8..9) as f64) * 0.125 + [0.0, 1e-9][rng.random_range(0..2)];
             let [p, q]: [Point; 2] = std::array::from_fn(|_| Point::new(number(), number(), number()));
             for widen in [0.0, -1e-9, 0.125] {
-                let ask = |kernel: Kernel| kernel.run(Both { polyhedron: planes.of(&range), p, q, widen });
+                let ask = |kernel: Kernel| kernel.run(Meets { polyhedron: planes.of(&range), p, q, widen });
                 assert_eq!(ask(Kernel::Portable), ask(Kernel::best()), "{p} {q} {widen}");
-                met += usize::from(ask(Kernel::Portable).1);
+                met += usize::from(ask(Kernel::Portable));
             }
         }
         assert!(met > 10_000);
@@ -208,5 +228,67 @@ mod tests {
         assert!(meets([0.0; 3], [0.0; 3], 0.0)); // no motion, inside
         assert!(!meets([1.0, 0.0, 0.0], [1.0, 0.0, 0.0], 0.0)); // no motion, on a face
         assert!(!meets([-1.5, -0.6, 0.0], [-0.6, -1.5, 0.0], 0.0)); // passes a corner outside
+    }
+
+    struct NotOutside<'a> {
+        group: &'a CoarseGroup,
+        ends: [Vector; 2],
+    }
+
+    impl Task for NotOutside<'_> {
+        type Output = u32;
+
+        #[inline(always)]
+        fn run<L: Lanes>(self, lanes: L) -> u32 {
+            let [p, q] = self.ends;
+            let place = [p, q].map(|p| CoarsePlace::new(lanes, lanes.load(&[p.x, p.y, p.z, 0.0])));
+            not_outside(lanes, self.group, &place)
+        }
+    }
+
+    #[test]
+    fn what_is_outside_of_a_coarse_plane_is_outside_of_the_plane() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+        let (mut outside, mut missed) = (0, 0);
+        for case in 0..30_000 {
+            let mut vector = || Vector::from_fn(|_, _| rng.random_range(-1.0..=1.0_f64));
+            let mut corner = || vector().map(|x| if case % 3 == 0 { x.signum() } else { x });
+            let ends = [corner(), corner()];
+            let mut planes: Vec<(Vector, f64)> = (0..INTEGERS).map(|_| (corner(), 0.0)).collect();
+            let mut group = CoarseGroup::ALL_OUTSIDE;
+            for (lane, (normal, offset)) in planes.iter_mut().enumerate() {
+                // Most planes pass an end, or miss it by a little.
+                let by = [0.0, 1e-12, 1e-5, 2e-4, 0.1, 3.0, 1e9][rng.random_range(0..7)];
+                *offset = normal.dot(&ends[lane % 2]) + by * rng.random_range(-1.0..=1.0);
+                let size = [1e-9, 0.05, 1.0, 1e3][rng.random_range(0..4)];
+                group.set(lane, &(*normal * size), *offset * size);
+            }
+            let open = [Kernel::Portable, Kernel::best()].map(|k| k.run(NotOutside { group: &group, ends }));
+            assert_eq!(open[0], open[1]);
+            for (lane, (normal, offset)) in planes.iter().enumerate() {
+                let least = ends.map(|end| (normal.dot(&end) - offset) / normal.amax());
+                let least = least[0].min(least[1]);
+                if open[0] >> lane & 1 == 0 {
+                    assert!(least > 0.0, "{normal} {offset} {ends:?}");
+                    outside += 1;
+                } else {
+                    assert!(least < 10.0 / NORMALS, "{normal} {offset} {ends:?}");
+                    missed += usize::from(least > 0.0);
+                }
+            }
+        }
+        assert!(outside > 10_000 && missed > 1000, "{outside} {missed}");
+    }
+
+    #[test]
+    fn nothing_is_outside_of_no_plane_and_everything_of_an_empty_lane() {
+        let mut group = CoarseGroup::ALL_OUTSIDE;
+        group.set(2, &Vector::zeros(), f64::INFINITY);
+        group.set(5, &Vector::x(), f64::INFINITY);
+        for kernel in [Kernel::Portable, Kernel::best()] {
+            for x in [-1.0, 0.0, 1.0] {
+                assert_eq!(kernel.run(NotOutside { group: &group, ends: [Vector::repeat(x); 2] }), 1 << 2 | 1 << 5);
+            }
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
 //! cells it passes.
 
-use super::clip::CoarseGroup;
+use super::clip::{CoarseGroup, CoarsePlace};
 use super::region::{Inner, Region};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_ROUNDING;
-use crate::numerics::simd::{Kernel, Lanes, Task, WIDTH};
+use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task, WIDTH};
 use crate::watch::Watch;
 
 /// Cells of equal size, `n` along each axis.
@@ -119,31 +119,42 @@ impl Cells {
         }
     }
 
+    /// The middle of a cell.
+    fn middle(&self, cell: usize) -> Point {
+        let n = self.n;
+        let at = Vector::new((cell % n) as f64, (cell / n % n) as f64, (cell / (n * n)) as f64).add_scalar(0.5);
+        self.min + self.size.component_mul(&at)
+    }
+
     #[inline(always)]
     fn index(&self, [x, y, z]: [usize; 3]) -> usize {
         x + self.n * (y + self.n * z)
     }
 
-    /// Largest coordinate of a position, or a little more.
-    fn largest(&self) -> f64 {
-        let extent = self.size * self.n as f64;
-        self.min.coords.abs().sup(&(self.min.coords + extent).abs()).sum()
+    /// A position in cells from the corner of the box.
+    #[inline(always)]
+    pub fn place<L: Lanes>(&self, l: L, p: &Point) -> L::Four {
+        let at = (p - self.min).component_mul(&self.density);
+        l.load(&[at.x, at.y, at.z, 0.0])
     }
 
     /// Into how many equal pieces a segment must be cut so that each is covered by the list of the cell in its middle.
     #[inline(always)]
-    pub fn pieces(&self, from: &Point, to: &Point) -> usize {
-        let needed = (to - from).component_mul(&self.density).abs();
-        1 + (needed.x.max(needed.y).max(needed.z) * PIECES_PER_CELL) as usize
+    pub fn pieces<L: Lanes>(&self, l: L, way: L::Four) -> usize {
+        let [x, y, z, _] = l.store(l.abs(way));
+        1 + (x.max(y).max(z) * PIECES_PER_CELL) as usize
     }
 
-    /// The cell of a position; the nearest one for positions outside.
+    /// The cell that a piece has its middle in, and the piece relative to the middle of that cell. The nearest cell for
+    /// places outside.
     #[inline(always)]
-    pub fn cell(&self, p: &Point) -> usize {
-        let last = (self.n - 1) as f64;
-        let at = (p - self.min).component_mul(&self.density);
-        let [x, y, z] = [at.x, at.y, at.z].map(|c| c.max(0.0).min(last) as u32 as usize);
-        x + self.n * (y + self.n * z)
+    pub fn cell<L: Lanes>(&self, l: L, start: L::Four, way: L::Four) -> (usize, [CoarsePlace; 2]) {
+        let half = l.splat(0.5);
+        let middle = l.add(start, l.mul(way, half));
+        let corner = l.truncated(l.min(l.max(middle, l.splat(0.0)), l.splat((self.n - 1) as f64)));
+        let from = l.sub(start, l.add(l.load(&corner.map(f64::from)), half));
+        let [x, y, z, _] = corner.map(|c| c as usize);
+        (self.index([x, y, z]), [CoarsePlace::new(l, from), CoarsePlace::new(l, l.add(from, way))])
     }
 }
 
@@ -369,13 +380,13 @@ impl<'a> Descent<'a> {
     }
 }
 
-/// For each cell the regions that reach into it, four to a group, each with the plane most likely to rule it out there.
+/// For each cell the regions that reach into it, eight to a group, each with the plane most likely to rule it out there.
 #[derive(Debug, Clone, Default)]
 pub struct Lists {
     /// The groups of cell k are `starts[k]..starts[k + 1]`.
     starts: Vec<u32>,
     planes: Vec<CoarseGroup>,
-    regions: Vec<[u32; WIDTH]>,
+    regions: Vec<[u32; INTEGERS]>,
 }
 
 /// Marks the one entry of a cell that lies inside a region.
@@ -411,16 +422,16 @@ impl Lists {
         let mut starts = vec![0; cells.len() + 1];
         for cell in 0..cells.len() {
             let entries: usize = if full[cell] == NONE { count[cell] } else { 1 };
-            starts[cell + 1] = starts[cell] + entries.div_ceil(WIDTH) as u32;
+            starts[cell + 1] = starts[cell] + entries.div_ceil(INTEGERS) as u32;
         }
         let groups = starts[cells.len()] as usize;
         let mut planes = vec![CoarseGroup::ALL_OUTSIDE; groups];
-        let mut regions = vec![[0; WIDTH]; groups];
-        let largest = cells.largest();
+        let mut regions = vec![[0; INTEGERS]; groups];
         let mut put = |cell: usize, lane: usize, plane: &HalfSpace, region: u32| {
-            let group = starts[cell] as usize + lane / WIDTH;
-            planes[group].set(lane % WIDTH, plane, largest);
-            regions[group][lane % WIDTH] = region;
+            let group = starts[cell] as usize + lane / INTEGERS;
+            let offset = -plane.height(&cells.middle(cell));
+            planes[group].set(lane % INTEGERS, &plane.normal.component_mul(&cells.size), offset);
+            regions[group][lane % INTEGERS] = region;
         };
         let mut filled = vec![0; cells.len()];
         for (region, (bounds, reached)) in pieces.enumerate() {
@@ -445,14 +456,14 @@ impl Lists {
 
     /// The planes and the regions of a cell.
     #[inline(always)]
-    pub fn of(&self, cell: usize) -> (&[CoarseGroup], &[[u32; WIDTH]]) {
+    pub fn of(&self, cell: usize) -> (&[CoarseGroup], &[[u32; INTEGERS]]) {
         let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
         (&self.planes[range.clone()], &self.regions[range])
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        4 * self.starts.capacity() + self.planes.capacity() * (size_of::<CoarseGroup>() + 4 * WIDTH)
+        4 * self.starts.capacity() + self.planes.capacity() * (size_of::<CoarseGroup>() + 4 * INTEGERS)
     }
 }
 
