@@ -247,11 +247,10 @@ impl CspaceEngine {
         from: &Point,
         to: &Point,
     ) -> Option<u32> {
-        let (planes, regions) = self.lists.of(cell);
-        for (group, regions) in planes.iter().zip(regions) {
-            let mut open = not_outside(lanes, group, &piece);
+        for group in self.lists.of(cell) {
+            let mut open = not_outside(lanes, &group.planes, &piece);
             while open != 0 {
-                let region = regions[open.trailing_zeros() as usize % INTEGERS];
+                let region = group.regions[open.trailing_zeros() as usize % INTEGERS];
                 if region & FULL != 0 || self.refuses(region as usize, whole, from, to) {
                     return Some(region & !FULL);
                 }

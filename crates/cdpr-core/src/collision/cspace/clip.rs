@@ -18,7 +18,7 @@ pub struct PlaneGroup {
 /// Eight half-spaces in few bits, each a little wider than the one it stands for: what is outside of it is outside of that
 /// one. Places and planes are relative to a cell: its middle is the origin, its size the unit along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C, align(64))]
+#[repr(C, align(32))]
 pub struct CoarseGroup {
     /// Normals along x and y.
     xy: [[i16; 2]; INTEGERS],

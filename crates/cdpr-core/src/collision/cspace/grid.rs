@@ -49,7 +49,7 @@ pub struct Reached {
 pub const NO_WITNESS: u16 = u16::MAX;
 
 impl Cells {
-    /// Divides a box into n³ cells; n must be a power of two, at least 2.
+    /// Divides a box into n³ cells; n must be a power of two, from 2 to [`MOST_CELLS`].
     pub fn new(min: Point, max: Point, n: usize) -> Self {
         let extent = max - min;
         let density = extent.map(|e| if e > 0.0 { n as f64 / e } else { 0.0 });
@@ -121,14 +121,14 @@ impl Cells {
 
     /// The middle of a cell.
     fn middle(&self, cell: usize) -> Point {
-        let n = self.n;
-        let at = Vector::new((cell % n) as f64, (cell / n % n) as f64, (cell / (n * n)) as f64).add_scalar(0.5);
+        let at = Vector::from_fn(|axis, _| f64::from(gathered(cell as u32 >> axis)) + 0.5);
         self.min + self.size.component_mul(&at)
     }
 
+    /// Index of a cell; cells close to each other have indices close to each other (Morton order).
     #[inline(always)]
     fn index(&self, [x, y, z]: [usize; 3]) -> usize {
-        x + self.n * (y + self.n * z)
+        (SPREAD[x % MOST_CELLS] | SPREAD[y % MOST_CELLS] << 1 | SPREAD[z % MOST_CELLS] << 2) as usize
     }
 
     /// A position in cells from the corner of the box.
@@ -156,6 +156,29 @@ impl Cells {
         let [x, y, z, _] = corner.map(|c| c as usize);
         (self.index([x, y, z]), [CoarsePlace::new(l, from), CoarsePlace::new(l, l.add(from, way))])
     }
+}
+
+/// Most cells along an axis.
+const MOST_CELLS: usize = 32;
+
+/// The bits of each number, with two empty ones after each.
+const SPREAD: [u32; MOST_CELLS] = {
+    let mut spread = [0; MOST_CELLS];
+    let mut k = 0;
+    while k < MOST_CELLS {
+        let mut bit = 0;
+        while bit < 5 {
+            spread[k] |= (k as u32 >> bit & 1) << (3 * bit);
+            bit += 1;
+        }
+        k += 1;
+    }
+    spread
+};
+
+/// Every third bit of a number.
+fn gathered(spread: u32) -> u32 {
+    (0..5).fold(0, |number, bit| number | (spread >> (3 * bit) & 1) << bit)
 }
 
 /// A plane on the way down.
@@ -385,8 +408,16 @@ impl<'a> Descent<'a> {
 pub struct Lists {
     /// The groups of cell k are `starts[k]..starts[k + 1]`.
     starts: Vec<u32>,
-    planes: Vec<CoarseGroup>,
-    regions: Vec<[u32; INTEGERS]>,
+    groups: Vec<Listed>,
+}
+
+/// Eight regions with a plane each, side by side: a region that its plane does not rule out costs no other page of memory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Listed {
+    /// What rules out the regions.
+    pub planes: CoarseGroup,
+    /// Which regions; one that fills the cell is marked [`FULL`].
+    pub regions: [u32; INTEGERS],
 }
 
 /// Marks the one entry of a cell that lies inside a region.
@@ -425,13 +456,12 @@ impl Lists {
             starts[cell + 1] = starts[cell] + entries.div_ceil(INTEGERS) as u32;
         }
         let groups = starts[cells.len()] as usize;
-        let mut planes = vec![CoarseGroup::ALL_OUTSIDE; groups];
-        let mut regions = vec![[0; INTEGERS]; groups];
+        let mut groups = vec![Listed { planes: CoarseGroup::ALL_OUTSIDE, regions: [0; INTEGERS] }; groups];
         let mut put = |cell: usize, lane: usize, plane: &HalfSpace, region: u32| {
             let group = starts[cell] as usize + lane / INTEGERS;
             let offset = -plane.height(&cells.middle(cell));
-            planes[group].set(lane % INTEGERS, &plane.normal.component_mul(&cells.size), offset);
-            regions[group][lane % INTEGERS] = region;
+            groups[group].planes.set(lane % INTEGERS, &plane.normal.component_mul(&cells.size), offset);
+            groups[group].regions[lane % INTEGERS] = region;
         };
         let mut filled = vec![0; cells.len()];
         for (region, (bounds, reached)) in pieces.enumerate() {
@@ -451,19 +481,18 @@ impl Lists {
         for cell in (0..cells.len()).filter(|&cell| full[cell] != NONE) {
             put(cell, 0, &NOTHING_OUTSIDE, full[cell]);
         }
-        Ok(Lists { starts, planes, regions })
+        Ok(Lists { starts, groups })
     }
 
-    /// The planes and the regions of a cell.
+    /// The regions of a cell.
     #[inline(always)]
-    pub fn of(&self, cell: usize) -> (&[CoarseGroup], &[[u32; INTEGERS]]) {
-        let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
-        (&self.planes[range.clone()], &self.regions[range])
+    pub fn of(&self, cell: usize) -> &[Listed] {
+        &self.groups[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        4 * self.starts.capacity() + self.planes.capacity() * (size_of::<CoarseGroup>() + 4 * INTEGERS)
+        4 * self.starts.capacity() + self.groups.capacity() * size_of::<Listed>()
     }
 }
 
@@ -482,8 +511,7 @@ mod tests {
         let extent = |h: &HalfSpace| h.normal.abs().dot(&half);
         let mut found = Vec::new();
         for cell in 0..cells.len() {
-            let at = [cell % cells.n, cell / cells.n % cells.n, cell / (cells.n * cells.n)];
-            let center = cells.min + cells.size.component_mul(&Vector::from(at.map(|k| k as f64 + 0.5)));
+            let center = cells.middle(cell);
             let holds = |planes: &[HalfSpace], by: f64| planes.iter().all(|h| h.height(&center) - by <= -extent(h));
             let full = match inner {
                 Inner::Unknown => false,
