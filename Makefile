@@ -6,10 +6,13 @@ WHEELS := target/wheels
 
 SITE := target/site
 
-.PHONY: test lint rust-test release-test verify fuzz program wheel python-test package-test docs workflows packages \
+.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel python-test package-test docs workflows packages \
 	deny demo figures bench viewer browser clean
 
-test: lint rust-test release-test python-test docs workflows
+test: lint rust-test python-test docs workflows
+
+# What takes too long to wait for, after `make test`.
+long-test: portable-test release-test
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -24,10 +27,12 @@ ifneq ($(shell command -v timeout),)
 LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbose $(TEST_SECONDS)'"
 endif
 
-# Unit, property and integration tests and the examples in the documentation; then once more what rests on the kernels,
-# by the portable ones, as on a machine without AVX2.
+# Unit, property and integration tests and the examples in the documentation.
 rust-test:
 	cargo test $(LIMITED) --workspace --locked
+
+# What rests on the kernels once more by the portable ones, as on a machine without AVX2.
+portable-test:
 	CDPR_PORTABLE=1 cargo test $(LIMITED) --workspace --locked --test oracles
 
 # The oracles once more on the code that people use: release, without debug assertions.

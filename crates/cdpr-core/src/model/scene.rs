@@ -83,19 +83,7 @@ impl Scene {
             None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
         };
         let notes = degrees_hints(&spec, &robot);
-        Ok(Scene {
-            spec,
-            robot,
-            obstacles,
-            seams,
-            workspace,
-            orientation,
-            orientations,
-            pairs,
-            start,
-            goal,
-            notes,
-        })
+        Ok(Scene { spec, robot, obstacles, seams, workspace, orientation, orientations, pairs, start, goal, notes })
     }
 
     /// The same scene with more to say about where it is from.
