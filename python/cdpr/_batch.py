@@ -179,7 +179,8 @@ def run_batch(
     if executor is None:
         rows, failures = checked.run(first, end, thread_count(threads), progress)
     else:
-        rows, failures = _on_executor(checked, executor, progress, (first, end), thread_count(threads) or 1)
+        each = thread_count(threads)
+        rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if each is None else each)
     for failure in failures:
         warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
     trials_csv, timings_csv, history_csv, summary = checked.tables(first, end, rows)

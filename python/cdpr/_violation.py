@@ -21,11 +21,6 @@ class Violation:
         Who is involved, by the names of the scene; cables count from 0.
     margin : float or None
         Gap less what is required, m: never positive.
-    gap : float or None
-        Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
-        and the length of a cable the room left. None for the kind "wrench".
-    required : float or None
-        What the gap would have to be, m.
     segment : int
         Which segment of a path, counting from 0.
     wrench_margin : float or None
@@ -42,6 +37,11 @@ class Violation:
         Corner of the grid cell for which the grid rule refused, m.
     unproved : bool
         For the kind "wrench": nothing is known to be lacking, but what is left is too little to prove that nothing is.
+    gap : float or None
+        Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
+        and the length of a cable the room left. None for the kind "wrench".
+    required : float or None
+        What the gap would have to be, m.
 
     Examples
     --------

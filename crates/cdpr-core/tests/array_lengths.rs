@@ -151,8 +151,7 @@ fn fixed_arrays(value: &Value, pointer: &str, key: &str, found: &mut Vec<String>
     let list = LISTS.contains(&key) || PLAIN_LISTS.contains(&key) || (key == "vertices" && value[0].is_array());
     match value {
         Value::Array(elements) => {
-            let names = key == "methods" && elements[0].is_string();
-            if !list && !names {
+            if !list {
                 found.push(pointer.to_string());
             }
             for (k, element) in elements.iter().enumerate() {
