@@ -197,9 +197,11 @@ def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False,
     return turned or scene._core
 
 
-def scene_for(scene: Scene, waypoints: ArrayLike | Path, *, level: int = 4) -> Scene:
-    """The scene at the orientation of the path, as :func:`core_for`."""
-    same = core_for(scene, waypoints, level=level) is scene._core
+def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
+    """The scene at the orientation of the path, as :func:`core_for`, for pictures: those of other scenes may be compared."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AnotherSceneWarning)
+        same = core_for(scene, waypoints) is scene._core
     return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
 
 

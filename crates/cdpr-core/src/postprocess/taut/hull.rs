@@ -158,13 +158,18 @@ impl Piece {
         [self.from, self.from + self.along]
     }
 
+    /// Its length, m.
+    pub fn length(&self) -> f64 {
+        self.along.norm()
+    }
+
     /// A point of it, uniformly.
     pub fn sample(&self, rng: &mut dyn Rng) -> Point {
         self.from + self.along * rng.random::<f64>()
     }
 
-    /// Its pieces outside of all hulls that are longer than rounding, or all of it.
-    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>) -> Vec<Piece> {
+    /// Its pieces outside of all hulls, at least so long, m.
+    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>, least: f64) -> Vec<Piece> {
         let mut covered: Vec<[f64; 2]> =
             hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -172,7 +177,7 @@ impl Piece {
         let mut at = 0.0;
         for [start, end] in covered.into_iter().chain([[1.0, 1.0]]) {
             let piece = Piece { from: self.from + self.along * at, along: self.along * (start.min(1.0) - at) };
-            if start > at && piece.along.norm() >= STANDOFF.min(self.along.norm()) {
+            if start > at && piece.along.norm() >= least {
                 free.push(piece);
             }
             at = at.max(end);

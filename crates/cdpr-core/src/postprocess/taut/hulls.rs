@@ -8,7 +8,7 @@ use rand::{Rng, RngExt};
 use super::hull::{Hull, Overlap, Piece};
 use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
-use crate::numerics::{FLAT, ON_SURFACE};
+use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
 
 /// Hulls in one place.
 #[derive(Debug)]
@@ -94,7 +94,8 @@ impl Hulls {
                 return None;
             }
             let part = edge.around(share, NEARBY * (self.high - self.low).norm());
-            let pieces = part.outside(self.near(&part.ends(), near));
+            let least = if self.is_flat() { STANDOFF.min(part.length()) } else { STANDOFF };
+            let pieces = part.outside(self.near(&part.ends(), near), least);
             let piece = pieces.get(rng.random_range(0..pieces.len().max(1)))?;
             Some(piece.sample(rng)).filter(promising)
         })
@@ -102,14 +103,18 @@ impl Hulls {
 }
 
 impl Hulls {
+    /// Whether the box has no room to speak of along some axis.
+    fn is_flat(&self) -> bool {
+        (self.high - self.low).min() <= FLAT
+    }
+
     /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and the face itself to nothing that
     /// rounding leaves; so there the face is cut by a thicker box first.
     fn edges(&self, hull: &Hull, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
-        let flat = (self.high - self.low).map(|size| size <= FLAT);
-        if !flat.iter().any(|flat| *flat) {
+        if !self.is_flat() {
             return hull.face_edges(face, &self.low, &self.high, polygon, edges);
         }
-        let thicker = flat.map(|flat| if flat { MARGIN } else { 0.0 });
+        let thicker = (self.high - self.low).map(|size| if size <= FLAT { MARGIN } else { 0.0 });
         hull.face_edges(face, &(self.low - thicker), &(self.high + thicker), polygon, edges);
         *edges = edges.iter().filter_map(|edge| edge.within(&self.low, &self.high)).collect();
     }
