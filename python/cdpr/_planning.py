@@ -183,26 +183,30 @@ def _finite(name: str, value: float | None) -> float | None:
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:
     """The scene at the orientation of the path; it warns of a path that was planned for another scene, or refuses it."""
+    core, warning = _turned(scene, waypoints, strict)
+    if warning is not None:
+        warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
+    return core
+
+
+def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
+    """The scene at the orientation of the path, for pictures: they may compare paths of several scenes."""
+    same = _turned(scene, waypoints, False)[0] is scene._core
+    return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
+
+
+def _turned(scene: Scene, waypoints: ArrayLike | Path, strict: bool) -> tuple[_core.Scene, str | None]:
+    """The scene at the orientation of the path, and a warning if that was planned for another scene."""
     if not isinstance(scene, Scene):
         raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
     if not isinstance(waypoints, Path):
-        return scene._core.for_path(None)[0] or scene._core
+        return scene._core.for_path(None)[0] or scene._core, None
     turn, origin = waypoints.orientation, waypoints._origin()
     planned_for = (origin["scene"]["name"], origin["scene"]["fingerprint"]) if "scene" in origin else None
     turned, warning = scene._core.for_path(
         None if turn is None else turn.tolist(), origin.get("orientation_name"), planned_for, strict
     )
-    if warning is not None:
-        warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
-    return turned or scene._core
-
-
-def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
-    """The scene at the orientation of the path, as :func:`core_for`, for pictures: those of other scenes may be compared."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AnotherSceneWarning)
-        same = core_for(scene, waypoints) is scene._core
-    return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
+    return turned or scene._core, warning
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
