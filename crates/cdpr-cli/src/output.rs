@@ -100,7 +100,7 @@ impl Console {
 
     /// Says what puts an answer in doubt; also where all else is quiet.
     pub fn warning(&self, text: &str) {
-        let _ = writeln!(anstream::stderr(), "{BAD}warning:{BAD:#} {text}");
+        let _ = writeln!(anstream::stderr(), "{BAD}warning:{BAD:#} {}", printable(text));
     }
 
     /// Says what is special about a scene, besides what is exempt from a clearance.

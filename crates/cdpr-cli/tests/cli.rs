@@ -505,7 +505,8 @@ fn anytime_uses_its_budget_and_any_path_can_be_pulled_taut() {
     let best = 2.435167; // m, the best known path
     let budgeted = ["plan", &hard1, "--planner", "anytime", "--budget-ms", "60", "--format", "json"];
     let found = json(&cdpr(&budgeted));
-    assert!(found["stats"]["planning_seconds"].as_f64().unwrap() >= 0.06);
+    // The budget counts from the call: reading and compiling have their share.
+    assert!((0.03..0.07).contains(&found["stats"]["planning_seconds"].as_f64().unwrap()), "{found}");
     assert!((found["cost"].as_f64().unwrap() - best).abs() < 1e-3 * best, "{}", found["cost"]);
     let costs: Vec<f64> =
         found["history"].as_array().unwrap().iter().map(|better| better["cost"].as_f64().unwrap()).collect();

@@ -66,7 +66,7 @@ fn rrt_star_with_a_ball_of_30_cm_costs_what_the_study_says() {
 }
 
 #[test]
-fn every_path_is_valid_by_both_engines_and_every_seed_has_its_own() {
+fn every_path_is_valid_by_both_engines_and_every_seed_has_a_tree_of_its_own() {
     for (scene, planner) in [hard1(), hard3()].iter().flat_map(|s| every_planner().map(move |p| (s, p))) {
         let engines: [Box<dyn Checker>; 2] = [
             Box::new(GjkEngine::new(scene, Interference::Exact).unwrap()),
@@ -81,7 +81,8 @@ fn every_path_is_valid_by_both_engines_and_every_seed_has_its_own() {
                 assert!(path.windows(2).all(valid), "{planner:?}, seed {seed}");
             }
             assert_eq!(found.waypoints, planned(scene, &planner, seed).waypoints);
-            assert_ne!(found.raw_waypoints, planned(scene, &planner, seed + 100).raw_waypoints);
+            // Of the anytime planner only the tree: it may find the same path, pulled taut, from any seed.
+            assert_ne!(found.tree.states, planned(scene, &planner, seed + 100).tree.states);
         }
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
 use crate::collision::path_check::Nearest;
-use crate::error::Error;
+use crate::error::{Error, printable};
 use crate::geometry::{Point, Rotation};
 use crate::model::OrientationSource::{self, Named};
 use crate::model::Scene;
@@ -241,7 +241,7 @@ pub fn scene_for(
         return Err(Error::invalid("orientation", problem));
     }
     let Some(id) = another else { return Ok((own, None)) };
-    let other = format!("another scene: \"{}\" ({})", id.name, id.fingerprint);
+    let other = format!("another scene: \"{}\" ({})", printable(&id.name), printable(&id.fingerprint));
     let this = format!("\"{}\" ({})", own.name(), own.fingerprint());
     if strict {
         return Err(Error::invalid("scene", format!("found a path planned for {other}, expected one for {this}")));

@@ -197,7 +197,7 @@ fn every_pair_is_held_to_its_own_demand() {
                     let [a, b] = &violation.culprits[..] else { continue };
                     let mut own = pairs.iter().zip(&gaps).filter(|(pair, _)| pair.names == [a.clone(), b.clone()]);
                     let near = |(pair, gap): (&Pair, &f64)| *gap < pair.demand.max(0.0) + GAP_TOLERANCE;
-                    let joined = own.clone().count() == 0 || violation.margin.is_some_and(|margin| margin < 0.0);
+                    let joined = own.clone().count() == 0 || violation.gap.is_some_and(|gap| gap < 0.0);
                     assert!(joined || own.any(near), "scene {scenes}: {p}: refused for {violation:?}");
                     explained += usize::from(!joined);
                 }
