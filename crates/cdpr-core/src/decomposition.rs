@@ -31,7 +31,7 @@ pub enum Way {
 /// How a search weighs lengths against narrowness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taste {
-    /// Way through an open cell of this level costs twice as much as through a free one, [`GROWTH`] times more or less for each
+    /// Way through an open cell of this level costs twice as much as through a free one, 1.7 times more or less for each
     /// level more or less. A low level prefers wide detours, a high one short ways through narrow passages.
     pub level: i32,
     /// Factor of the distance that is left, in ordering the cells to look at; at least 1. The higher, the fewer cells
