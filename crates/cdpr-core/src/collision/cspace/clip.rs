@@ -34,24 +34,50 @@ const NORMALS: f64 = 8192.0;
 
 /// How much a half-space is widened, in units of 1 / [`NORMALS`]: more than what rounding adds to a height.
 ///
-/// With coordinates of at most 1, rounding the three components of the normal adds at most 3 · ½. Cutting each coordinate
-/// off to 1 / [`PLACES`], half a unit, times a component of at most 1 adds 3 · ½ more. One unit is to spare for floating
-/// point, which is far below that as long as it comes from the arithmetic here; what it adds to positions in metres is
-/// within the rounding that every region is widened for.
-const COARSE_ROUNDING: f64 = 4.0;
+/// With coordinates of at most 1, rounding the three components of the normal adds at most 3 · ½. Truncating each
+/// coordinate to 1 / [`PLACES`], half a unit, times a component of at most 1 adds 3 · ½ more, and truncating the offset
+/// adds 1. The unit left over is far above the rounding of floating point here; in metres, that rounding is within what
+/// every region is widened by.
+const COARSE_ROUNDING: f64 = 5.0;
+
+/// A half-space in the units of a [`CoarseGroup`], still relative to any origin.
+#[derive(Debug, Clone, Copy)]
+pub struct CoarsePlane {
+    normal: Vector,
+    /// The normal, rounded to integers.
+    rounded: [i16; 3],
+    offset: f64,
+}
+
+impl CoarsePlane {
+    /// Everything is inside.
+    pub const ALL_INSIDE: Self =
+        CoarsePlane { normal: Vector::new(0.0, 0.0, 0.0), rounded: [0; 3], offset: f64::INFINITY };
+
+    /// A half-space with lengths in cells. The normal may have any length; without one, everything is inside.
+    pub fn new(normal: &Vector, offset: f64) -> Self {
+        let scale = NORMALS / normal.amax();
+        if !scale.is_finite() {
+            return Self::ALL_INSIDE;
+        }
+        let normal = normal * scale;
+        CoarsePlane {
+            normal,
+            rounded: normal.map(|x| x.round() as i16).into(),
+            offset: offset * scale + COARSE_ROUNDING,
+        }
+    }
+}
 
 impl CoarseGroup {
     /// Everything is outside of all eight.
     pub const ALL_OUTSIDE: Self = CoarseGroup { xy: [[0; 2]; INTEGERS], zd: [[0, -1]; INTEGERS] };
 
-    /// Puts a half-space into a lane, widened; one without a normal has everything inside.
-    pub fn set(&mut self, lane: usize, normal: &Vector, offset: f64) {
-        let scale = NORMALS / normal.amax();
-        let [x, y, z] =
-            if scale.is_finite() { [0, 1, 2].map(|axis| (normal[axis] * scale).round() as i16) } else { [0; 3] };
-        let offset = if scale.is_finite() { (offset * scale + COARSE_ROUNDING).ceil() as i16 } else { i16::MAX };
+    /// Puts a half-space into a lane, widened, for places around the middle of a cell.
+    pub fn set(&mut self, lane: usize, plane: &CoarsePlane, middle: &Vector) {
+        let [x, y, z] = plane.rounded;
         self.xy[lane] = [x, y];
-        self.zd[lane] = [z, offset];
+        self.zd[lane] = [z, (plane.offset - plane.normal.dot(middle)) as i16];
     }
 }
 
@@ -64,7 +90,7 @@ pub struct CoarsePlace {
 }
 
 impl CoarsePlace {
-    /// A place at most a cell from the middle of a cell along each axis, but for rounding.
+    /// A place that is, up to rounding, at most one cell away from the middle of a cell along each axis.
     #[inline(always)]
     pub fn new<L: Lanes>(lanes: L, from_middle: L::Four) -> Self {
         let [x, y, z, _] = lanes.truncated(lanes.mul(from_middle, lanes.splat(PLACES)));
@@ -251,6 +277,7 @@ mod tests {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
         let (mut outside, mut missed) = (0, 0);
         for case in 0..30_000 {
+            let middle = Vector::from_fn(|_, _| rng.random_range(0.0..=32.0));
             let mut vector = || Vector::from_fn(|_, _| rng.random_range(-1.0..=1.0_f64));
             let mut corner = || vector().map(|x| if case % 3 == 0 { x.signum() } else { x });
             let ends = [corner(), corner()];
@@ -261,7 +288,8 @@ mod tests {
                 let by = [0.0, 1e-12, 1e-5, 2e-4, 0.1, 3.0, 1e9][rng.random_range(0..7)];
                 *offset = normal.dot(&ends[lane % 2]) + by * rng.random_range(-1.0..=1.0);
                 let size = [1e-9, 0.05, 1.0, 1e3][rng.random_range(0..4)];
-                group.set(lane, &(*normal * size), *offset * size);
+                let plane = CoarsePlane::new(&(*normal * size), (*offset + normal.dot(&middle)) * size);
+                group.set(lane, &plane, &middle);
             }
             let open = [Kernel::Portable, Kernel::best()].map(|k| k.run(NotOutside { group: &group, ends }));
             assert_eq!(open[0], open[1]);
@@ -283,8 +311,8 @@ mod tests {
     #[test]
     fn nothing_is_outside_of_no_plane_and_everything_of_an_empty_lane() {
         let mut group = CoarseGroup::ALL_OUTSIDE;
-        group.set(2, &Vector::zeros(), f64::INFINITY);
-        group.set(5, &Vector::x(), f64::INFINITY);
+        group.set(2, &CoarsePlane::ALL_INSIDE, &Vector::repeat(0.5));
+        group.set(5, &CoarsePlane::new(&Vector::zeros(), -1.0), &Vector::repeat(0.5));
         for kernel in [Kernel::Portable, Kernel::best()] {
             for x in [-1.0, 0.0, 1.0] {
                 assert_eq!(kernel.run(NotOutside { group: &group, ends: [Vector::repeat(x); 2] }), 1 << 2 | 1 << 5);

@@ -1,7 +1,7 @@
 //! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
 //! cells it passes.
 
-use super::clip::{CoarseGroup, CoarsePlace};
+use super::clip::{CoarseGroup, CoarsePlace, CoarsePlane};
 use super::region::{Inner, Region};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
@@ -119,10 +119,9 @@ impl Cells {
         }
     }
 
-    /// The middle of a cell.
-    fn middle(&self, cell: usize) -> Point {
-        let at = Vector::from_fn(|axis, _| f64::from(gathered(cell as u32 >> axis)) + 0.5);
-        self.min + self.size.component_mul(&at)
+    /// A half-space as the lists keep it, relative to the corner of the box.
+    fn coarse(&self, half_space: &HalfSpace) -> CoarsePlane {
+        CoarsePlane::new(&half_space.normal.component_mul(&self.size), -half_space.height(&self.min))
     }
 
     /// Index of a cell; cells close to each other have indices close to each other (Morton order).
@@ -151,10 +150,11 @@ impl Cells {
     pub fn cell<L: Lanes>(&self, l: L, start: L::Four, way: L::Four) -> (usize, [CoarsePlace; 2]) {
         let half = l.splat(0.5);
         let middle = l.add(start, l.mul(way, half));
-        let corner = l.truncated(l.min(l.max(middle, l.splat(0.0)), l.splat((self.n - 1) as f64)));
-        let from = l.sub(start, l.add(l.load(&corner.map(f64::from)), half));
-        let [x, y, z, _] = corner.map(|c| c as usize);
-        (self.index([x, y, z]), [CoarsePlace::new(l, from), CoarsePlace::new(l, l.add(from, way))])
+        let [x, y, z, _] = l.truncated(l.min(l.max(middle, l.splat(0.0)), l.splat((self.n - 1) as f64)));
+        let corner = l.load(&[f64::from(x), f64::from(y), f64::from(z), 0.0]);
+        let from = l.sub(start, l.add(corner, half));
+        let cell = self.index([x as usize, y as usize, z as usize]);
+        (cell, [CoarsePlace::new(l, from), CoarsePlace::new(l, l.add(from, way))])
     }
 }
 
@@ -176,9 +176,21 @@ const SPREAD: [u32; MOST_CELLS] = {
     spread
 };
 
-/// Every third bit of a number.
+/// Every third bit of a number, the inverse of [`SPREAD`].
+#[inline]
 fn gathered(spread: u32) -> u32 {
-    (0..5).fold(0, |number, bit| number | (spread >> (3 * bit) & 1) << bit)
+    let ones = spread & 0b001_001_001_001_001;
+    let pairs = (ones | ones >> 2) & 0b001_000_011_000_011;
+    let fours = (pairs | pairs >> 4) & 0b001_000_000_001_111;
+    (fours | fours >> 8) & 0b11111
+}
+
+/// The middle of a cell, in cells from the corner of the box.
+#[inline]
+fn middle(cell: usize) -> Vector {
+    let cell = cell as u32;
+    Vector::new(f64::from(gathered(cell)), f64::from(gathered(cell >> 1)), f64::from(gathered(cell >> 2)))
+        .add_scalar(0.5)
 }
 
 /// A plane on the way down.
@@ -457,29 +469,30 @@ impl Lists {
         }
         let groups = starts[cells.len()] as usize;
         let mut groups = vec![Listed { planes: CoarseGroup::ALL_OUTSIDE, regions: [0; INTEGERS] }; groups];
-        let mut put = |cell: usize, lane: usize, plane: &HalfSpace, region: u32| {
-            let group = starts[cell] as usize + lane / INTEGERS;
-            let offset = -plane.height(&cells.middle(cell));
-            groups[group].planes.set(lane % INTEGERS, &plane.normal.component_mul(&cells.size), offset);
-            groups[group].regions[lane % INTEGERS] = region;
+        let mut put = |cell: usize, lane: usize, plane: &CoarsePlane, region: u32| {
+            let group = &mut groups[starts[cell] as usize + lane / INTEGERS];
+            group.planes.set(lane % INTEGERS, plane, &middle(cell));
+            group.regions[lane % INTEGERS] = region;
         };
         let mut filled = vec![0; cells.len()];
+        let mut planes = Vec::new();
         for (region, (bounds, reached)) in pieces.enumerate() {
             if region % REGIONS_TO_A_POLL == 0 {
                 watch.check()?;
             }
-            let outer = bounds.outer.as_deref().unwrap_or_default();
+            planes.clear();
+            planes.extend(bounds.outer.iter().flatten().map(|half_space| cells.coarse(half_space)));
             for reached in reached {
                 let cell = reached.cell as usize;
                 if full[cell] == NONE {
-                    let witness = outer.get(reached.witness as usize).unwrap_or(&NOTHING_OUTSIDE);
+                    let witness = planes.get(reached.witness as usize).unwrap_or(&CoarsePlane::ALL_INSIDE);
                     put(cell, filled[cell], witness, region as u32);
                     filled[cell] += 1;
                 }
             }
         }
         for cell in (0..cells.len()).filter(|&cell| full[cell] != NONE) {
-            put(cell, 0, &NOTHING_OUTSIDE, full[cell]);
+            put(cell, 0, &CoarsePlane::ALL_INSIDE, full[cell]);
         }
         Ok(Lists { starts, groups })
     }
@@ -496,9 +509,6 @@ impl Lists {
     }
 }
 
-/// A half-space that holds everything.
-const NOTHING_OUTSIDE: HalfSpace = HalfSpace { normal: Vector::new(0.0, 0.0, 0.0), offset: f64::INFINITY };
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -511,7 +521,7 @@ mod tests {
         let extent = |h: &HalfSpace| h.normal.abs().dot(&half);
         let mut found = Vec::new();
         for cell in 0..cells.len() {
-            let center = cells.middle(cell);
+            let center = cells.min + cells.size.component_mul(&middle(cell));
             let holds = |planes: &[HalfSpace], by: f64| planes.iter().all(|h| h.height(&center) - by <= -extent(h));
             let full = match inner {
                 Inner::Unknown => false,
@@ -523,6 +533,17 @@ mod tests {
             }
         }
         found
+    }
+
+    #[test]
+    fn each_cell_has_an_index_and_a_middle_of_its_own() {
+        let cells = Cells::new(Point::origin(), Point::new(32.0, 32.0, 32.0), MOST_CELLS);
+        for k in 0..cells.len() {
+            let at = [k % MOST_CELLS, k / MOST_CELLS % MOST_CELLS, k / (MOST_CELLS * MOST_CELLS)];
+            let index = cells.index(at);
+            assert!(index < cells.len());
+            assert_eq!(middle(index), Vector::from(at.map(|k| k as f64 + 0.5)));
+        }
     }
 
     #[test]
