@@ -1,10 +1,12 @@
 //! Merging of neighbouring convex parts that one body encloses within the tolerance.
 
+use std::cmp::Ordering;
+
 use rayon::prelude::*;
 
+use super::Point;
 use super::convex_parts::{Cutter, Part};
 use super::inner_hull::InnerHull;
-use super::{Point, Vector};
 use crate::error::Error;
 use crate::numerics::{EXACT_VOLUME, MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
 
@@ -79,6 +81,32 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
     }
 }
 
+/// Places farther than a limit from the piece.
+struct Outskirts<'a> {
+    cutter: &'a Cutter<'a>,
+    /// m.
+    limit: f64,
+    /// Balls inside the body: middles and squares of radii. Most places are in one that is known already.
+    balls: Vec<(Point, f64)>,
+}
+
+impl Outskirts<'_> {
+    fn holds(&mut self, place: Point) -> bool {
+        if self.balls.iter().any(|(middle, squared)| (place - middle).norm_squared() < *squared) {
+            return false;
+        }
+        let surface = &self.cutter.piece.distance;
+        if surface.within(&place, self.limit, &mut 0) {
+            return false;
+        }
+        let (distance, _) = surface.at(&place);
+        if distance < 0.0 {
+            self.balls.push((place, distance * distance));
+        }
+        distance > self.limit
+    }
+}
+
 fn both([a, b]: [&Part; 2]) -> Vec<Point> {
     a.wrap.points.iter().chain(&b.wrap.points).copied().collect()
 }
@@ -90,11 +118,14 @@ fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f
     let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
     inner.grow(ON_SURFACE, ROUGH_CORNERS, cutter.watch)?;
     // The proof gives up at such places, too.
-    let far = |p: Vector| cutter.piece.distance.at(&Point::from(p)).0 > UNDECIDED * within;
-    let void = inner.triangles().any(|([a, b, c], _)| {
-        let [a, b, c] = [a.coords, b.coords, c.coords];
-        far((a + b + c) / 3.0) || far(0.5 * (a + b)) || far(0.5 * (b + c)) || far(0.5 * (c + a))
-    });
+    let mut outskirts = Outskirts { cutter, limit: UNDECIDED * within, balls: Vec::new() };
+    // Each edge belongs to two triangles, which run along it in opposite directions.
+    let mut far_along = |a: Point, b: Point| {
+        let order = a.iter().partial_cmp(b.iter());
+        order == Some(Ordering::Less) && outskirts.holds(nalgebra::center(&a, &b))
+    };
+    let void = inner.triangles().any(|([a, b, c], _)| far_along(a, b) || far_along(b, c) || far_along(c, a))
+        || inner.triangles().any(|([a, b, c], _)| outskirts.holds(Point::from((a.coords + b.coords + c.coords) / 3.0)));
     Ok((!void).then(|| inner.volume() - pair[0].wrap.volume - pair[1].wrap.volume))
 }
 

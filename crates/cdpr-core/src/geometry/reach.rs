@@ -54,6 +54,16 @@ struct Cuboid {
     ball: Option<(Point, f64)>,
 }
 
+/// What a look at a box gives; the numbers are steps.
+enum Measured {
+    /// It is outside the convex body.
+    Outside,
+    /// It reaches no farther than what is low enough.
+    Settled(usize),
+    /// It may reach too far; whether its middle is inside the convex body.
+    Open(Cuboid, bool, usize),
+}
+
 /// Planes through a box up to which each is looked at with a ball.
 const FEW_PLANES: usize = 16;
 
@@ -111,6 +121,8 @@ pub(super) fn reach(
     watch: &Watch,
 ) -> Result<Reach, Error> {
     let mut triangles = 0;
+    // A box known to reach no farther than this is not looked at any more: the answer is "low enough" or a larger bound.
+    let settled = if until.or_beyond { until.enough } else { f64::NEG_INFINITY };
     let mut measured = |middle: Point, half: Vector, parent: Option<(&Cuboid, f64)>, order: usize| {
         let mut through = Vec::new();
         let mut inside = true;
@@ -128,11 +140,8 @@ pub(super) fn reach(
             None => (0..planes.len() as u32).any(outside),
         };
         if out {
-            return None;
+            return Measured::Outside;
         }
-        let hint = parent.map_or(f64::INFINITY, |(parent, way)| parent.distance.abs() + way);
-        let (distance, _) = surface.counted(&middle, hint, &mut triangles);
-        let mut bound = (distance + half.norm()).min(parent.map_or(f64::INFINITY, |(parent, _)| parent.bound));
         let mut ball = None;
         let mut least = f64::INFINITY;
         let above = parent.and_then(|(parent, _)| (parent.distance < 0.0).then_some((parent.middle, -parent.distance)));
@@ -142,22 +151,34 @@ pub(super) fn reach(
                 (ball, least) = (Some(candidate), beyond);
             }
         }
-        bound = bound.min(least);
+        let near = least <= settled || surface.within(&middle, settled - half.norm(), &mut triangles);
+        let hint = parent.map_or(f64::INFINITY, |(parent, way)| parent.distance.abs() + way);
+        let distance = if near { 0.0 } else { surface.counted(&middle, hint, &mut triangles).0 };
         let steps = 1 + std::mem::take(&mut triangles) / TRIANGLES_PER_STEP;
-        Some((Cuboid { middle, half, distance, bound, order, planes: through, ball }, inside, steps))
+        if near {
+            return Measured::Settled(steps);
+        }
+        let bound = (distance + half.norm()).min(least).min(parent.map_or(f64::INFINITY, |(parent, _)| parent.bound));
+        Measured::Open(Cuboid { middle, half, distance, bound, order, planes: through, ball }, inside, steps)
     };
     let half = 0.5 * (aabb.max - aabb.min);
     let mut found = Reach { bound: 0.0, worst: None, steps: 0 };
     let mut order = 0;
     let mut look = 0;
     let mut open = BinaryHeap::new();
-    let add = |open: &mut BinaryHeap<Cuboid>, found: &mut Reach, new: Option<(Cuboid, bool, usize)>| {
-        let Some((cuboid, inside, steps)) = new else { return };
-        found.steps += steps;
-        if inside && found.worst.is_none_or(|(worst, _)| cuboid.distance > worst) {
-            found.worst = Some((cuboid.distance, cuboid.middle));
+    let add = |open: &mut BinaryHeap<Cuboid>, found: &mut Reach, new: Measured| match new {
+        Measured::Outside => {}
+        Measured::Settled(steps) => {
+            found.steps += steps;
+            found.bound = settled;
         }
-        open.push(cuboid);
+        Measured::Open(cuboid, inside, steps) => {
+            found.steps += steps;
+            if inside && found.worst.is_none_or(|(worst, _)| cuboid.distance > worst) {
+                found.worst = Some((cuboid.distance, cuboid.middle));
+            }
+            open.push(cuboid);
+        }
     };
     add(&mut open, &mut found, measured(aabb.min + half, half, None, 0));
     while let Some(top) = open.pop() {
@@ -165,7 +186,7 @@ pub(super) fn reach(
         let low_enough = top.bound <= until.enough.max(if until.or_beyond { 0.0 } else { 1.1 * worst });
         let beyond = until.or_beyond && worst > UNDECIDED * until.enough;
         if low_enough || beyond || found.steps >= until.steps {
-            found.bound = top.bound.max(0.0);
+            found.bound = found.bound.max(top.bound);
             found.worst = found.worst.or(Some((top.distance, top.middle)));
             return Ok(found);
         }

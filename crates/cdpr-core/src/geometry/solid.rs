@@ -109,9 +109,9 @@ impl SignedDistance {
     /// The same; adds the triangles it looks at to a count.
     pub(super) fn counted(&self, point: &Point, bound: f64, count: &mut usize) -> (f64, Point) {
         let mut best = (bound * bound * (1.0 + 1e-9), usize::MAX, Feature::Face, *point);
-        if !self.search(point, &mut best, count) {
+        if !self.search(point, 0.0, &mut best, count) {
             best.0 = f64::INFINITY; // the bound was too low by rounding
-            self.search(point, &mut best, count);
+            self.search(point, 0.0, &mut best, count);
         }
         let (_, k, feature, nearest) = best;
         let away = point - nearest;
@@ -125,8 +125,15 @@ impl SignedDistance {
         (if normal.dot(&away) < 0.0 { -distance } else { distance }, nearest)
     }
 
-    /// Looks for something nearer than the best so far, which holds the squared distance.
-    fn search(&self, point: &Point, best: &mut (f64, usize, Feature, Point), count: &mut usize) -> bool {
+    /// Whether the surface comes closer to a point than this, m. It is enough to find any place that does; adds the
+    /// triangles looked at to a count.
+    pub(super) fn within(&self, point: &Point, limit: f64, count: &mut usize) -> bool {
+        let squared = limit * limit;
+        limit > 0.0 && self.search(point, squared, &mut (squared, usize::MAX, Feature::Face, *point), count)
+    }
+
+    /// Looks for something nearer than the best so far, which holds the squared distance; ends once that is below `enough`.
+    fn search(&self, point: &Point, enough: f64, best: &mut (f64, usize, Feature, Point), count: &mut usize) -> bool {
         let mut open = [(0u32, 0.0); DEPTH];
         let mut height = 1;
         open[0] = (0, squared_distance(&self.nodes[0].aabb, point));
@@ -147,6 +154,9 @@ impl SignedDistance {
                         *best = (squared, t as usize, feature, nearest);
                         found = true;
                     }
+                }
+                if best.0 < enough {
+                    return true;
                 }
                 continue;
             }
@@ -260,4 +270,23 @@ fn nearest_in(p: &Point, &[a, b, c]: &[Point; 3]) -> (Point, Feature) {
         return (a, Feature::Corner(0));
     }
     (a + ab * (vb / sum) + ac * (vc / sum), Feature::Face)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::convex_mesh;
+    use rand::{RngExt, SeedableRng};
+
+    #[test]
+    fn within_agrees_with_the_distance() {
+        let mesh = convex_mesh(&[], &Aabb { min: Point::origin(), max: Point::new(1.0, 2.0, 0.5) }).unwrap();
+        let surface = SignedDistance::new(&mesh.vertices, &mesh.triangles, true, &Watch::NONE).unwrap().unwrap();
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(3);
+        for _ in 0..10_000 {
+            let point = Point::from(Vector::from_fn(|_, _| rng.random_range(-2.0..2.0)));
+            let (distance, limit) = (surface.at(&point).0.abs(), rng.random_range(-0.5..2.0));
+            assert_eq!(surface.within(&point, limit, &mut 0), distance < limit, "{point} {limit}");
+        }
+    }
 }
