@@ -138,7 +138,7 @@ const WRITERS: [(&str, &str); 12] = [
 
 #[test]
 fn every_command_looks_at_its_output_before_any_work() {
-    let folder = folder(); // without any of the inputs: whoever read them first would complain of them
+    let folder = folder(); // no input files: a command that read them first would report those instead
     fs::write(folder.path().join("file"), "").unwrap();
     fs::create_dir(folder.path().join("folder.json")).unwrap();
     let refused = |command: &str, output: &str, expected: &str| {

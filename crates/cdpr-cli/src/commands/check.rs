@@ -61,7 +61,7 @@ pub fn nearest_lines(nearest: &Nearest) -> Vec<String> {
     of_all.chain(of_others).chain(exempt_lines(&measured)).collect()
 }
 
-/// Exempt pairs of one answer that are written out; as many are told of those that are not checked at all.
+/// Longest list of exempt pairs that is printed in full, counted separately for pairs that are not checked at all.
 const MOST_EXEMPT: usize = 12;
 
 /// Exempt pairs in words, with their nearest approach on a path, m, where there is one.

@@ -251,7 +251,7 @@ fn several_names(_: &Metadata) -> bool {
     false
 }
 
-/// Only the kind of a problem is told: the rest of its text would name the temporary file.
+/// Reports only the kind of an I/O error: its full text would name the temporary file.
 fn unwritable(path: &Path, problem: ErrorKind) -> Error {
     Error::file(path, format!("cannot be written: {problem}"))
 }
