@@ -25,7 +25,7 @@ const LATE: f64 = 20.0; // ms
 const RUNS: usize = 3;
 
 /// Runs of a command with a budget: a few milliseconds are soon lost on a busy machine.
-const BUDGETED_RUNS: usize = 8;
+const BUDGETED_RUNS: usize = 40;
 
 /// Held by each test: together they would measure each other.
 static ALONE: Mutex<()> = Mutex::new(());

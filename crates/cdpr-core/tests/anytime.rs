@@ -257,10 +257,12 @@ fn a_time_budget_is_used_and_honoured() {
             assert_eq!(found.status, status);
             clock.elapsed()
         };
-        let times: Vec<Duration> = (0..10).map(|_| run()).collect();
-        // Others may have the processor for a while; what counts is what the search does when it is let.
-        assert!(times.iter().all(|time| *time >= budget));
-        assert!(*times.iter().min().unwrap() <= budget + Duration::from_millis(2), "{times:?}");
+        // Other programs may hold the processor for a while: one run that is left alone is enough.
+        let on_time = (0..100).map(|_| run()).find(|time| {
+            assert!(*time >= budget, "{time:?}");
+            *time <= budget + Duration::from_millis(2)
+        });
+        assert!(on_time.is_some(), "{status:?}: late in every run");
     }
 }
 
