@@ -29,7 +29,7 @@ pub use half_space::HalfSpace;
 pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
 pub use shadow::{Shadow, shadow};
-pub use shape::{ConvexShape, Swept, Triangle};
+pub use shape::{ConvexShape, SupportMap, Swept, Triangle};
 pub use surface::{Faults, Piece, pieces};
 
 /// A place in the world or in the platform frame, m.

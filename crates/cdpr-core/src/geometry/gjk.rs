@@ -12,7 +12,7 @@ use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::query::gjk::{CsoPoint, VoronoiSimplex};
 
 use super::separating_axes::separation;
-use super::{ConvexShape, Point, Polytope, Vector, features};
+use super::{ConvexShape, Point, Polytope, SupportMap, Vector, features};
 use crate::numerics::{GJK_DISTANCE, GJK_ITERATIONS, TOUCH_DEPTH};
 
 /// Two-sided bounds on the distance of two sets, m, with their certificates.
@@ -31,7 +31,7 @@ pub struct Proximity {
 }
 
 /// Bounds on the distance of two sets, refined until `lower > apart`, or `upper < close`, or the bounds meet.
-pub fn proximity(a: &impl ConvexShape, b: &impl ConvexShape, apart: f64, close: f64) -> Proximity {
+pub fn proximity(a: &impl SupportMap, b: &impl SupportMap, apart: f64, close: f64) -> Proximity {
     let mut toward = b.center() - a.center();
     if !(toward.norm_squared() > 0.0) {
         toward = Vector::x();
@@ -110,7 +110,7 @@ fn barycentric_of_origin(corners: &[CsoPoint; 4]) -> [f64; 4] {
 
 /// Support point of the Minkowski difference A ⊖ B along `direction`.
 #[inline]
-fn minkowski_support(a: &impl ConvexShape, b: &impl ConvexShape, direction: &Vector) -> CsoPoint {
+fn minkowski_support(a: &impl SupportMap, b: &impl SupportMap, direction: &Vector) -> CsoPoint {
     CsoPoint::new(to_glam(&a.support(direction)), to_glam(&b.support(&-direction)))
 }
 

@@ -5,36 +5,53 @@ use super::features::Boundary;
 use super::{Point, Polytope, Vector};
 use crate::numerics::{NO_MOTION, NO_WIDTH};
 
-/// A convex set described by its support map, and, for exact tests, by the directions of its faces and edges.
-pub trait ConvexShape {
+/// A convex set described by its support map, which is all that GJK needs.
+pub trait SupportMap {
     /// A point of the set farthest along `direction` (any length but zero).
     fn support(&self, direction: &Vector) -> Point;
+    /// Some point of the set, near its middle.
+    fn center(&self) -> Point;
+}
+
+/// A convex set that exact tests can decide on as well, by the directions of its faces and edges.
+pub trait ConvexShape: SupportMap {
     /// Unit normals of the faces, up to sign; a superset is fine.
     fn normals(&self) -> impl Iterator<Item = Vector>;
     /// Unit directions of the edges, up to sign; a superset is fine.
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone;
-    /// Some point of the set, near its middle.
-    fn center(&self) -> Point;
     /// Edges and faces as they lie in space.
     fn boundary(&self) -> Boundary;
 }
 
-impl ConvexShape for Polytope {
+impl SupportMap for Point {
+    #[inline]
+    fn support(&self, _direction: &Vector) -> Point {
+        *self
+    }
+
+    fn center(&self) -> Point {
+        *self
+    }
+}
+
+impl SupportMap for Polytope {
     #[inline]
     fn support(&self, direction: &Vector) -> Point {
         farthest(self.vertices(), direction)
     }
 
+    fn center(&self) -> Point {
+        self.centroid()
+    }
+}
+
+impl ConvexShape for Polytope {
     fn normals(&self) -> impl Iterator<Item = Vector> {
         self.normal_axes().iter().copied()
     }
 
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
         self.edge_axes().iter().copied()
-    }
-
-    fn center(&self) -> Point {
-        self.centroid()
     }
 
     fn boundary(&self) -> Boundary {
@@ -84,12 +101,19 @@ impl Triangle {
     }
 }
 
-impl ConvexShape for Triangle {
+impl SupportMap for Triangle {
     #[inline]
     fn support(&self, direction: &Vector) -> Point {
         farthest(&self.corners, direction)
     }
 
+    fn center(&self) -> Point {
+        let [b, p, q] = self.corners;
+        Point::from((b.coords + p.coords + q.coords) / 3.0)
+    }
+}
+
+impl ConvexShape for Triangle {
     fn normals(&self) -> impl Iterator<Item = Vector> {
         let mut sides = self.sides();
         sides.sort_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared()));
@@ -101,11 +125,6 @@ impl ConvexShape for Triangle {
 
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
         self.sides().into_iter().filter(|side| side.norm() > 0.0).map(|side| side.normalize())
-    }
-
-    fn center(&self) -> Point {
-        let [b, p, q] = self.corners;
-        Point::from((b.coords + p.coords + q.coords) / 3.0)
     }
 
     fn boundary(&self) -> Boundary {
@@ -134,13 +153,19 @@ impl<'a> Swept<'a> {
     }
 }
 
-impl ConvexShape for Swept<'_> {
+impl SupportMap for Swept<'_> {
     #[inline]
     fn support(&self, direction: &Vector) -> Point {
         let at = self.body.support(direction) + self.from;
         if self.along.dot(direction) > 0.0 { at + self.along } else { at }
     }
 
+    fn center(&self) -> Point {
+        self.body.centroid() + self.from + self.along * 0.5
+    }
+}
+
+impl ConvexShape for Swept<'_> {
     fn normals(&self) -> impl Iterator<Item = Vector> {
         let sides = self.direction().into_iter().flat_map(|along| {
             self.body.edge_axes().iter().filter_map(move |edge| super::separating_axes::unit_cross(edge, &along))
@@ -150,10 +175,6 @@ impl ConvexShape for Swept<'_> {
 
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
         self.body.edge_axes().iter().copied().chain(self.direction())
-    }
-
-    fn center(&self) -> Point {
-        self.body.centroid() + self.from + self.along * 0.5
     }
 
     fn boundary(&self) -> Boundary {

@@ -7,7 +7,7 @@ use nalgebra::{SVector, Vector3, Vector6};
 use super::statics::Statics;
 use super::zonotope::{Span, for_each_normal};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, SupportMap, proximity};
 use crate::model::body;
 
 /// The wrenches that the cables must be able to exert, around the one that balances the loads.
@@ -63,19 +63,20 @@ impl Required {
     }
 }
 
-/// The facet of an available set that is nearest to what is required, and how near it is.
+/// A margin, and the direction in which there is least of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<const N: usize> {
-    /// Signed distance, N (N·m for moments); negative outside.
+    /// Slack in the direction `normal`, N (N·m for moments); negative where something required is not available.
     pub margin: f64,
-    /// Outward unit normal of the facet.
+    /// Outward unit normal: of the nearest facet, or for [`force_limit`] and [`moment_limit`] outside of the set, from its nearest
+    /// point to the balancing force or moment.
     pub normal: SVector<f64, N>,
 }
 
 /// The facet of {Σ tᵢ gᵢ : t in the limits} nearest to the set that reaches `reach(c)` beyond `center` in direction c.
 ///
-/// A set of lower rank is flat: there the directions across it count as well, with nothing available. A set without any
-/// facet is a point, whose distance to `center` counts.
+/// A set of lower rank is flat: the directions across it count as well, with nothing available in them; among them the one in
+/// which `center` is farthest from the set's span. A set without any facet is a point.
 fn nearest_facet<const N: usize>(
     generators: &[SVector<f64, N>],
     statics: &Statics,
@@ -106,10 +107,11 @@ fn nearest_facet<const N: usize>(
             consider(-normal.dot(center) - reach(&normal), normal);
         }
     }
-    if !any {
-        let missed: SVector<f64, N> = span.left_null().iter().map(|n| n * n.dot(center)).sum();
-        let normal = missed.try_normalize(0.0).unwrap_or_else(SVector::zeros);
-        consider(-missed.norm(), normal);
+    let missed: SVector<f64, N> = span.left_null().iter().map(|n| n * n.dot(center)).sum();
+    match missed.try_normalize(0.0) {
+        Some(normal) => consider(-missed.norm() - reach(&normal), normal),
+        None if !any => consider(0.0, SVector::zeros()),
+        None => {}
     }
     nearest
 }
@@ -136,11 +138,14 @@ pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) 
 }
 
 /// Force margin: signed distance from the balancing force to the boundary of the forces that the cables can exert, N,
-/// whatever their moment; where it is positive, the radius of the largest ball of forces around it. The paper's effective
-/// set. None where a cable has no direction.
+/// whatever their moment. Where it is positive, it is the radius of the largest ball of forces around the balancing force (the
+/// paper's effective set); where it is negative, the force that is missing at least. None where a cable has no direction.
+///
+/// It is the least slack h(c) − c·f over *all* unit directions c, where h is the set's support and f the balancing force: inside
+/// of the set a facet's normal is the worst direction, outside of it the one from its nearest point.
 pub fn force_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
     let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
-    Some(nearest_facet(&forces, statics, &force_part(statics.balance()), |_| 0.0))
+    Some(signed_distance(&forces, statics, &force_part(statics.balance())))
 }
 
 /// Moment margin: as [`force_limit`], of moments about the platform's origin, N·m, whatever their force. None where a
@@ -152,7 +157,46 @@ pub fn moment_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
     let length = statics.characteristic_length();
     let moment_part = |w: &Vector6<f64>| Vector3::new(w[3], w[4], w[5]) * length;
     let moments: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(moment_part).collect();
-    Some(nearest_facet(&moments, statics, &moment_part(statics.balance()), |_| 0.0))
+    Some(signed_distance(&moments, statics, &moment_part(statics.balance())))
+}
+
+/// Signed distance of a point to the boundary of {Σ tᵢ gᵢ : t in the limits}, negative outside.
+fn signed_distance(generators: &[Vector3<f64>], statics: &Statics, point: &Vector3<f64>) -> Limit<3> {
+    let facet = nearest_facet(generators, statics, point, |_| 0.0);
+    if facet.margin >= 0.0 {
+        return facet;
+    }
+    let limits: Vec<[f64; 2]> = statics.cables().iter().map(|cable| cable.tension).collect();
+    let reach: f64 = generators.iter().zip(&limits).map(|(g, limit)| g.norm() * limit[1]).sum();
+    let set = Scaled { generators, limits: &limits, unit: reach.max(point.norm()) };
+    let found = proximity(&set, &Point::from(point / set.unit), f64::INFINITY, -1.0);
+    let margin = -found.lower * set.unit;
+    // By rounding GJK may fall short of what the facet shows.
+    if margin < facet.margin { Limit { margin, normal: found.axis } } else { facet }
+}
+
+/// {Σ tᵢ gᵢ : t in the limits} in units of about its size, in which GJK's tolerances are small.
+struct Scaled<'a> {
+    generators: &'a [Vector3<f64>],
+    limits: &'a [[f64; 2]],
+    unit: f64,
+}
+
+impl Scaled<'_> {
+    fn sum(&self, tension: impl Fn(&Vector3<f64>, &[f64; 2]) -> f64) -> Point {
+        let forces = self.generators.iter().zip(self.limits).map(|(g, limits)| g * tension(g, limits));
+        Point::from(forces.sum::<Vector3<f64>>() / self.unit)
+    }
+}
+
+impl SupportMap for Scaled<'_> {
+    fn support(&self, direction: &Vector3<f64>) -> Point {
+        self.sum(|g, limits| limits[usize::from(g.dot(direction) > 0.0)])
+    }
+
+    fn center(&self) -> Point {
+        self.sum(|_, limits| 0.5 * (limits[0] + limits[1]))
+    }
 }
 
 fn force_part(w: &Vector6<f64>) -> Vector3<f64> {

@@ -75,6 +75,29 @@ fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
 }
 
 #[test]
+fn what_is_missing_outside_is_a_distance() {
+    // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight asks for +z, but the cables pull
+    // towards -x, -y and -z; and one cable alone, along x, for which two directions are missing.
+    let loads = |x: f64, y: f64, z: f64| Loads { gravity: Vector::new(x, y, z), ..Loads::default() };
+    let three = [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0]].map(|outlet| (outlet, [0.0; 3], [0.0, 10.0]));
+    let margin = |cables: &[([f64; 3], [f64; 3], [f64; 2])], loads: Loads| {
+        let statics = Statics::new(&point_robot(cables, 1.0), &loads).unwrap();
+        force_limit(&statics, &Point::origin()).unwrap().margin
+    };
+    // 100 N towards each axis' negative end are to be balanced along (-1, -1, -1): the nearest force is none.
+    assert!((margin(&three, loads(100.0, 100.0, 100.0)) + 100.0 * 3.0_f64.sqrt()).abs() < 1e-9);
+    // Beyond one face, one edge, one corner of the cube.
+    assert!((margin(&three, loads(-13.0, -5.0, -5.0)) + 3.0).abs() < 1e-9);
+    assert!((margin(&three, loads(-13.0, -14.0, -5.0)) + 5.0).abs() < 1e-9);
+    assert!((margin(&three, loads(-11.0, -12.0, -12.0)) + 3.0).abs() < 1e-9);
+    // Inside, the nearest face.
+    assert!((margin(&three, loads(-9.0, -5.0, -4.0)) - 1.0).abs() < 1e-12);
+    for [y, z] in [[3.0, 4.0], [0.0, 5.0], [-5.0, 0.0]] {
+        assert!((margin(&three[..1], loads(-5.0, y, z)) + 5.0).abs() < 1e-9);
+    }
+}
+
+#[test]
 fn the_papers_robot_holds_its_weight_with_no_margin_and_no_moment_at_all() {
     let statics = Statics::new(&Robot::try_from(paper_robot()).unwrap(), &Loads::default()).unwrap();
     let weight_alone = CapacityMargin::new(statics.clone(), Required::default()).unwrap();

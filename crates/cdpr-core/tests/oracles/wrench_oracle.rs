@@ -6,14 +6,15 @@
 //! computed afresh. `CDPR_VERIFY=n` asks for n times as many poses (`make verify`).
 
 use crate::support::{built_robot, direction, rng, rotation, uniform, vector};
-use cdpr_core::geometry::{Point, Rotation, Vector};
+use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::{
-    Balance, CapacityMargin, FeasibilityLp, LargestScale, Limit, Loads, Required, ScaleLp, Statics, capacity_limit,
-    force_limit, moment_limit,
+    AvailableSet, Balance, CapacityMargin, FeasibilityLp, LargestScale, Limit, Loads, Required, ScaleLp, Statics,
+    capacity_limit, force_limit, force_set, moment_limit, moment_set,
 };
 use nalgebra::{Matrix6xX, SVector, Vector3, Vector6};
+use parry3d_f64::query::PointQuery;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -454,28 +455,44 @@ fn padded(columns: &[Vector3<f64>]) -> Matrix6xX<f64> {
     Matrix6xX::from_columns(&columns.iter().map(|w| w.push(0.0).push(0.0).push(0.0)).collect::<Vec<_>>())
 }
 
+/// Distance of a point to a surface, triangle by triangle.
+fn distance_to(mesh: &TriangleMesh, point: &Vector3<f64>) -> f64 {
+    let glam = |p: &Vector3<f64>| parry3d_f64::math::Vector::new(p.x, p.y, p.z);
+    let to_triangle = |corners: &[usize; 3]| {
+        let [a, b, c] = corners.map(|k| glam(&mesh.vertices[k].coords));
+        parry3d_f64::shape::Triangle::new(a, b, c).distance_to_local_point(glam(point), true)
+    };
+    mesh.triangles.iter().map(to_triangle).fold(f64::INFINITY, f64::min)
+}
+
 #[test]
 fn forces_and_moments_alone_agree_with_programs() {
     let (mut lp, mut forces, mut moments) = (FeasibilityLp::new(), Tally::default(), Tally::default());
     poses(7, 4_000 * effort(), |rng, pose| {
-        let mut check = |tally: &mut Tally, limit: Limit<3>, first: usize, factor: f64| {
+        let mut check = |tally: &mut Tally, limit: Limit<3>, set: AvailableSet, first: usize, factor: f64| {
             let part = |w: &Vector6<f64>| Vector3::from(w.fixed_rows::<3>(first)) * factor;
             let columns: Vec<_> = pose.columns.iter().map(part).collect();
             let (limits, centre) = (pose.limits(), part(pose.statics.balance()));
             let longest = columns.iter().map(|w| w.norm()).fold(0.0, f64::max);
-            let rounding = ROUNDING * (longest * pose.scale()).max(centre.norm());
+            let size = (longest * pose.scale()).max(centre.norm());
+            let rounding = ROUNDING * size;
             let slack = |c: &Vector3<f64>| support(&columns, &limits, c) - c.dot(&centre);
             assert!((slack(&limit.normal) - limit.margin).abs() <= rounding, "{}", pose.told());
             for _ in 0..20 {
-                let least = if limit.margin > 0.0 { limit.margin } else { f64::NEG_INFINITY };
-                assert!(slack(&direction(rng)) >= least - rounding, "{}", pose.told());
+                assert!(slack(&direction(rng)) >= limit.margin - rounding, "{}", pose.told());
+            }
+            if limit.margin < -rounding && !set.mesh.triangles.is_empty() {
+                let distance = distance_to(&set.mesh, &centre);
+                assert!((distance + limit.margin).abs() <= 1e-9 * size, "{distance}, {}", pose.told());
             }
             let yes = feasible(&mut lp, &padded(&columns), &limits, &centre.push(0.0).push(0.0).push(0.0));
             tally.compare(limit.margin, CLEAR * (longest * pose.scale()).max(centre.norm()), yes, || pose.told());
         };
-        check(&mut forces, force_limit(&pose.statics, &pose.position).unwrap(), 0, 1.0);
+        let set = force_set(&pose.statics, &pose.position).unwrap();
+        check(&mut forces, force_limit(&pose.statics, &pose.position).unwrap(), set, 0, 1.0);
         if let Some(limit) = moment_limit(&pose.statics, &pose.position) {
-            check(&mut moments, limit, 3, pose.length());
+            let set = moment_set(&pose.statics, &pose.position).unwrap();
+            check(&mut moments, limit, set, 3, pose.length());
         }
     });
     forces.done("forces", 500);
