@@ -240,14 +240,26 @@ def planners(*scenarios: str) -> Figure:
 
 def wrench_study() -> Figure:
     """CoGiRo's path without and with [wrench], and the slack along both."""
+    spec = scene("cogiro").to_dict()
+    del spec["wrench"]
+    return slack_of({"without [wrench]": cdpr.Scene.from_dict(spec), "with [wrench]": scene("cogiro")})
+
+
+def wrench_rules() -> Figure:
+    """CoGiRo's path by the paper's rule for wrenches and by certified motions, and the slack along both."""
+    paper = cdpr.Scene.load(ROOT / "experiments/scenes/cogiro_paper_rule.toml")
+    return slack_of({"the paper's grid": paper, "certified": scene("cogiro")})
+
+
+def slack_of(scenes: dict[str, cdpr.Scene]) -> Figure:
+    """Paths planned by two variants of CoGiRo's scene, from above and from the side, and the scene's slack along both."""
     figure, axes = pyplot.subplot_mosaic(
         [["top", "along"], ["side", "along"]], figsize=(PAGE, 4), width_ratios=[1, 1.3], layout="constrained"
     )
     top, side, along = (axes[name] for name in ("top", "side", "along"))
     demanding = scene("cogiro")
     spec = demanding.to_dict()
-    del spec["wrench"]
-    for name, asked, colour in (("without", cdpr.Scene.from_dict(spec), VERMILION), ("with", demanding, BLUE)):
+    for (name, asked), colour in zip(scenes.items(), (VERMILION, BLUE), strict=True):
         way = cdpr.tensions_along(demanding, cdpr.plan(asked, "modified-rrt"))
         broken = np.where(way.capacity_margin < 0, 1.0, np.nan)
         for ax, x, y in (
@@ -255,7 +267,7 @@ def wrench_study() -> Figure:
             (side, way.positions[:, 0], way.positions[:, 2]),
             (along, way.s, way.capacity_margin),
         ):
-            ax.plot(x, y, color=colour, linewidth=1.2, label=f"{name} [wrench]")
+            ax.plot(x, y, color=colour, linewidth=1.2, label=name)
             ax.plot(x, y * broken, color=colour, linewidth=4, alpha=0.35, solid_capstyle="butt")
     for ax, axis, title in ((top, 1, "(a) from above"), (side, 2, "(b) from the side")):
         for obstacle in spec["obstacles"]:
@@ -293,6 +305,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "planners-scenes": functools.partial(planners, "hard1", "hard3", "forest"),
     "planners-random": functools.partial(planners, "3 random prisms", "6 random prisms"),
     "wrench-study": wrench_study,
+    "wrench-rules": wrench_rules,
 }
 
 

@@ -10,7 +10,7 @@ pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{GRAVITY, Obstacle, Scene};
 pub use spec::{
-    BodySpec, CableSpec, ClearancesSpec, MarginSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec,
-    PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec,
-    WrenchSpec,
+    BodySpec, CableSpec, ClearancesSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec, OrientationSource,
+    OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit,
+    WorkspaceSpec, WrenchSpec,
 };

@@ -2,14 +2,16 @@
 
 mod support;
 
-use cdpr_core::collision::{Checker, Engine, Interference, Kind, check_path};
+use cdpr_core::collision::{Checker, Constraints, Engine, Interference, Kind, check_path};
 use cdpr_core::geometry::{Point, Vector};
-use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec};
+use cdpr_core::model::{
+    BodySpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec,
+};
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::{Measure, certified, first_failure, least_slack, measures};
+use cdpr_core::wrench::{Measure, WrenchConstraint, certified, first_failure, least_slack, measures};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use support::{built_robot, built_scene, rng};
@@ -81,7 +83,48 @@ fn the_grid_rule_tells_the_corner_that_it_refuses_for() {
     let limit = violation.wrench.clone().unwrap();
     let corner = Point::from(limit.corner.unwrap());
     assert!((corner - start).abs().max() <= 0.25 && limit.wrench_margin.unwrap() < 0.0);
-    assert!(violation.sentence().contains(" of its grid cell, with "), "{}", violation.sentence());
+    assert!(violation.sentence().contains(") that decides there, with "), "{}", violation.sentence());
+}
+
+#[test]
+fn under_the_papers_rule_the_nearest_grid_point_decides() {
+    let grid = 0.5;
+    let papers = WrenchSpec {
+        rule: Some(RuleSpec::Grid),
+        margin: Some(MarginSpec::Projected),
+        membership: Some(MembershipSpec::Nearest),
+        grid: Some(grid),
+        ..balls(200.0, 10.0)
+    };
+    let corners = WrenchSpec { membership: None, ..papers.clone() };
+    let [papers, corners] = [papers, corners].map(|wrench| {
+        let scene = cogiro(wrench);
+        let constraints = Constraints::new(&scene).unwrap();
+        let (low, high) = constraints.position_box();
+        (WrenchConstraint::of(&scene, &constraints).unwrap().unwrap(), measures(&scene).unwrap(), low, high)
+    });
+    let (rule, measures, low, high) = &papers;
+    let nearest = |p: &Point| low + ((p - low) / grid).map(f64::round) * grid;
+    let feasible = |p: &Point| measures.iter().all(|m| m.slack(&nearest(p)) >= m.floor());
+    let mut rng = rng(9);
+    let mut place = || Point::from(Vector::from_fn(|k, _| rng.random_range(low[k]..=high[k])));
+    let (mut kept, mut stricter) = (0, 0);
+    for _ in 0..2000 {
+        let from = place();
+        assert_eq!(rule.keeps(&from, &from), feasible(&from), "{from}");
+        let to = from + (place() - from) * 0.2;
+        let along = (0..=400).all(|k| feasible(&(from + (to - from) * (f64::from(k) / 400.0))));
+        assert!(along || !rule.keeps(&from, &to), "{from} to {to}");
+        if let Some(violation) = rule.violation(&from, &to) {
+            let decides = Point::from(violation.wrench.unwrap().corner.unwrap());
+            assert!(
+                (nearest(&(from + (to - from) * violation.at)) - decides).norm() <= 1.001 * grid && !feasible(&decides)
+            );
+        }
+        kept += usize::from(rule.keeps(&from, &to));
+        stricter += usize::from(rule.keeps(&from, &to) && !corners.0.keeps(&from, &to));
+    }
+    assert!(kept > 200 && kept < 1800 && stricter > 20, "{kept} kept, {stricter} of them refused by all corners");
 }
 
 #[test]

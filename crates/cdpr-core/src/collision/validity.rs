@@ -155,7 +155,7 @@ pub struct Violation {
 pub struct WrenchLimit {
     /// Margin less what is demanded; negative where something is lacking. None where a cable has no direction.
     pub wrench_margin: Option<f64>,
-    /// Where it is measured, if at the corner of a cell of the grid rule instead of on the motion, m.
+    /// Where it is measured, if at a point of the grid rule instead of on the motion, m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<[f64; 3]>,
     /// Rank of the wrench matrix; below 6 (3 for a point mass) some wrenches cannot be had at any tension.
@@ -194,9 +194,9 @@ impl WrenchLimit {
         };
         let sides: Vec<String> =
             [side(&self.at_greatest, "greatest"), side(&self.at_least, "least")].into_iter().flatten().collect();
-        let place = self
-            .corner
-            .map_or(String::new(), |[x, y, z]| format!(" at the corner ({x:.3}, {y:.3}, {z:.3}) of its grid cell"));
+        let place = self.corner.map_or(String::new(), |[x, y, z]| {
+            format!(" at the grid point ({x:.3}, {y:.3}, {z:.3}) that decides there")
+        });
         if sides.is_empty() { amount + &place } else { format!("{amount}{place}, with {}", sides.join(" and ")) }
     }
 }

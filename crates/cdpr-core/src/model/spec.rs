@@ -319,6 +319,9 @@ pub struct WrenchSpec {
     /// Cell size of the grid rule, m; default 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grid: Option<f64>,
+    /// Which points of the grid decide about a position; default corners.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub membership: Option<MembershipSpec>,
     /// Length that turns moments into forces, m; default 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub characteristic_length: Option<f64>,
@@ -340,8 +343,19 @@ pub enum MarginSpec {
 pub enum RuleSpec {
     /// Every point of the motion is proved.
     Certified,
-    /// The paper's: the cells of a grid that the motion crosses.
+    /// The cells of a grid that the motion crosses.
     Grid,
+}
+
+/// Which points of a grid decide about a position.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MembershipSpec {
+    /// All eight corners of its cell.
+    #[default]
+    Corners,
+    /// The point nearest to it. The paper's.
+    Nearest,
 }
 
 /// What is asked: from where to where, and how the platform is turned all the way.

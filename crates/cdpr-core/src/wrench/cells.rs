@@ -1,18 +1,21 @@
-//! The paper's rule: a grid over the positions, feasible cells, and the cells that a motion crosses.
+//! A grid over the positions, feasible cells, and the cells that a motion crosses. The paper's rule, where the grid point nearest
+//! to a position decides, and a stricter one, where all corners of its cell do.
 
 use rayon::prelude::*;
 
 use super::measure::Measure;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
+use crate::model::MembershipSpec;
 use crate::numerics::simd::WIDTH;
 
 /// Most nodes of a grid: beyond it lies a slip of the unit.
 const MOST_NODES: f64 = 1e8;
 
-/// Cells of a box of positions; a cell is feasible when all its corners are.
+/// Cells of a box of positions. A cell is feasible when all its corners are, or the grid point in its middle is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FeasibleCells {
+    membership: MembershipSpec,
     min: Point,
     size: f64,
     counts: [usize; 3],
@@ -20,29 +23,38 @@ pub struct FeasibleCells {
 }
 
 impl FeasibleCells {
-    /// Cells of this size over a box of positions, their corners measured on all cores.
+    /// Cells of this size over a box of positions, the points of the grid measured on all cores.
     ///
     /// # Errors
-    /// More corners than would fit.
-    pub fn new(measures: &[Measure], (min, max): (Point, Point), size: f64) -> Result<Self, Error> {
+    /// More points than would fit.
+    pub fn new(
+        measures: &[Measure],
+        (min, max): (Point, Point),
+        size: f64,
+        membership: MembershipSpec,
+    ) -> Result<Self, Error> {
         let cells = (max - min).map(|extent| (extent / size).ceil().max(1.0));
         if (min - max).max() > 0.0 {
-            return Ok(FeasibleCells { min, size, counts: [0; 3], feasible: Vec::new() });
+            return Ok(FeasibleCells { membership, min, size, counts: [0; 3], feasible: Vec::new() });
         }
         let nodes = cells.map(|n| n + 1.0);
         if nodes.product() > MOST_NODES {
             let problem =
-                format!("found {size} m, which makes {:.1e} corners; expected at most {MOST_NODES:e}", nodes.product());
+                format!("found {size} m, which makes {:.1e} points; expected at most {MOST_NODES:e}", nodes.product());
             return Err(Error::invalid("wrench.grid", problem));
         }
         let counts: [usize; 3] = std::array::from_fn(|axis| cells[axis] as usize);
-        let corners = feasible_corners(measures, &min, size, counts);
-        let [nx, ny, _] = counts.map(|n| n + 1);
-        let corner = |i: usize, j: usize, k: usize| corners[i + nx * (j + ny * k)];
+        let points = feasible_points(measures, &min, size, counts);
+        let nodes = counts.map(|n| n + 1);
+        if membership == MembershipSpec::Nearest {
+            let min = min - Vector::repeat(0.5 * size);
+            return Ok(FeasibleCells { membership, min, size, counts: nodes, feasible: points });
+        }
+        let corner = |i: usize, j: usize, k: usize| points[i + nodes[0] * (j + nodes[1] * k)];
         let around = |i: usize, j: usize, k: usize| (0..8).all(|c| corner(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)));
         let [cx, cy, cz] = counts;
         let cells = (0..cx * cy * cz).map(|n| around(n % cx, n / cx % cy, n / (cx * cy)));
-        Ok(FeasibleCells { min, size, counts, feasible: cells.collect() })
+        Ok(FeasibleCells { membership, min, size, counts, feasible: cells.collect() })
     }
 
     /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid, and that cell; none if it
@@ -80,10 +92,15 @@ impl FeasibleCells {
         (!self.is_feasible(cell)).then_some((1.0, cell))
     }
 
-    /// The corners of a cell.
-    pub fn corners(&self, cell: [i64; 3]) -> [Point; 8] {
-        let corner = |c: usize| Vector::from_fn(|axis, _| (cell[axis] + (c >> axis & 1) as i64) as f64);
-        std::array::from_fn(|c| self.min + corner(c) * self.size)
+    /// The points of the grid that decide about a cell.
+    pub fn points(&self, cell: [i64; 3]) -> Vec<Point> {
+        let at = |offset: Vector| self.min + (Vector::from_fn(|axis, _| cell[axis] as f64) + offset) * self.size;
+        match self.membership {
+            MembershipSpec::Nearest => vec![at(Vector::repeat(0.5))],
+            MembershipSpec::Corners => {
+                (0..8).map(|c| at(Vector::from_fn(|axis, _| f64::from(c >> axis & 1)))).collect()
+            }
+        }
     }
 
     fn cell_at(&self, position: &Point) -> [i64; 3] {
@@ -116,19 +133,19 @@ impl FeasibleCells {
 /// How far beyond the end of the grid a coordinate may lie by rounding, in cells.
 const END: f64 = 1e-9;
 
-/// Whether each corner of the cells has slack that counts, x fastest. A set of lower rank has none, but for rounding.
-fn feasible_corners(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
+/// Whether each point of the grid has slack that counts, x fastest. A set of lower rank has none, up to rounding.
+fn feasible_points(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;
-    let mut corners = vec![false; nx * ny * nz];
-    corners.par_chunks_mut(WIDTH).enumerate().with_min_len(64).for_each(|(chunk, corners)| {
+    let mut points = vec![false; nx * ny * nz];
+    points.par_chunks_mut(WIDTH).enumerate().with_min_len(64).for_each(|(chunk, points)| {
         let positions = std::array::from_fn(|k| at(chunk * WIDTH + k));
         let slack: Vec<[f64; WIDTH]> = measures.iter().map(|measure| measure.slack_at_four(&positions)).collect();
-        for (k, corner) in corners.iter_mut().enumerate() {
-            *corner = slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
+        for (k, point) in points.iter_mut().enumerate() {
+            *point = slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
         }
     });
-    corners
+    points
 }
 
 #[cfg(test)]
@@ -139,7 +156,8 @@ mod tests {
     fn cells(infeasible: &[[usize; 3]]) -> FeasibleCells {
         let mut feasible = vec![true; 24];
         infeasible.iter().for_each(|[i, j, k]| feasible[i + 4 * (j + 3 * k)] = false);
-        FeasibleCells { min: Point::new(1.0, 0.0, 0.0), size: 0.25, counts: [4, 3, 2], feasible }
+        let (membership, min) = (MembershipSpec::Corners, Point::new(1.0, 0.0, 0.0));
+        FeasibleCells { membership, min, size: 0.25, counts: [4, 3, 2], feasible }
     }
 
     fn first_infeasible(cells: &FeasibleCells, from: &Point, to: &Point) -> Option<f64> {

@@ -95,7 +95,8 @@ impl WrenchConstraint {
         let rule = match spec.rule.unwrap_or(RuleSpec::Certified) {
             RuleSpec::Certified => Rule::Certified,
             RuleSpec::Grid => {
-                Rule::Grid(FeasibleCells::new(&measures, constraints.position_box(), spec.grid.unwrap_or(GRID))?)
+                let (size, membership) = (spec.grid.unwrap_or(GRID), spec.membership.unwrap_or_default());
+                Rule::Grid(FeasibleCells::new(&measures, constraints.position_box(), size, membership)?)
             }
         };
         Ok(Some(WrenchConstraint { measures, rule }))
@@ -124,8 +125,8 @@ impl WrenchConstraint {
             }
             Rule::Grid(cells) => {
                 let (at, cell) = cells.first_infeasible(from, to)?;
-                let corners = cells.corners(cell);
-                let limits = self.measures.iter().flat_map(|m| corners.iter().map(move |c| (limit_at(m, c), c)));
+                let points = cells.points(cell);
+                let limits = self.measures.iter().flat_map(|m| points.iter().map(move |p| (limit_at(m, p), p)));
                 let (limit, corner) = limits.min_by(|(a, _), (b, _)| a.order().total_cmp(&b.order()))?;
                 (at, WrenchLimit { corner: Some((*corner).into()), ..limit })
             }
