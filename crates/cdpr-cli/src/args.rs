@@ -22,7 +22,8 @@ use crate::output::{Talk, is_standard_output};
 
 /// Plan, check and look at paths of cable-driven parallel robots among obstacles.
 ///
-/// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 130 interrupted.
+/// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 70 a bug in cdpr (please report
+/// it with its message), 130 interrupted.
 /// Results go to standard output, everything else to standard error, in colours only on a terminal. `-` in the place of a
 /// file is standard input or output, and pipes that the shell has opened are read and written as well; where a file goes to
 /// standard output, results go to standard error.
@@ -128,11 +129,12 @@ pub enum Command {
     Shadows(ShadowsArgs),
     /// What the cables can balance: at a position, on a grid, or along a path.
     ///
-    /// At a position: rank, margins, the cables that limit them, and the tensions nearest to the middle of their limits.
+    /// At a position: rank of the wrench matrix and what the cables hold, margins, the cables that limit them, and the
+    /// tensions nearest to the middle of their limits. What planning with the same demand would refuse is not feasible.
     /// On a grid: capacity margins at all positions inside the workspace, with share, volume and extent of the feasible ones.
-    /// Along a path: position, length and tension of every cable and the margins at even steps, as CSV. Required balls are
-    /// those of the scene's `[wrench]` unless given here. Exit status 1 where the loads (with --at: all that is required)
-    /// cannot be balanced.
+    /// Along a path: position, length and tension of every cable, by its name, and the margins at even steps, as CSV;
+    /// lengths alone if the robot has no mass or tension limits. Required balls are those of the scene's `[wrench]`
+    /// unless given here. Exit status 1 where the loads (with --at: all that is required) cannot be balanced.
     #[command(after_help = "Examples:
   cdpr wrench hall.toml --at 0 0 2
   cdpr wrench hall.toml --at 0 0 2 --force 50 --moment 5 --format json
