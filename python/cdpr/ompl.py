@@ -35,7 +35,9 @@ except ImportError as problem:
 from ._arrays import point
 from ._planning import as_it_is
 from ._results import Path
-from ._scene import Engine, Interference, Scene
+from ._given import instance
+from ._questions import Engine, Interference, judges
+from ._scene import Scene
 from .exceptions import InputError
 
 __all__ = ["MotionValidator", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
@@ -70,7 +72,7 @@ class StateSpace(base.RealVectorStateSpace):
     def __init__(self, scene: Scene) -> None:
         """See the class."""
         super().__init__(3)
-        low, high = scene._core.position_box()
+        low, high = instance("scene", scene, Scene)._core.position_box()
         bounds = base.RealVectorBounds(3)
         for axis in range(3):
             if not low[axis] < high[axis]:
@@ -122,8 +124,8 @@ class StateValidityChecker(base.StateValidityChecker):
     ) -> None:
         """See the class."""
         super().__init__(information)
-        self.scene = scene
-        self._choice = engine, interference
+        self.scene = instance("scene", scene, Scene)
+        self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
 
     def isValid(self, state: Any) -> bool:
@@ -181,8 +183,8 @@ class MotionValidator(base.MotionValidator):
     ) -> None:
         """See the class."""
         super().__init__(information)
-        self.scene = scene
-        self._choice = engine, interference
+        self.scene = instance("scene", scene, Scene)
+        self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
@@ -271,7 +273,7 @@ def simple_setup(
     >>> solve(setup, 0.2).asString()
     'Exact solution'
     """
-    scene._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
+    instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)

@@ -70,6 +70,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("GRAVITY", cdpr_core::model::GRAVITY)?;
         module.add("MAX_COORDINATE", cdpr_core::numerics::MAX_COORDINATE)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }

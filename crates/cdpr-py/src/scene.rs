@@ -6,6 +6,7 @@ use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, state
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::io::{self, Loader, text::Notation};
+use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
     Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
     shorten_path, trace_rewinding,
@@ -111,9 +112,14 @@ impl Scene {
         Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
     }
 
-    /// What is special about the scene.
+    /// What the user should know about the scene.
     fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
+    }
+
+    /// Those of the notes that tell of nothing to worry about.
+    fn good_notes(&self) -> Vec<String> {
+        self.0.good_notes().to_vec()
     }
 
     /// Whether each row of an (n, 3) array is a valid position.
@@ -238,6 +244,16 @@ impl Scene {
             core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
         };
         interruptible(py, along).map(|rows| serialized(&rows))
+    }
+
+    /// What the cables can balance at a position, as JSON.
+    fn wrench_at(&self, position: [f64; 3], force: Option<f64>, moment: Option<f64>) -> PyResult<String> {
+        answered(|| {
+            let statics = core_wrench::Statics::of(&self.0)?;
+            let required = core_wrench::constraint::required_of(&self.0, force, moment)?;
+            let margin = self.0.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
+            Ok(serialized(&core_wrench::wrench_at(&statics, &required, margin, &point(position))?))
+        })
     }
 
     /// The result of planning as JSON, as in a path file, and its search tree: states (n, 3) and parents (n,).

@@ -11,6 +11,7 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import ArrayLike
 
 from .._arrays import Floats, point
+from .._given import instance
 from .._robot import Robot
 from .._scene import Scene
 from .._planning import path_rows, scene_for
@@ -316,8 +317,7 @@ def available_set(
 
 def _stage_of(scene: Scene, ax: Axes3D | None, view: View) -> tuple[Stage, dict[str, Any]]:
     """A stage as large as workspace and outlets, with the obstacles, the workspace box and the outlets on it."""
-    if not isinstance(scene, Scene):
-        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
+    instance("scene", scene, Scene)
     bodies = json.loads(scene._core.bodies())
     box = scene._spec["workspace"]
     corners = np.array([box["min"], box["max"]])
