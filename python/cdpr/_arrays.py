@@ -19,7 +19,7 @@ _Entry = TypeVar("_Entry", bound=np.generic)
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
     """An (n, columns) array, copied only if it is not C-contiguous float64 already."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, {columns})")
     _in_reach(name, array)
@@ -28,7 +28,7 @@ def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
 
 def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
     """A (..., 3) array as rows (n, 3), not copied if it is C-contiguous float64, and the shape of what is asked for each."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.ndim == 0 or array.shape[-1] != 3:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (..., 3)")
     _in_reach(name, array)
@@ -43,7 +43,7 @@ def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
 
 def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
     """Three numbers."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.shape != (3,):
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (3,)")
     _in_reach(name, array)
@@ -53,7 +53,7 @@ def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
 
 def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:
     """A list of so many numbers; `parts` names them."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.shape != (count,):
         named = f": {parts}" if parts else ""
         raise InputError(f"{name}: found an array of shape {array.shape}, expected ({count},){named}")
@@ -65,7 +65,7 @@ def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[f
 
 def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]:
     """What holds for all of so many, or one entry for each: a list of so many entries of the shape `entry`."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.shape not in (entry, (count, *entry)):
         one = str(entry) if entry else "a number"
         raise InputError(f"{name}: found an array of shape {array.shape}, expected {one} or {(count, *entry)}")
@@ -77,10 +77,18 @@ def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]
 
 def number(name: str, value: Any) -> float:
     """One number, whose range the core checks; texts and truth values are none, even where they can be read as one."""
-    found = _numbers(name, value)
+    found = as_numbers(name, value)
     if found.ndim:
         raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")
     return float(found)
+
+
+def positive(name: str, value: Any) -> float:
+    """One finite number above 0."""
+    found = finite(name, value)
+    if found <= 0:
+        raise InputError(f"{name}: found {found}, expected a positive number")
+    return found
 
 
 def finite(name: str, value: Any) -> float:
@@ -117,7 +125,8 @@ def shown(value: Any) -> str:
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 
-def _numbers(name: str, values: Any) -> Floats:
+def as_numbers(name: str, values: Any) -> Floats:
+    """An array of any shape, C-contiguous float64."""
     if (other := _no_number(values)) is not None:
         raise InputError(f"{name}: found {other}, expected numbers" if _many(values) else f"{name}: found {other}, expected a number")
     try:

@@ -28,7 +28,7 @@ __all__ = [
 ]
 
 __version__: str
-GRAVITY: tuple[float, float, float]
+GRAVITY: list[float]
 MAX_COORDINATE: float
 
 _Point = tuple[float, float, float]

@@ -3,6 +3,7 @@
 Texts, truth values and masked entries are never taken for numbers.
 """
 
+import functools
 import inspect
 import warnings
 
@@ -10,6 +11,7 @@ import matplotlib
 import numpy as np
 import pytest
 from conftest import TESTDATA
+from matplotlib import pyplot
 
 import cdpr
 import cdpr.figures
@@ -175,8 +177,40 @@ def calls(tmp_path, monkeypatch, batch):
         "show": (cdpr.show, along | {"interference": "exact"}),
         "save_view": (cdpr.save_view, along | {"path": "v.html", "interference": "exact"}),
         "run_batch": (cdpr.run_batch, experiment),
-        "figures.scene": (cdpr.figures.scene, {"scene": scene} | figure),
+        "figures.scene": (
+            cdpr.figures.scene,
+            {"scene": scene, "path": path, "at": HERE, "shadows": "cable 1", "robot": True, "labels": True} | figure,
+        ),
+        "figures.paths": (cdpr.figures.paths, {"scene": scene, "paths": {"a": path}, "robot": False} | figure),
+        "figures.model": (cdpr.figures.model, {"scene": scene, "cable": "cable 1", "at": HERE} | figure),
+        "figures.rewinding": (
+            cdpr.figures.rewinding,
+            {"scene": scene, "waypoints": path, "direction": "backward", "step": 0.1} | figure,
+        ),
+        "figures.available_set": (
+            cdpr.figures.available_set,
+            {"robot": robot, "position": [0, 0, 2.0], "kind": "force"} | loads | figure,
+        ),
+        "figures.boxes": (
+            cdpr.figures.boxes,
+            {"data": {"a": [1.0, 2.0]}, "measure": "cost", "scenario": None, "methods": None, "label": "length", "ax": None},
+        ),
+        "figures.step_sweep": (cdpr.figures.step_sweep, {"batch": sweep("step"), "measure": "reduction", "ax": None}),
+        "figures.repeats": (cdpr.figures.repeats, {"batch": sweep("repeats"), "measure": "reduction", "ax": None}),
+        "figures.convergence": (
+            cdpr.figures.convergence,
+            {"batch": sweep("history"), "scenario": "a", "methods": ["RRT"], "best": 1.0, "ax": None},
+        ),
+        "figures.style": (cdpr.figures.style, {}),
     }
+
+
+@functools.cache
+def sweep(what):
+    """A run that can be drawn."""
+    swept = {"step": {"step": [0.1, 0.2]}, "repeats": {"repeats": [1, 2]}}.get(what)
+    method = {"name": "RRT", "planner": "rrt"} | ({} if swept is None else {"sweep": swept})
+    return cdpr.run_batch(EXPERIMENT | {"history": what == "history", "methods": [method]})
 
 
 def called(call, arguments):
@@ -197,6 +231,8 @@ def outcome(call, arguments):
             return None
         except BaseException as other:  # noqa: BLE001 (PanicException is none of Exception's)
             return f"{type(other).__name__}: {other!a}"[:300]
+        finally:
+            pyplot.close("all")
     return None
 
 
@@ -219,11 +255,11 @@ WITHOUT_ARGUMENTS |= {"WrenchMap.to_pandas"}
 
 
 def test_everything_public_is_called_with_all_its_parameters(calls):
-    assert set(public()) - WITHOUT_ARGUMENTS == {name for name in calls if not name.startswith("figures")}
+    drawn = {f"figures.{name}" for name in cdpr.figures.__all__ if callable(getattr(cdpr.figures, name))}
+    assert (set(public()) - WITHOUT_ARGUMENTS) | drawn == set(calls)
     for name, (call, arguments) in calls.items():
-        if not name.startswith("figures"):
-            known = [key for key in inspect.signature(call).parameters if not key.startswith("_")]
-            assert sorted(known) == sorted(arguments), name
+        known = [key for key in inspect.signature(call).parameters if not key.startswith("_")]
+        assert sorted(known) == sorted(arguments), name
         if name == "plan":
             arguments = arguments | {"target_cost": None}
         assert outcome(call, arguments) is None, name
