@@ -32,7 +32,7 @@ try:
 except ImportError as problem:
     raise ImportError("cdpr.ompl needs the bindings of OMPL 2: pip install 'cdpr[ompl]'") from problem
 
-from ._arrays import point
+from ._arrays import point, positive
 from ._planning import as_it_is
 from ._results import Path
 from ._given import instance
@@ -123,7 +123,7 @@ class StateValidityChecker(base.StateValidityChecker):
         self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
     ) -> None:
         """See the class."""
-        super().__init__(information)
+        super().__init__(instance("information", information, base.SpaceInformation))
         self.scene = instance("scene", scene, Scene)
         self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
@@ -182,7 +182,7 @@ class MotionValidator(base.MotionValidator):
         self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
     ) -> None:
         """See the class."""
-        super().__init__(information)
+        super().__init__(instance("information", information, base.SpaceInformation))
         self.scene = instance("scene", scene, Scene)
         self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
@@ -328,9 +328,8 @@ def solve(setup: Any, seconds: float = 1.0) -> Any:
     >>> solve(setup, 10.0).asString()
     'Exact solution'
     """
-    if not seconds > 0.0:
-        raise InputError(f"seconds: found {seconds!r}, expected a positive number")
-    until = base.timedPlannerTerminationCondition(float(seconds))
+    instance("setup", setup, geometric.SimpleSetup)
+    until = base.timedPlannerTerminationCondition(positive("seconds", seconds))
     with _ctrl_c_after(until.terminate):
         return setup.solve(until)
 
@@ -385,7 +384,7 @@ def path(setup: Any) -> Path:
     >>> cdpr.refine(scene, path(setup)).cost < 3.0
     True
     """
-    motions = setup.getSpaceInformation().getMotionValidator()
+    motions = instance("setup", setup, geometric.SimpleSetup).getSpaceInformation().getMotionValidator()
     if not isinstance(motions, MotionValidator):
         raise InputError(f"setup: found a {type(motions).__name__}, expected a setup with a cdpr.ompl.MotionValidator")
     if not setup.haveExactSolutionPath():

@@ -15,6 +15,7 @@ from matplotlib import pyplot
 
 import cdpr
 import cdpr.figures
+import cdpr.ompl
 
 matplotlib.use("Agg")
 
@@ -99,6 +100,7 @@ def calls(tmp_path, monkeypatch, batch):
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
         "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "name": "s", "obstacles": {"crate": CUBE},
     }  # fmt: skip
+    information = cdpr.ompl.simple_setup(scene).getSpaceInformation()
     experiment = {"experiment": EXPERIMENT, "executor": None, "progress": None, "trials": 1, "threads": 1}
     figure = {"view": (20.0, -60.0), "ax": None}
     plan = {
@@ -202,7 +204,19 @@ def calls(tmp_path, monkeypatch, batch):
             {"batch": sweep("history"), "scenario": "a", "methods": ["RRT"], "best": 1.0, "ax": None},
         ),
         "figures.style": (cdpr.figures.style, {}),
+        "ompl.simple_setup": (cdpr.ompl.simple_setup, {"scene": scene} | end | judges),
+        "ompl.solve": (cdpr.ompl.solve, {"setup": solved(scene), "seconds": 0.01}),
+        "ompl.path": (cdpr.ompl.path, {"setup": solved(scene)}),
+        "ompl.StateSpace": (cdpr.ompl.StateSpace, {"scene": scene}),
+        "ompl.StateValidityChecker": (cdpr.ompl.StateValidityChecker, {"information": information, "scene": scene} | judges),
+        "ompl.MotionValidator": (cdpr.ompl.MotionValidator, {"information": information, "scene": scene} | judges),
     }
+
+
+def solved(scene):
+    setup = cdpr.ompl.simple_setup(scene)
+    assert cdpr.ompl.solve(setup, 10.0)
+    return setup
 
 
 @functools.cache
@@ -256,7 +270,8 @@ WITHOUT_ARGUMENTS |= {"WrenchMap.to_pandas"}
 
 def test_everything_public_is_called_with_all_its_parameters(calls):
     drawn = {f"figures.{name}" for name in cdpr.figures.__all__ if callable(getattr(cdpr.figures, name))}
-    assert (set(public()) - WITHOUT_ARGUMENTS) | drawn == set(calls)
+    others = {f"ompl.{name}" for name in cdpr.ompl.__all__}
+    assert (set(public()) - WITHOUT_ARGUMENTS) | drawn | others == set(calls)
     for name, (call, arguments) in calls.items():
         known = [key for key in inspect.signature(call).parameters if not key.startswith("_")]
         assert sorted(known) == sorted(arguments), name

@@ -94,7 +94,7 @@ fn the_papers_robot_is_told_to_lack_a_rank() {
     let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap();
     let words = "rank 5 of 6, underconstrained: no tensions resist turning about z";
     let reason = result.reason.unwrap();
-    assert!(reason.sentence().ends_with(words), "{}", reason.sentence());
+    assert!(reason.sentence().contains(words), "{}", reason.sentence());
     let json = serde_json::json!(reason);
     assert_eq!((&json["rank"], &json["holding"]), (&5.into(), &"underconstrained".into()));
 }

@@ -212,9 +212,9 @@ mod tests {
 
     #[test]
     fn a_swing_turns_while_it_moves() {
-        // Four cables from one height to a platform below, as wide: it swings sideways, and turns as it does.
+        // Four cables from the corners of an oblong ceiling to those of a square: it swings sideways, and turns as it does.
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        let columns: Vec<_> = corners.iter().map(|[x, y]| cable([*x, *y, 2.0], [0.2 * x, 0.2 * y, 0.1])).collect();
+        let columns: Vec<_> = corners.iter().map(|[x, y]| cable([1.5 * x, *y, 1.0], [0.2 * x, 0.2 * y, 0.1])).collect();
         let hold = Hold::of(&columns, false);
         assert_eq!(hold.rank, 4);
         for motion in &hold.free_motions {
