@@ -146,7 +146,7 @@ class Robot(Immutable):
         positions : array_like (..., 3)
             Positions of the platform's origin, world, m; a path is (k, 3).
         orientation : array_like (4,), optional
-            World-from-platform unit quaternion w x y z; default no turn.
+            World-from-platform unit quaternion w x y z, such as that of a scene; default no turn.
 
         Returns
         -------
