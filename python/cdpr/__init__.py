@@ -25,18 +25,17 @@ from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh, save_shadows, shadows
+from ._tensions import Tensions, WrenchReport, tensions_along, wrench_at
 from ._view import View, save_view, show
 from ._violation import Exemption, Violation
 from ._wrench import (
     AvailableSet,
-    Tensions,
     capacity_margin,
     force_margin,
     force_set,
     moment_margin,
     moment_set,
     tension_distribution,
-    tensions_along,
     wrench_matrix,
 )
 from ._wrench_map import WrenchMap, wrench_map
@@ -65,6 +64,7 @@ __all__ = [
     "Violation",
     "View",
     "WrenchMap",
+    "WrenchReport",
     "__version__",
     "capacity_margin",
     "check",
@@ -87,6 +87,7 @@ __all__ = [
     "show",
     "tension_distribution",
     "tensions_along",
+    "wrench_at",
     "wrench_map",
     "wrench_matrix",
 ]

@@ -1,8 +1,9 @@
-"""Arrays as the core takes them: float64, C-contiguous, checked for shape and finite numbers."""
+"""Numbers as the core takes them: float64, C-contiguous, checked for shape and finite values."""
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from collections.abc import Sequence
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,30 +13,47 @@ from .exceptions import InputError
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
+Shape: TypeAlias = tuple[int, ...]
+_Entry = TypeVar("_Entry", bound=np.generic)
 
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
     """An (n, columns) array, copied only if it is not C-contiguous float64 already."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, {columns})")
-    _finite(name, array)
+    _in_reach(name, array)
     return array
+
+
+def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
+    """A (..., 3) array as rows (n, 3), not copied if it is C-contiguous float64, and the shape of what is asked for each."""
+    array = as_numbers(name, values)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (..., 3)")
+    _in_reach(name, array)
+    return array.reshape(-1, 3), array.shape[:-1]
+
+
+def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
+    """Answers, one for each of the rows that `flat_points` made, in its shape; one answer is a NumPy scalar."""
+    whole: NDArray[_Entry] = answers.reshape(shape + answers.shape[1:])[()]
+    return whole
 
 
 def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
     """Three numbers."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.shape != (3,):
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (3,)")
-    _finite(name, array)
+    _in_reach(name, array)
     x, y, z = array.tolist()
     return x, y, z
 
 
 def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:
     """A list of so many numbers; `parts` names them."""
-    array = _numbers(name, values)
+    array = as_numbers(name, values)
     if array.shape != (count,):
         named = f": {parts}" if parts else ""
         raise InputError(f"{name}: found an array of shape {array.shape}, expected ({count},){named}")
@@ -45,20 +63,46 @@ def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[f
     return found
 
 
-def number(name: str, value: float) -> float:
-    """One number; texts are none, even where they read like one."""
-    try:
-        if isinstance(value, (str, bytes)):
-            raise TypeError(f"the text {value!r}")
-        return float(value)
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{name}: found {problem}, expected a number") from None
+def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]:
+    """What holds for all of so many, or one entry for each: a list of so many entries of the shape `entry`."""
+    array = as_numbers(name, values)
+    if array.shape not in (entry, (count, *entry)):
+        one = str(entry) if entry else "a number"
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected {one} or {(count, *entry)}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name}: found {array}, expected finite numbers")
+    found: list[Any] = np.broadcast_to(array, (count, *entry)).tolist()
+    return found
+
+
+def number(name: str, value: Any) -> float:
+    """One number, whose range the core checks; texts and truth values are none, even where they can be read as one."""
+    found = as_numbers(name, value)
+    if found.ndim:
+        raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")
+    return float(found)
+
+
+def positive(name: str, value: Any) -> float:
+    """One finite number above 0."""
+    found = finite(name, value)
+    if found <= 0:
+        raise InputError(f"{name}: found {found}, expected a positive number")
+    return found
+
+
+def finite(name: str, value: Any) -> float:
+    """One finite number, as JSON can hold it."""
+    found = number(name, value)
+    if not np.isfinite(found):
+        raise InputError(f"{name}: found {found}, expected a finite number")
+    return found
 
 
 def whole(name: str, value: int) -> int:
     """A whole number that a seed or a count can be."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
-        raise InputError(f"{name}: found {value!r}, expected a whole number from 0 to 2**64 - 1")
+        raise InputError(f"{name}: found {shown(value)}, expected a whole number from 0 to 2**64 - 1")
     return int(value)
 
 
@@ -67,20 +111,71 @@ def thread_count(threads: int | None) -> int | None:
     return None if threads is None else whole("threads", threads)
 
 
-def _numbers(name: str, values: ArrayLike) -> Floats:
+def shown(value: Any) -> str:
+    """A value in a message: short ones as they are, of others the type."""
+    if value is None or isinstance(value, (bool, float, np.generic)):
+        return str(value)
+    if isinstance(value, int):
+        return str(value) if abs(value) < 2**64 else f"a whole number of {value.bit_length()} bits"
+    if isinstance(value, str):
+        return f"the text {value!r}" if len(value) <= 100 else f"a text of {len(value)} characters"
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape}"
+    name = type(value).__name__
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
+
+
+def as_numbers(name: str, values: Any) -> Floats:
+    """An array of any shape, C-contiguous float64."""
+    if (other := _no_number(values)) is not None:
+        raise InputError(f"{name}: found {other}, expected numbers" if _many(values) else f"{name}: found {other}, expected a number")
     try:
         array = np.asarray(values)
-        if np.iscomplexobj(array):
-            raise TypeError("complex numbers")
+    except (TypeError, ValueError, OverflowError, RuntimeError) as problem:
+        raise InputError(f"{name}: found {problem}, expected numbers") from None
+    if array.dtype.kind not in "iufO":
+        raise InputError(f"{name}: found {_KINDS.get(array.dtype.kind, str(array.dtype))}, expected numbers")
+    if array.dtype.kind == "O" and (other := next(filter(None, map(_no_number, array.flat)), None)) is not None:
+        raise InputError(f"{name}: found {other}, expected numbers")
+    try:
         return np.ascontiguousarray(array, dtype=np.float64) if array.ndim else array.astype(np.float64)
-    except (TypeError, ValueError) as problem:
+    except (TypeError, ValueError, OverflowError) as problem:
         raise InputError(f"{name}: found {problem}, expected numbers") from None
 
 
-def _finite(name: str, array: Floats) -> None:
+_KINDS = {"b": "truth values", "U": "texts", "S": "bytes", "c": "complex numbers"}
+# Deeper lists are no arrays.
+_DEEPEST = 32
+
+
+def _many(values: Any) -> bool:
+    return isinstance(values, (list, tuple, np.ndarray))
+
+
+def _no_number(values: Any, depth: int = 0) -> str | None:
+    """What there is in an array or in lists that NumPy would take for a number, or leave out, without a word."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
+        return "masked entries"
+    if isinstance(values, (list, tuple)):
+        kinds = set(map(type, values))
+        if kinds <= {float, int} or depth > _DEEPEST:
+            return None
+        return next((found for entry in values if (found := _no_number(entry, depth + 1)) is not None), None)
+    if values is None or isinstance(values, (str, bytes, bytearray, bool, np.bool_, np.str_, np.bytes_, dict, set)):
+        return shown(values)
+    return None
+
+
+def _in_reach(name: str, array: Floats) -> None:
     # Least and greatest carry NaN along, and need no array of their own.
     if array.size and not (array.min() >= -MAX_COORDINATE and array.max() <= MAX_COORDINATE):
         good = np.abs(array) <= MAX_COORDINATE
         index = tuple(int(i) for i in np.argwhere(~good)[0])
         place = name + "".join(f"[{i}]" for i in index)
         raise InputError(f"{place}: found {array[index]}, expected finite coordinates up to {MAX_COORDINATE:g} m")
+
+
+def one_for_each(name: str, values: Sequence[Any], count: int, of: str) -> None:
+    """Check that there are so many."""
+    if len(values) != count:
+        raise InputError(f"{name}: found {len(values)}, expected {count}, one for each {of}")

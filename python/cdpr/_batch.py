@@ -16,7 +16,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from . import _core
-from ._arrays import thread_count
+from ._arrays import shown, thread_count, whole
+from ._given import file_name, plain
 from ._pandas import pandas_or_none
 from ._scene import Scene
 from .exceptions import CdprWarning, InputError
@@ -94,7 +95,7 @@ class BatchResult:
         FileError
             A folder that is not empty, or that cannot be written.
         """
-        _core.Experiment.from_json(self._json).save(os.fspath(folder), *self._range, self._rows)
+        _core.Experiment.from_json(self._json).save(file_name(folder, "folder"), *self._range, self._rows)
 
     def __eq__(self, other: object) -> bool:
         """Compare by value: experiment, range of trials, and rows, times among them."""
@@ -174,6 +175,9 @@ def run_batch(
     >>> again.trials_csv == result.trials_csv
     True
     """
+    for name, value, made in (("executor", executor, "submit"), ("progress", progress, "__call__")):
+        if value is not None and not callable(getattr(value, made, None)):
+            raise InputError(f"{name}: found {shown(value)}, expected something to {made.strip('_')}")
     checked = _checked(experiment)
     first, end = _first_and_end(checked, trials)
     if executor is None:
@@ -201,22 +205,18 @@ def run_batch(
 
 def _checked(experiment: str | os.PathLike[str] | Mapping[str, Any]) -> _core.Experiment:
     if isinstance(experiment, Mapping):
-        return _core.Experiment.from_json(json.dumps(dict(experiment), default=_plain))
-    return _core.Experiment.load(os.fspath(experiment))
+        return _core.Experiment.from_json(json.dumps(plain("", experiment, known=_spelled_out)))
+    return _core.Experiment.load(file_name(experiment, "experiment"))
 
 
-def _plain(value: object) -> object:
-    """Return what JSON knows in place of a value that it does not know."""
+def _spelled_out(value: object) -> object:
+    """Return what stands in an experiment file for a scene or a path."""
     match value:
         case Scene():
             return value.to_dict()
         case os.PathLike():
-            return os.fspath(value)
-        case np.ndarray() | np.generic():
-            return value.tolist()
-        case Mapping():
-            return dict(value)
-    raise InputError(f"experiment: found a {type(value).__name__}, expected numbers, texts, lists, mappings and scenes")
+            return file_name(value)
+    return value
 
 
 def _first_and_end(experiment: _core.Experiment, trials: int | range | None) -> tuple[int, int]:
@@ -226,7 +226,7 @@ def _first_and_end(experiment: _core.Experiment, trials: int | range | None) -> 
         if trials.step != 1 or trials.start < 0 or not trials:
             raise InputError(f"trials: found {trials}, expected a range of at least one trial, in steps of 1 from 0 or more")
         return trials.start, trials.stop
-    if trials < 1:
+    if whole("trials", trials) < 1:
         raise InputError(f"trials: found {trials}, expected at least 1")
     return 0, int(trials)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, rows
+from ._arrays import Floats, flat_points
 
 import numpy as np
 
@@ -51,8 +51,8 @@ def distance(a: ArrayLike, b: ArrayLike) -> Distance:
 
     Parameters
     ----------
-    a, b : array_like (k, 3)
-        Vertices, m.
+    a, b : array_like (k, 3) or (3,)
+        Vertices, m; one alone is a point.
 
     Returns
     -------
@@ -80,5 +80,5 @@ def distance(a: ArrayLike, b: ArrayLike) -> Distance:
     array([[0.5, 0.5, 0. ],
            [0.5, 0.5, 2. ]])
     """
-    value, on_a, on_b, depth = _core.polytope_distance(rows("a", a), rows("b", b))
+    value, on_a, on_b, depth = _core.polytope_distance(flat_points("a", a)[0], flat_points("b", b)[0])
     return Distance(value, [on_a, on_b], depth)

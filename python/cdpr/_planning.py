@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import warnings
 from collections.abc import Callable
@@ -13,9 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, number, point, rows, whole
+from ._arrays import Floats, finite, flat_points, number, point, rows, shown, whole
+from ._given import file_name, flag, instance, text
+from ._questions import Engine, Interference, judges
 from ._results import Milestone, Path, Report, Result, SearchTree
-from ._scene import Engine, Interference, Scene
+from ._scene import Scene
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, InputError
 
@@ -130,31 +131,31 @@ def plan(
     settings = {
         "max_samples": None if max_samples is None else whole("max_samples", max_samples),
         "max_nodes": None if max_nodes is None else whole("max_nodes", max_nodes),
-        "keep_going": bool(keep_going),
-        "target_cost": _finite("target_cost", target_cost),
-        "gap": _finite("gap", gap),
-        "extend_step": _finite("extend_step", extend_step),
-        "goal_bias": _finite("goal_bias", goal_bias),
-        "near_radius": _finite("near_radius", near_radius),
+        "keep_going": flag("keep_going", keep_going),
+        "target_cost": None if target_cost is None else finite("target_cost", target_cost),
+        "gap": None if gap is None else finite("gap", gap),
+        "extend_step": None if extend_step is None else finite("extend_step", extend_step),
+        "goal_bias": None if goal_bias is None else finite("goal_bias", goal_bias),
+        "near_radius": None if near_radius is None else finite("near_radius", near_radius),
     }
-    if not isinstance(scene, Scene):
-        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
+    instance("scene", scene, Scene)
+    if on_improvement is not None and not callable(on_improvement):
+        raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
     asked = scene if orientation is None else scene.replace(orientation=orientation)
-    text, tree = asked._core.plan(
-        planner,
-        engine,
-        interference,
+    written, tree = asked._core.plan(
+        text("planner", planner),
+        *judges(engine, interference),
         whole("seed", seed),
         None if start is None else point("start", start),
         None if goal is None else point("goal", goal),
         number("step", step),
-        post,
+        None if post is None else text("post", post),
         whole("repeats", repeats),
         None if budget is None else number("budget", budget),
         json.dumps(settings),
         on_improvement,
     )
-    found = json.loads(text)
+    found = json.loads(written)
     return Result(
         waypoints=_array(found["waypoints"]),
         cost=_number(found["cost"]),
@@ -170,20 +171,13 @@ def plan(
         stats=found["stats"],
         history=tuple(Milestone(**entry) for entry in found["history"]),
         tree=SearchTree(*tree),
-        _json=text,
+        _json=written,
     )
-
-
-def _finite(name: str, value: float | None) -> float | None:
-    found = None if value is None else number(name, value)
-    if found is not None and not math.isfinite(found):
-        raise InputError(f"{name}: found {value!r}, expected a finite number")
-    return found
 
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:
     """The scene at the orientation of the path; it warns of a path that was planned for another scene, or refuses it."""
-    core, warning = _turned(scene, waypoints, strict)
+    core, warning = _turned(scene, waypoints, flag("strict", strict))
     if warning is not None:
         warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
     return core
@@ -197,8 +191,7 @@ def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
 
 def _turned(scene: Scene, waypoints: ArrayLike | Path, strict: bool) -> tuple[_core.Scene, str | None]:
     """The scene at the orientation of the path, and a warning if that was planned for another scene."""
-    if not isinstance(scene, Scene):
-        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
+    instance("scene", scene, Scene)
     if not isinstance(waypoints, Path):
         return scene._core.for_path(None)[0] or scene._core, None
     turn, origin = waypoints.orientation, waypoints._origin()
@@ -265,7 +258,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    return _shortened(scene, waypoints, order, number("step", step), whole("repeats", repeats), engine, interference, strict)
+    return _shortened(scene, waypoints, text("order", order), number("step", step), whole("repeats", repeats), engine, interference, strict)
 
 
 def refine(
@@ -316,7 +309,7 @@ def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: I
 def _shortened(
     scene: Scene,
     waypoints: ArrayLike | Path,
-    post: Post,
+    post: str,
     step: float,
     repeats: int,
     engine: Engine,
@@ -324,9 +317,9 @@ def _shortened(
     strict: bool = False,
 ) -> Path:
     core = core_for(scene, waypoints, strict=strict, level=4)
-    text = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, engine, interference)
-    found = json.loads(text)
-    return Path(_array(found["waypoints"]), found["cost"], found["orientation"], _json=text)
+    written = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, *judges(engine, interference))
+    found = json.loads(written)
+    return Path(_array(found["waypoints"]), found["cost"], found["orientation"], _json=written)
 
 
 def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:
@@ -350,7 +343,7 @@ def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike
     True
     """
     ends = ((None if end is None else point(key, end)) for key, end in (("start", start), ("goal", goal)))
-    return scene._core.lower_bound(*ends)
+    return instance("scene", scene, Scene)._core.lower_bound(*ends)
 
 
 def check(
@@ -361,13 +354,13 @@ def check(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Report:
-    """Check a path: every violation with culprits, place and margin, and the nearest approach.
+    """Check a path, or a single position: every violation with culprits, place and margin, and the nearest approach.
 
     Parameters
     ----------
     scene : Scene
-    waypoints : array_like (k, 3), k >= 2
-        Positions of the platform's origin, world, m.
+    waypoints : array_like (k, 3) or (3,)
+        Positions of the platform's origin, world, m; one alone is looked at as it stands.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
@@ -388,12 +381,22 @@ def check(
     >>> scene = Scene.load("testdata/scenes/hard1.toml")
     >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
     False
+    >>> check(scene, [0.3, 1, 0.3])
+    Report(valid, 0.0000 m)
     """
     core = core_for(scene, waypoints, strict=strict)
-    found = json.loads(core.check(path_rows("waypoints", waypoints), engine, interference))
+    found = json.loads(core.check(_path_or_position(waypoints), *judges(engine, interference)))
     violations = tuple(violation_from(values) for values in found["violations"])
     exempt = tuple(exemption_from(values) for values in found["exempt"])
     return Report(**{**found, "violations": violations, "exempt": exempt})
+
+
+def _path_or_position(waypoints: ArrayLike | Path) -> Floats:
+    """The rows of a path; those of a position are a path that stays there."""
+    if isinstance(waypoints, Path):
+        return path_rows("waypoints", waypoints)
+    flat, shape = flat_points("waypoints", waypoints)
+    return np.repeat(flat, 2, axis=0) if shape == () else path_rows("waypoints", waypoints)
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False) -> Path:
@@ -429,13 +432,14 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
     ...     load_path(f"{folder}/path.csv", scene)
     Path(2.4352 m, 3 waypoints)
     """
-    core = None if scene is None else scene._core
-    rows_of_file, turn, text, warning = _core.load_path(os.fspath(path), core, strict)
+    core = None if scene is None else instance("scene", scene, Scene)._core
+    file = file_name(path)
+    rows_of_file, turn, written, warning = _core.load_path(file, core, flag("strict", strict))
     if warning is not None:
-        warnings.warn(f"{os.fspath(path)}: {warning}", AnotherSceneWarning, stacklevel=2)
+        warnings.warn(f"{file}: {warning}", AnotherSceneWarning, stacklevel=2)
     waypoints = _array(rows_of_file)
     cost = float(np.linalg.norm(np.diff(waypoints, axis=0), axis=1).sum())
-    return Path(waypoints, cost, None if turn is None else np.array(turn), _json=text)
+    return Path(waypoints, cost, None if turn is None else np.array(turn), _json=written)
 
 
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:
@@ -454,4 +458,4 @@ def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dic
     >>> sorted(schema("robot")["required"])
     ['cables', 'platform']
     """
-    return dict(json.loads(_core.schema(of)))
+    return dict(json.loads(_core.schema(text("of", of))))

@@ -11,10 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Ints, numbers, rows
+from ._arrays import Floats, Ints, numbers, rows, shown
+from ._given import file_name
 from ._pandas import frame
 from ._values import ByValue, same
 from ._violation import Exemption, Violation
+from .exceptions import InputError
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,6 +52,8 @@ class Path(ByValue):
     def __post_init__(self) -> None:
         """Take array_likes."""
         object.__setattr__(self, "waypoints", rows("waypoints", self.waypoints))
+        if not isinstance(self.cost, (float, int, np.floating)) or isinstance(self.cost, bool):
+            raise InputError(f"cost: found {shown(self.cost)}, expected a number")
         if self.orientation is not None:
             object.__setattr__(self, "orientation", np.array(numbers("orientation", self.orientation, 4, "w x y z")))
 
@@ -70,7 +74,7 @@ class Path(ByValue):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        _core.save_path(os.fspath(path), json.dumps(self._said()))
+        _core.save_path(file_name(path), json.dumps(self._said()))
 
     def _said(self) -> dict[str, Any]:
         """What the file says: all that is known of the path, but nothing that is known of another one."""

@@ -5,15 +5,16 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, number, point, rows
-from ._tables import TriangleMesh, body_table
+from ._arrays import Floats, finite, flat_points, numbers, of_each, one_for_each, point, rows, shaped
+from ._given import file_name, plain, table, text, texts
+from ._tables import KEPT, Bodies, Kept, bodies, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
 
@@ -29,22 +30,28 @@ class Robot(Immutable):
         Where the cables leave the frame, world, m.
     attachments : array_like (m, 3)
         Where they meet the platform, platform frame, m.
-    platform : sequence of array_like (k, 3) or mesh
+    platform : array_like (k, 3), mesh, mapping, or sequence of them
         Corners of each convex part, platform frame, m; a part may be flat, a segment or a point. A mesh is any object
-        with ``vertices`` and ``faces``, as those of trimesh; see `Scene`.
+        with ``vertices`` and ``faces``, as those of trimesh; a mapping is a table of a robot file; see `Scene`.
     tensions : array_like (2,) or (m, 2), optional
         Least and largest tension, N, for all cables or each.
     mass : float, optional
         Mass of the platform, kg.
     center_of_mass : array_like (3,), optional
         Platform frame, m; default the origin.
+    cable_names : sequence of str (m,), optional
+        For messages and tables; default "cable 0", "cable 1" and so on.
+    diameters : array_like () or (m,), optional
+        Of all cables or each, m; default 0.
+    lengths : array_like (2,) or (m, 2), optional
+        Least and largest length between outlet and attachment, m, of all cables or each.
     name : str, optional
         For messages and pictures.
 
     Raises
     ------
     InputError
-        Wrong shapes, numbers that are not finite, an attachment inside a part, limits out of order.
+        Wrong shapes, numbers that are not finite, an attachment inside a part, limits out of order, a name twice.
 
     Examples
     --------
@@ -57,11 +64,14 @@ class Robot(Immutable):
         self,
         outlets: ArrayLike,
         attachments: ArrayLike,
-        platform: Sequence[ArrayLike | TriangleMesh],
+        platform: Bodies,
         *,
         tensions: ArrayLike | None = None,
         mass: float | None = None,
         center_of_mass: ArrayLike | None = None,
+        cable_names: Sequence[str] | None = None,
+        diameters: ArrayLike | None = None,
+        lengths: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
@@ -69,22 +79,93 @@ class Robot(Immutable):
         count = len(ends[0])
         if len(ends[1]) != count:
             raise InputError(f"attachments: found {len(ends[1])} rows, expected {count}, one for each outlet")
-        cables: list[dict[str, Any]] = [
-            {"outlet": outlet, "attachment": attachment}
-            for outlet, attachment in zip(ends[0].tolist(), ends[1].tolist(), strict=True)
-        ]
-        if tensions is not None:
-            for cable, limits in zip(cables, _limits(tensions, count), strict=True):
-                cable["tension"] = limits
-        parts = [body_table(f"platform[{k}]", part) for k, part in enumerate(platform)]
-        spec: dict[str, Any] = {"platform": parts, "cables": cables}
-        if mass is not None:
-            spec["mass"] = number("mass", mass)
-        if center_of_mass is not None:
-            spec["center_of_mass"] = point("center_of_mass", center_of_mass)
-        if name is not None:
-            spec["name"] = name
+        cables: list[dict[str, Any]] = [{} for _ in range(count)]
+        of_cables = {"outlets": ends[0], "attachments": ends[1], "tensions": tensions, "cable_names": cable_names}
+        _put_cables(cables, of_cables | {"diameters": diameters, "lengths": lengths})
+        spec: dict[str, Any] = {"platform": bodies("platform", platform), "cables": cables}
+        for key, value in (("mass", mass), ("center_of_mass", center_of_mass), ("name", name)):
+            put(spec, key, value, _OF_ROBOT[key])
         self._spec = _checked(spec)
+
+    def replace(
+        self,
+        *,
+        outlets: ArrayLike | Kept = KEPT,
+        attachments: ArrayLike | Kept = KEPT,
+        platform: Bodies | Kept = KEPT,
+        tensions: ArrayLike | None | Kept = KEPT,
+        mass: float | None | Kept = KEPT,
+        center_of_mass: ArrayLike | None | Kept = KEPT,
+        cable_names: Sequence[str] | None | Kept = KEPT,
+        diameters: ArrayLike | None | Kept = KEPT,
+        lengths: ArrayLike | None | Kept = KEPT,
+        name: str | None | Kept = KEPT,
+    ) -> Robot:
+        """Return a robot that differs in what is given; this one stays as it is.
+
+        Parameters
+        ----------
+        outlets, attachments : array_like (m, 3), optional
+            As in the class; the number of cables stays.
+        platform : array_like, mesh, mapping, or sequence of them, optional
+            All parts.
+        tensions, mass, center_of_mass, cable_names, diameters, lengths, name : optional
+            As in the class; None takes them away.
+
+        Returns
+        -------
+        Robot
+
+        Raises
+        ------
+        InputError
+            As the class; another number of cables.
+
+        Examples
+        --------
+        >>> robot = Robot.load("testdata/robots/paper.toml")
+        >>> robot.replace(mass=12.5, tensions=[5, 400]).mass, robot.mass
+        (12.5, 10.0)
+        """
+        spec = self.to_dict()
+        of_cables = {"outlets": outlets, "attachments": attachments, "tensions": tensions, "cable_names": cable_names}
+        _put_cables(spec["cables"], of_cables | {"diameters": diameters, "lengths": lengths})
+        for key, value in (("mass", mass), ("center_of_mass", center_of_mass), ("name", name)):
+            put(spec, key, value, _OF_ROBOT[key])
+        if not isinstance(platform, Kept):
+            spec["platform"] = bodies("platform", platform)
+        return self._of_sound(_checked(spec))
+
+    __replace__ = replace  # copy.replace of Python 3.13
+
+    def cable_lengths(self, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
+        """Lengths of the cables, from outlet to attachment; they need neither mass nor tension limits.
+
+        Parameters
+        ----------
+        positions : array_like (..., 3)
+            Positions of the platform's origin, world, m; a path is (k, 3).
+        orientation : array_like (4,), optional
+            World-from-platform unit quaternion w x y z, such as that of a scene; default no turn.
+
+        Returns
+        -------
+        ndarray (..., m)
+            Metres, in the order of the cables.
+
+        Examples
+        --------
+        >>> robot = Robot([[0, 0, 3], [4, 0, 3]], [[0, 0, 0], [0, 0, 0]], [[[0, 0, 0]]], cable_names=["left", "right"])
+        >>> robot.cable_lengths([2, 0, 3])
+        array([2., 2.])
+        >>> robot.cable_lengths([[2, 0, 3], [0, 0, 0]])
+        array([[2., 2.],
+               [3., 5.]])
+        """
+        flat, shape = flat_points("positions", positions)
+        turn = None if orientation is None else numbers("orientation", orientation, 4, "w x y z")
+        statics = _core.Statics(json.dumps(self._spec), turn, None, None, 1.0)
+        return shaped(statics.cable_lengths(flat), shape)
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any]) -> Robot:
@@ -104,7 +185,7 @@ class Robot(Immutable):
         InputError
             Names the key, what was found and what is expected.
         """
-        return cls._of_sound(_checked(_without_version(spec)))
+        return cls._of_sound(_checked(_without_version(table("robot", spec))))
 
     @classmethod
     def _of_sound(cls, spec: dict[str, Any]) -> Robot:
@@ -138,7 +219,7 @@ class Robot(Immutable):
         >>> Robot.load("testdata/robots/cogiro.toml")
         Robot('CoGiRo (LIRMM/Tecnalia), 8-cable suspended', 8 cables)
         """
-        return cls._of_sound(_without_version(json.loads(_core.load_robot(os.fspath(path)))))
+        return cls._of_sound(_without_version(json.loads(_core.load_robot(file_name(path)))))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a robot file.
@@ -153,7 +234,7 @@ class Robot(Immutable):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        _core.save_robot(os.fspath(path), json.dumps({"version": 1, **self._spec}))
+        _core.save_robot(file_name(path), json.dumps({"version": 1, **self._spec}))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the table of a robot file.
@@ -182,9 +263,37 @@ class Robot(Immutable):
         return np.array([cable["attachment"] for cable in self._spec["cables"]], dtype=np.float64)
 
     @property
+    def cable_names(self) -> tuple[str, ...]:
+        """Names of the cables; those without one are "cable 0", "cable 1" and so on."""
+        return tuple(cable.get("name", f"cable {k}") for k, cable in enumerate(self._spec["cables"]))
+
+    @property
+    def tensions(self) -> Floats:
+        """Least and largest tension of each cable, (m, 2), N; NaN where none are given."""
+        return self._of_cables("tension", [np.nan, np.nan])
+
+    @property
+    def diameters(self) -> Floats:
+        """Diameter of each cable, (m,), m."""
+        return self._of_cables("diameter", 0.0)
+
+    @property
+    def lengths(self) -> Floats:
+        """Least and largest length of each cable, (m, 2), m; 0 and infinity where none are given."""
+        return self._of_cables("length", [0.0, np.inf])
+
+    def _of_cables(self, key: str, missing: Any) -> Floats:
+        return np.array([cable.get(key, missing) for cable in self._spec["cables"]], dtype=np.float64)
+
+    @property
     def mass(self) -> float | None:
         """Mass of the platform, kg, if given."""
         return self._spec.get("mass")
+
+    @property
+    def center_of_mass(self) -> Floats:
+        """Centre of mass, (3,), platform frame, m."""
+        return np.array(self._spec.get("center_of_mass", [0.0, 0.0, 0.0]), dtype=np.float64)
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         """Pickle by value."""
@@ -237,11 +346,12 @@ def import_robot(
     ...     import_robot("testdata/caspr/CoGiRo")
     Robot('CoGiRo', 8 cables)
     """
-    files = [None if given is None else os.fspath(given) for given in (bodies, platform)]
-    text, notes = _core.import_robot(os.fspath(path), files[0], cable_set, files[1], units)
+    files = [None if given is None else file_name(given, key) for key, given in (("bodies", bodies), ("platform", platform))]
+    chosen = None if cable_set is None else text("cable_set", cable_set)
+    found, notes = _core.import_robot(file_name(path), files[0], chosen, files[1], text("units", units))
     if notes:
         warnings.warn("not carried over: " + "; ".join(notes), CdprWarning, stacklevel=2)
-    return Robot.from_dict(json.loads(text))
+    return Robot.from_dict(json.loads(found))
 
 
 def _without_version(spec: Mapping[str, Any]) -> dict[str, Any]:
@@ -249,17 +359,36 @@ def _without_version(spec: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _checked(spec: dict[str, Any]) -> dict[str, Any]:
-    try:
-        text = json.dumps(spec, allow_nan=False)
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"robot: {problem}") from None
-    checked: dict[str, Any] = json.loads(_core.check_robot(text))
+    checked: dict[str, Any] = json.loads(_core.check_robot(json.dumps(plain("", spec))))
     return checked
 
 
-def _limits(tensions: ArrayLike, count: int) -> list[list[float]]:
-    array = np.asarray(tensions, dtype=np.float64)
-    if array.shape not in ((2,), (count, 2)):
-        raise InputError(f"tensions: found an array of shape {array.shape}, expected (2,) or ({count}, 2)")
-    limits: list[list[float]] = np.broadcast_to(array, (count, 2)).tolist()
-    return limits
+_OF_ROBOT: dict[str, Callable[[Any], Any]] = {
+    "mass": lambda value: finite("mass", value),
+    "center_of_mass": lambda value: point("center_of_mass", value),
+    "name": lambda value: text("name", value),
+}
+# The key of a cable in a file, and its entries from the argument of this name.
+_OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
+    "outlets": ("outlet", lambda value, _: rows("outlets", value).tolist()),
+    "attachments": ("attachment", lambda value, _: rows("attachments", value).tolist()),
+    "tensions": ("tension", lambda value, count: of_each("tensions", value, count, (2,))),
+    "cable_names": ("name", lambda value, _: texts("cable_names", value)),
+    "diameters": ("diameter", lambda value, count: of_each("diameters", value, count, ())),
+    "lengths": ("length", lambda value, count: of_each("lengths", value, count, (2,))),
+}
+
+
+def _put_cables(cables: list[dict[str, Any]], given: Mapping[str, Any]) -> None:
+    """Set what is given of each cable, or take it away where that is None."""
+    for argument, value in given.items():
+        key, entries_of = _OF_CABLES[argument]
+        if isinstance(value, Kept):
+            continue
+        if value is None and argument in ("outlets", "attachments"):
+            raise InputError(f"{argument}: found None, expected an array of shape ({len(cables)}, 3)")
+        entries = [None] * len(cables) if value is None else entries_of(value, len(cables))
+        one_for_each(argument, entries, len(cables), "cable")
+        for cable, entry in zip(cables, entries, strict=True):
+            put(cable, key, entry, lambda entry: entry)
+

@@ -8,33 +8,18 @@ import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from . import _core
-from ._arrays import Floats, number, numbers, point, rows, thread_count
+from . import _core, _questions
+from ._arrays import Floats, finite, numbers, point
+from ._given import file_name, instance, plain, table, text
 from ._robot import Robot
-from ._tables import (
-    KEPT,
-    QUERY,
-    Clearances,
-    Kept,
-    Names,
-    Obstacle,
-    box_table,
-    clearances_table,
-    obstacle_tables,
-    pairs_table,
-    put,
-)
+from ._tables import KEPT, QUERY, SCENE, Bodies, Clearances, Kept, Names, box_table, obstacle_tables, put
 from ._values import Immutable
-from ._violation import Violation, violation_from
 from .exceptions import CdprWarning, InputError
-
-Engine: TypeAlias = Literal["cspace", "gjk"]
-Interference: TypeAlias = Literal["exact", "swept"]
 
 
 class Scene(Immutable):
@@ -43,10 +28,11 @@ class Scene(Immutable):
     Parameters
     ----------
     robot : Robot
-    obstacles : mapping of str to array_like or mesh
+    obstacles : mapping of str to array_like, mesh or mapping
         Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays. A mesh,
         concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh:
-        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it.
+        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it. A mapping is a
+        table of a scene file, such as ``{"box": [1, 1, 2], "position": [0, 0, 1]}``.
     workspace : array_like (2, 3)
         Smallest and largest coordinates that every platform corner must stay within, m.
     start, goal : array_like (3,), optional
@@ -55,8 +41,8 @@ class Scene(Immutable):
         World-from-platform unit quaternion w x y z, held all the way, or the name of one of `orientations`. Without it
         planning takes the one of those with the shortest path, paths are checked at their own, and everything else
         takes the first, with a `CdprWarning`; without any, no turn.
-    orientations : mapping of str to array_like (4,), optional
-        Named orientations.
+    orientations : mapping of str to array_like (4,) or mapping, optional
+        Named orientations: quaternions as above, or tables of a scene file, such as ``{"rpy_degrees": [0, 0, 90]}``.
     clearance : float, default 0
         Least distance to keep between whatever must not touch, m.
     clearances : mapping of str or tuple of str to float, optional
@@ -66,6 +52,11 @@ class Scene(Immutable):
         Pairs of names that may touch, but not enter each other, such as ``("platform", "conveyor")``.
     ignore : iterable of tuple of str, optional
         Pairs of names that are not checked against each other.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81).
+    wrench : mapping, optional
+        Demand of wrench feasibility, as the table ``[wrench]`` of a scene file: ``{"force": 50, "moment": 5}`` asks for
+        balls of 50 N and 5 N·m, ``{}`` for the weight alone. Without it forces are not asked for.
     name : str, optional
         For messages and pictures.
 
@@ -87,40 +78,34 @@ class Scene(Immutable):
     def __init__(
         self,
         robot: Robot,
-        obstacles: Mapping[str, Obstacle] | None = None,
+        obstacles: Mapping[str, Bodies] | None = None,
         *,
         workspace: ArrayLike,
         start: ArrayLike | None = None,
         goal: ArrayLike | None = None,
         orientation: ArrayLike | str | None = None,
-        orientations: Mapping[str, ArrayLike] | None = None,
+        orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
         clearance: float = 0.0,
         clearances: Clearances | None = None,
         touch: Iterable[Names] = (),
         ignore: Iterable[Names] = (),
+        gravity: ArrayLike | None = None,
+        wrench: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
         query = {"start": start, "goal": goal, "orientation": orientation}
-        parts = [part for label, body in (obstacles or {}).items() for part in obstacle_tables(label, body)]
         spec: dict[str, Any] = {
             "version": 1,
-            "clearance": number("clearance", clearance),
-            "ignore": pairs_table("ignore", ignore),
-            "touch": pairs_table("touch", touch),
-            "workspace": box_table(workspace),
             "robot": _robot_table(robot),
-            "obstacles": parts,
+            "workspace": box_table(workspace),
+            "clearance": finite("clearance", clearance),
             "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
         }
-        if clearances is not None:
-            spec["clearances"] = clearances_table(clearances)
-        if name is not None:
-            spec["name"] = name
-        if not isinstance(orientations or {}, Mapping):
-            raise InputError(f"orientations: found {type(orientations).__name__}, expected a mapping of names")
-        named = (orientations or {}).items()
-        spec["orientations"] = [{"name": key, "quaternion": numbers(key, value, 4, "w x y z")} for key, value in named]
+        given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "name": name}
+        for key, value in given.items():
+            put(spec, key, value, SCENE[key])
         self._adopt(_from_spec(spec))
 
     @classmethod
@@ -144,7 +129,7 @@ class Scene(Immutable):
             Bad contents; the message names file, key, what was found and what is expected.
         """
         scene = cls.__new__(cls)
-        scene._adopt(_core.Scene.load(os.fspath(path)))
+        scene._adopt(_core.Scene.load(file_name(path)))
         return scene
 
     @classmethod
@@ -166,13 +151,13 @@ class Scene(Immutable):
             Names the key, what was found and what is expected.
         """
         scene = cls.__new__(cls)
-        scene._adopt(_from_spec(dict(spec)))
+        scene._adopt(_from_spec(table("scene", spec)))
         return scene
 
     def _adopt(self, core: _core.Scene, level: int = 3, told: Sequence[str] = ()) -> None:
         self._keep(core)
         for note in core.notes():
-            if note not in told:
+            if note not in told and note not in core.good_notes():
                 warnings.warn(note, CdprWarning, stacklevel=level)
 
     def _keep(self, core: _core.Scene) -> None:
@@ -203,20 +188,24 @@ class Scene(Immutable):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        self._core.save(os.fspath(path))
+        self._core.save(file_name(path))
 
     def replace(
         self,
         *,
         robot: Robot | None = None,
+        obstacles: Mapping[str, Bodies] | None | Kept = KEPT,
         workspace: ArrayLike | None = None,
         start: ArrayLike | None | Kept = KEPT,
         goal: ArrayLike | None | Kept = KEPT,
         orientation: ArrayLike | str | None | Kept = KEPT,
+        orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None | Kept = KEPT,
         clearance: float | None = None,
         clearances: Clearances | None | Kept = KEPT,
         touch: Iterable[Names] | None | Kept = KEPT,
         ignore: Iterable[Names] | None | Kept = KEPT,
+        gravity: ArrayLike | None | Kept = KEPT,
+        wrench: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Scene:
         """Return a scene that differs in what is given; this one stays as it is.
@@ -224,6 +213,8 @@ class Scene(Immutable):
         Parameters
         ----------
         robot : Robot, optional
+        obstacles : mapping or None, optional
+            All obstacles, as in the class; None takes them away. See also `with_obstacle` and `without`.
         workspace : array_like (2, 3), optional
             Smallest and largest coordinates, m.
         start, goal : array_like (3,) or None, optional
@@ -231,12 +222,18 @@ class Scene(Immutable):
         orientation : array_like (4,), str or None, optional
             World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None is the first
             of those, or no turn.
+        orientations : mapping or None, optional
+            All named orientations, as in the class; None takes them away.
         clearance : float, optional
             Metres.
         clearances : mapping or None, optional
             All clearances by kind and pair, as in the class; None takes them away.
         touch, ignore : iterable of tuple of str or None, optional
             All such pairs; None takes them away.
+        gravity : array_like (3,) or None, optional
+            World axes, m/s²; None is (0, 0, -9.81).
+        wrench : mapping or None, optional
+            Demand of wrench feasibility, as in the class; None takes it away.
         name : str or None, optional
             None takes it away.
 
@@ -259,14 +256,12 @@ class Scene(Immutable):
         spec = self.to_dict()
         if robot is not None:
             spec["robot"] = _robot_table(robot)
-        if workspace is not None:
-            spec["workspace"] = box_table(workspace)
-        if clearance is not None:
-            spec["clearance"] = number("clearance", clearance)
-        put(spec, "clearances", clearances, clearances_table)
-        put(spec, "touch", touch, lambda pairs: pairs_table("touch", pairs))
-        put(spec, "ignore", ignore, lambda pairs: pairs_table("ignore", pairs))
-        put(spec, "name", name, lambda text: text)
+        given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "name": name}
+        given |= {"workspace": KEPT if workspace is None else workspace}
+        given |= {"clearance": KEPT if clearance is None else clearance}
+        for key, value in given.items():
+            put(spec, key, value, SCENE[key])
         query = spec.setdefault("query", {})
         for key, value in (("start", start), ("goal", goal), ("orientation", orientation)):
             put(query, key, value, QUERY[key])
@@ -277,11 +272,12 @@ class Scene(Immutable):
     def with_obstacle(
         self,
         name: str,
-        obstacle: Obstacle,
+        obstacle: Bodies,
         *,
-        position: ArrayLike = (0.0, 0.0, 0.0),
+        position: ArrayLike | None = None,
         rpy: ArrayLike | None = None,
         rpy_degrees: ArrayLike | None = None,
+        quaternion: ArrayLike | None = None,
     ) -> Scene:
         """Return a scene with one more obstacle.
 
@@ -289,14 +285,16 @@ class Scene(Immutable):
         ----------
         name : str
             A new one.
-        obstacle : array_like (k, 3), mesh, or sequence of them
+        obstacle : array_like (k, 3), mesh, mapping, or sequence of them
             As in the class, in its own frame, m.
-        position : array_like (3,)
-            Where its frame stands in the world, m.
+        position : array_like (3,), optional
+            Where its frame stands in the world, m; default the origin.
         rpy : array_like (3,), optional
             How it is turned there: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
         rpy_degrees : array_like (3,), optional
             The same in degrees.
+        quaternion : array_like (4,), optional
+            The same as a unit quaternion w x y z.
 
         Returns
         -------
@@ -305,7 +303,7 @@ class Scene(Immutable):
         Raises
         ------
         InputError
-            A name that is taken; otherwise as the class.
+            A name that is taken, a place that the table of the obstacle says as well; otherwise as the class.
 
         Examples
         --------
@@ -313,13 +311,17 @@ class Scene(Immutable):
         >>> Scene.load("testdata/scenes/hard1.toml").with_obstacle("crate", cube, position=[1.5, 0.3, 0.0])
         Scene('hard1', 8 cables, 2 obstacles)
         """
-        if name in self._names():
+        if text("name", name) in self._names():
             raise InputError(f"name: found {name!r}, which an obstacle has already, expected a new one")
-        turns = {"rpy": rpy, "rpy_degrees": rpy_degrees}
-        pose = {"position": point("position", position)}
-        pose |= {key: point(key, turn) for key, turn in turns.items() if turn is not None}
+        placed = {"position": position, "rpy": rpy, "rpy_degrees": rpy_degrees}
+        pose: dict[str, Any] = {key: point(key, value) for key, value in placed.items() if value is not None}
+        if quaternion is not None:
+            pose["quaternion"] = numbers("quaternion", quaternion, 4, "w x y z")
+        parts = obstacle_tables(name, obstacle)
+        if twice := [key for key in pose if any(key in part for part in parts)]:
+            raise InputError(f"{twice[0]}: found one in the table of the obstacle, too, expected it once")
         spec = self.to_dict()
-        spec.setdefault("obstacles", []).extend({**part, **pose} for part in obstacle_tables(name, obstacle))
+        spec.setdefault("obstacles", []).extend({**part, **pose} for part in parts)
         return self._edited(spec)
 
     def without(self, *names: str) -> Scene:
@@ -346,7 +348,7 @@ class Scene(Immutable):
         """
         known = self._names()
         for name in names:
-            if name not in known:
+            if text("names", name) not in known:
                 raise InputError(f"without: {_unknown(name, known)}")
         spec = self.to_dict()
         parts = zip(self._names(), spec.get("obstacles", []), strict=True)
@@ -385,6 +387,22 @@ class Scene(Immutable):
         drawn = json.loads(self._core.bodies())["obstacles"]
         bodies = {body["name"]: tuple(_read_only(part["vertices"]) for part in body["parts"]) for body in drawn}
         return MappingProxyType(bodies)
+
+    @property
+    def gravity(self) -> Floats:
+        """World axes, (3,), m/s²."""
+        return np.array(self._spec.get("gravity", _core.GRAVITY), dtype=np.float64)
+
+    @property
+    def wrench(self) -> Mapping[str, Any] | None:
+        """Demand of wrench feasibility, read-only, as the table of a scene file; None where forces are not asked for."""
+        demand = self.to_dict().get("wrench")
+        return None if demand is None else MappingProxyType(demand)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is special about the scene: what was warned of, and how meshes became convex parts."""
+        return tuple(self._core.notes())
 
     @property
     def workspace(self) -> Floats:
@@ -456,122 +474,11 @@ class Scene(Immutable):
         end = self._spec.get("query", {}).get(key)
         return None if end is None else np.array(end, dtype=np.float64)
 
-    def states_valid(
-        self,
-        points: ArrayLike,
-        *,
-        engine: Engine = "cspace",
-        interference: Interference = "exact",
-        threads: int | None = None,
-    ) -> NDArray[np.bool_]:
-        """Whether the platform may be at each position.
-
-        Parameters
-        ----------
-        points : array_like (n, 3)
-            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
-        engine : {"cspace", "gjk"}
-        interference : {"exact", "swept"}
-        threads : int, optional
-            Default all cores; the answers do not depend on it.
-
-        Returns
-        -------
-        ndarray of bool (n,)
-        """
-        return self._core.states_valid(rows("points", points), engine, interference, thread_count(threads))
-
-    def motions_valid(
-        self,
-        starts: ArrayLike,
-        ends: ArrayLike,
-        *,
-        engine: Engine = "cspace",
-        interference: Interference = "exact",
-        threads: int | None = None,
-    ) -> NDArray[np.bool_]:
-        """Whether the platform may go straight from each start to its end, at fixed orientation.
-
-        Parameters
-        ----------
-        starts, ends : array_like (n, 3)
-            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
-        engine : {"cspace", "gjk"}
-        interference : {"exact", "swept"}
-            "swept" is the paper's stricter rule for pairs of cables.
-        threads : int, optional
-            Default all cores; the answers do not depend on it.
-
-        Returns
-        -------
-        ndarray of bool (n,)
-
-        Examples
-        --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml")
-        >>> scene.motions_valid([[0.3, 1.0, 0.3], [0.3, 1.0, 0.3]], [[1.7, 1.0, 1.7], [0.3, 1.0, 0.8]])
-        array([False,  True])
-        """
-        first, last = rows("starts", starts), rows("ends", ends)
-        if len(first) != len(last):
-            raise InputError(f"ends: found {len(last)} rows, expected {len(first)}, one for each start")
-        return self._core.motions_valid(first, last, engine, interference, thread_count(threads))
-
-    def clearance(self, points: ArrayLike, *, threads: int | None = None) -> Floats:
-        """Signed clearance of each position: the least gap in the world between what must not touch.
-
-        Parameters
-        ----------
-        points : array_like (n, 3)
-            Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
-        threads : int, optional
-            Default all cores; the answers do not depend on it.
-
-        Returns
-        -------
-        ndarray of float (n,)
-            Metres: minus a penetration depth where bodies overlap, 0 where cables cross; infinite where there is nothing
-            to keep away from. Pairs that may touch, or can never be as far apart as demanded, count too. Cables and what
-            they end on are left out, and so are ignored pairs and the workspace.
-
-        Examples
-        --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml")
-        >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
-        array([0.05    , 0.024121])
-        """
-        return self._core.clearance(rows("points", points), thread_count(threads))
-
-    def explain_motion(
-        self,
-        start: ArrayLike,
-        end: ArrayLike,
-        *,
-        engine: Engine = "cspace",
-        interference: Interference = "exact",
-    ) -> Violation | None:
-        """Why a motion is refused: the condition it breaks first, or None if it is valid.
-
-        Parameters
-        ----------
-        start, end : array_like (3,)
-            Positions of the platform's origin, world, m; equal ones ask about a state.
-        engine : {"cspace", "gjk"}
-        interference : {"exact", "swept"}
-
-        Returns
-        -------
-        Violation or None
-
-        Examples
-        --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml")
-        >>> found = scene.explain_motion([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])
-        >>> found.kind, found.culprits
-        ('cable-obstacle', ('cable 1', 'pillar'))
-        """
-        found = json.loads(self._core.violations(point("start", start), point("end", end), engine, interference))
-        return violation_from(found[0]) if found else None
+    states_valid = _questions.states_valid
+    motions_valid = _questions.motions_valid
+    clearance = _questions.clearance
+    violations = _questions.violations
+    explain_motion = _questions.explain_motion
 
     @classmethod
     def _of_sound(cls, text: str) -> Scene:
@@ -594,17 +501,11 @@ class Scene(Immutable):
 
 def _robot_table(robot: Any) -> dict[str, Any]:
     """The table of a robot."""
-    if not isinstance(robot, Robot):
-        raise InputError(f"robot: found {type(robot).__name__}, expected a Robot")
-    return robot.to_dict()
+    return instance("robot", robot, Robot).to_dict()
 
 
-def _from_spec(spec: dict[str, Any]) -> _core.Scene:
-    try:
-        text = json.dumps(spec, allow_nan=False)
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"scene: {problem}") from None
-    return _core.Scene.from_json(text)
+def _from_spec(spec: Mapping[str, Any]) -> _core.Scene:
+    return _core.Scene.from_json(json.dumps(plain("", spec)))
 
 
 def _unknown(name: str, known: Sequence[str]) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import Floats
+from ._given import file_name, flag, instance, text, texts
 from ._scene import Scene
 from ._values import ByValue
 
@@ -106,7 +107,7 @@ def shadows(
     >>> mesh.vertices.shape[1], mesh.triangles.shape[1], mesh.volume > 0
     (3, 3, True)
     """
-    found = scene._core.regions(space, bool(all_regions), _names(cables), _names(obstacles))
+    found = instance("scene", scene, Scene)._core.regions(*_asked(space, all_regions, cables, obstacles))
     meshes = [_mesh(json.loads(summary), vertices, triangles) for summary, vertices, triangles in found]
     return {mesh.name: mesh for mesh in meshes}
 
@@ -122,10 +123,17 @@ def _mesh(summary: dict[str, Any], vertices: Floats, triangles: NDArray[np.int64
     )
 
 
-def _names(names: str | Sequence[str] | None) -> list[str]:
+def _asked(
+    space: str | None, all_regions: bool, cables: str | Sequence[str] | None, obstacles: str | Sequence[str] | None
+) -> tuple[str | None, bool, list[str], list[str]]:
+    chosen = None if space is None else text("space", space)
+    return chosen, flag("all_regions", all_regions), _names("cables", cables), _names("obstacles", obstacles)
+
+
+def _names(key: str, names: str | Sequence[str] | None) -> list[str]:
     if names is None:
         return []
-    return [names] if isinstance(names, str) else list(names)
+    return [text(key, names)] if isinstance(names, str) else texts(key, names)
 
 
 def save_shadows(
@@ -168,4 +176,5 @@ def save_shadows(
     ...     open(f"{folder}/shadows.obj").read().count("\\no ")
     1
     """
-    scene._core.save_regions(os.fspath(path), space, bool(all_regions), _names(cables), _names(obstacles))
+    core = instance("scene", scene, Scene)._core
+    core.save_regions(file_name(path), *_asked(space, all_regions, cables, obstacles))

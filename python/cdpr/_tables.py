@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
-from typing import Any, Protocol, TypeAlias, runtime_checkable
+from typing import Any, Protocol, TypeAlias, cast, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import number, numbers, point, rows
+from ._arrays import finite, numbers, point, rows, shown
+from ._given import plain, several, table, text
 from .exceptions import InputError
 
 
@@ -26,28 +27,50 @@ class TriangleMesh(Protocol):
         """Indices of the corners of each triangle, from 0."""
 
 
-Obstacle: TypeAlias = ArrayLike | TriangleMesh | Sequence[ArrayLike | TriangleMesh]
+Body: TypeAlias = ArrayLike | TriangleMesh | Mapping[str, Any]
+Bodies: TypeAlias = Body | Sequence[Body]
 
 
-def obstacle_tables(name: str, obstacle: Obstacle) -> list[dict[str, Any]]:
-    """One table per part: an obstacle is a mesh, one (k, 3) array, or a sequence of such."""
+def obstacle_tables(name: str, obstacle: Bodies) -> list[dict[str, Any]]:
+    """One table per part; all of them carry the name."""
+    place = f"obstacles[{text('obstacles', name)!r}]"
+    parts = bodies(place, obstacle)
+    if any("name" in part for part in parts):
+        raise InputError(f"{place}: found a table with a name of its own, expected none")
+    return [{"name": name, **part} for part in parts]
+
+
+def bodies(place: str, given: Bodies) -> list[dict[str, Any]]:
+    """One table per part of what is one body, or a sequence of bodies: corners (k, 3), meshes, tables of a file."""
+    if _single(given):
+        return [body_table(f"{place}[0]", cast(Body, given))]
+    several_bodies = several(place, given, "corners (k, 3), a mesh, a table, or several of them")
+    parts = [body_table(f"{place}[{k}]", part) for k, part in enumerate(several_bodies)]
+    if not parts:
+        raise InputError(f"{place}: found no parts, expected at least one array of shape (k, 3)")
+    return parts
+
+
+def _single(given: Any) -> bool:
+    if isinstance(given, (TriangleMesh, Mapping)):
+        return True
     try:
-        single = isinstance(obstacle, TriangleMesh) or np.asarray(obstacle, dtype=np.float64).ndim == 2
-    except (TypeError, ValueError):
-        single = False
-    if not single and not isinstance(obstacle, Iterable):
-        raise InputError(f"obstacles[{name!r}]: found {type(obstacle).__name__}, expected corners (k, 3), a mesh, or several")
-    bodies: list[Any] = [obstacle] if single else list(obstacle)  # type: ignore[arg-type]
-    if not bodies:
-        raise InputError(f"obstacles[{name!r}]: found no parts, expected at least one array of shape (k, 3)")
-    return [{"name": name, **body_table(f"obstacles[{name!r}][{k}]", body)} for k, body in enumerate(bodies)]
+        return np.asarray(given, dtype=np.float64).ndim == 2
+    except (TypeError, ValueError, OverflowError, RuntimeError):
+        return False
 
 
-def body_table(place: str, body: ArrayLike | TriangleMesh) -> dict[str, Any]:
-    """The table of a body, from its corners or its mesh."""
+def body_table(place: str, body: Body) -> dict[str, Any]:
+    """The table of a body, from its corners or its mesh, or as it is."""
+    if isinstance(body, Mapping):
+        copy: dict[str, Any] = plain(place, body)
+        return copy
     if not isinstance(body, TriangleMesh):
         return {"vertices": rows(place, body).tolist()}
-    triangles = np.asarray(body.faces)
+    try:
+        triangles = np.asarray(body.faces)
+    except (TypeError, ValueError, OverflowError) as problem:
+        raise InputError(f"{place}.faces: found {problem}, expected integers of shape (m, 3)") from None
     if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
         found = f"{triangles.dtype} of shape {triangles.shape}"
         raise InputError(f"{place}.faces: found {found}, expected integers of shape (m, 3)")
@@ -57,6 +80,19 @@ def body_table(place: str, body: ArrayLike | TriangleMesh) -> dict[str, Any]:
     return {"mesh": {"vertices": vertices, "triangles": triangles.tolist()}}
 
 
+def orientation_tables(orientations: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The table of orientations, from quaternions by name, or from the turn as a table of a file says it."""
+    named = table("orientations", orientations).items()
+    return [{"name": text("orientations", name)} | _turn(f"orientations[{name!r}]", turn) for name, turn in named]
+
+
+def _turn(place: str, turn: Any) -> dict[str, Any]:
+    if isinstance(turn, Mapping):
+        copy: dict[str, Any] = plain(place, turn)
+        return copy
+    return {"quaternion": numbers(place, turn, 4, "w x y z")}
+
+
 Names: TypeAlias = tuple[str, str]
 Clearances: TypeAlias = Mapping[str | Names, float]
 
@@ -64,13 +100,12 @@ Clearances: TypeAlias = Mapping[str | Names, float]
 def clearances_table(clearances: Clearances) -> dict[str, Any]:
     """The table of clearances, from a mapping of kinds and pairs of names to metres."""
     if not isinstance(clearances, Mapping):
-        found = type(clearances).__name__
-        raise InputError(f"clearances: found {found}, expected a mapping of kinds and pairs of names to metres")
-    kinds = {key: number(f"clearances[{key!r}]", value) for key, value in clearances.items() if isinstance(key, str)}
+        raise InputError(f"clearances: found {shown(clearances)}, expected a mapping of kinds and pairs of names to metres")
+    kinds = {key: finite(f"clearances[{key!r}]", value) for key, value in clearances.items() if isinstance(key, str)}
     if "pairs" in kinds:
         raise InputError("clearances: found the kind 'pairs', expected kinds and pairs of names as keys")
     pairs = [
-        {"between": _names(f"clearances[{key!r}]", key), "clearance": number(f"clearances[{key!r}]", value)}
+        {"between": _names(f"clearances[{key!r}]", key), "clearance": finite(f"clearances[{key!r}]", value)}
         for key, value in clearances.items()
         if not isinstance(key, str)
     ]
@@ -79,16 +114,15 @@ def clearances_table(clearances: Clearances) -> dict[str, Any]:
 
 def pairs_table(key: str, pairs: Iterable[Names]) -> list[list[str]]:
     """The table of pairs of names."""
-    if isinstance(pairs, str) or not isinstance(pairs, Iterable):
-        raise InputError(f"{key}: found {type(pairs).__name__}, expected pairs of names")
-    return [_names(f"{key}[{k}]", pair) for k, pair in enumerate(pairs)]
+    return [_names(f"{key}[{k}]", pair) for k, pair in enumerate(several(key, pairs, "pairs of names"))]
 
 
 def _names(place: str, pair: Any) -> list[str]:
     names = list(pair) if isinstance(pair, Sequence) and not isinstance(pair, str) else [pair]
     if len(names) != 2 or not all(isinstance(name, str) for name in names):
-        raise InputError(f"{place}: found {pair!r}, expected two names")
-    return names
+        found = repr(pair) if all(isinstance(name, str) for name in names) else shown(pair)
+        raise InputError(f"{place}: found {found}, expected two names")
+    return [text(place, name) for name in names]
 
 
 class Kept(Enum):
@@ -111,13 +145,31 @@ def box_table(workspace: ArrayLike) -> dict[str, list[float]]:
 QUERY: dict[str, Callable[[Any], Any]] = {
     "start": lambda value: point("start", value),
     "goal": lambda value: point("goal", value),
-    "orientation": lambda value: value if isinstance(value, str) else numbers("orientation", value, 4, "w x y z"),
+    "orientation": lambda value: text("orientation", value) if isinstance(value, str) else numbers("orientation", value, 4, "w x y z"),
 }
 
 
-def put(table: dict[str, Any], key: str, value: Any, plain: Callable[[Any], Any]) -> None:
+def put(spec: dict[str, Any], key: str, value: Any, entry: Callable[[Any], Any]) -> None:
     """Set a key, or take it away where the value is None, or leave it where nothing was given."""
     if value is None:
-        table.pop(key, None)
+        spec.pop(key, None)
     elif not isinstance(value, Kept):
-        table[key] = plain(value)
+        spec[key] = entry(value)
+
+
+# How each key of a scene file is made from the argument of the same name; `robot`, `workspace`, `obstacles` and those of
+# QUERY stand for themselves.
+SCENE: dict[str, Callable[[Any], Any]] = {
+    "name": lambda value: text("name", value),
+    "gravity": lambda value: point("gravity", value),
+    "clearance": lambda value: finite("clearance", value),
+    "clearances": clearances_table,
+    "touch": lambda value: pairs_table("touch", value),
+    "ignore": lambda value: pairs_table("ignore", value),
+    "orientations": orientation_tables,
+    "wrench": lambda value: plain("wrench", table("wrench", value)),
+    "workspace": box_table,
+    "obstacles": lambda value: [
+        part for name, body in table("obstacles", value).items() for part in obstacle_tables(name, body)
+    ],
+}

@@ -16,9 +16,11 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import rows
+from ._given import file_name, instance, text
 from ._planning import core_for
+from ._questions import Interference
 from ._results import Path, Result
-from ._scene import Interference, Scene
+from ._scene import Scene
 
 _INLINE_HEIGHT = 640
 
@@ -53,7 +55,7 @@ class View:
         FileError
             A file that cannot be written; nothing half-written is left.
         """
-        _core.save_text(os.fspath(path), self.html)
+        _core.save_text(file_name(path), self.html)
 
     def open(self) -> FilePath:
         """Open the page in a browser tab.
@@ -96,8 +98,9 @@ def view(
     status = None if result is None else result.status
     planner = None if result is None else str(json.loads(result._json)["planner"])
     tree = None if result is None else (np.ascontiguousarray(result.tree[0]), np.ascontiguousarray(result.tree[1]))
-    core = scene._core if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
-    return View(core.page(status, array, cost, raw, raw_cost, planner, tree, interference))
+    own = instance("scene", scene, Scene)._core
+    core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
+    return View(core.page(status, array, cost, raw, raw_cost, planner, tree, text("interference", interference)))
 
 
 def save_view(
@@ -134,7 +137,7 @@ def save_view(
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
-    _core.check_target(os.fspath(path))
+    _core.check_target(file_name(path))
     view(scene, waypoints, interference, strict).save(path)
 
 

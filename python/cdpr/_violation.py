@@ -29,8 +29,12 @@ class Violation:
         "N" or "N·m".
     measure : str or None
         What it is measured by: "capacity", "force" or "moment".
-    rank : int or None
-        Rank of the wrench matrix there; below 6 some wrenches cannot be had at any tension.
+    rank, full_rank : int or None
+        Rank of the wrench matrix there, and the highest there can be: 6, or 3 for a point mass.
+    holding : str or None
+        What follows from it: "fully_constrained", "suspended" or "underconstrained"; see `WrenchReport`.
+    free_motions : tuple of str
+        The motions that no tensions resist, such as "turning about z".
     at_greatest, at_least : tuple of str
         Cables at their greatest and least tension there.
     corner : tuple of float or None
@@ -60,6 +64,9 @@ class Violation:
     unit: str | None = None
     measure: str | None = None
     rank: int | None = None
+    full_rank: int | None = None
+    holding: str | None = None
+    free_motions: tuple[str, ...] = ()
     at_greatest: tuple[str, ...] = ()
     at_least: tuple[str, ...] = ()
     corner: tuple[float, float, float] | None = None
@@ -76,6 +83,8 @@ class Violation:
             parts.append(f"gap {self.gap:.4f} m of {self.required:.4f} m")
         if self.wrench_margin is not None:
             parts.append(f"margin {self.wrench_margin:.4f} {self.unit}")
+        if self.free_motions:
+            parts.append(f"rank {self.rank} of {self.full_rank}")
         if self.unproved:
             parts.append("unproved")
         return f"Violation({', '.join(part for part in parts if part)})"
@@ -84,6 +93,7 @@ class Violation:
 def violation_from(values: Mapping[str, Any]) -> Violation:
     """A violation from the core's JSON."""
     fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
+    fields["free_motions"] = tuple(motion["words"] for motion in fields.get("free_motions", ()))
     return Violation(**fields)
 
 

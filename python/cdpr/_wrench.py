@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, number, numbers, point, rows, thread_count
-from ._pandas import frame
-from ._planning import core_for, path_rows
-from ._results import Path
+from ._arrays import Floats, flat_points, number, numbers, point, rows, shaped, thread_count
+from ._given import instance
 from ._robot import Robot
-from ._scene import Scene
 from ._values import ByValue
 
 
@@ -28,7 +23,7 @@ def _statics(
     characteristic_length: float = 1.0,
 ) -> _core.Statics:
     return _core.Statics(
-        json.dumps(robot.to_dict()),
+        json.dumps(instance("robot", robot, Robot).to_dict()),
         None if orientation is None else numbers("orientation", orientation, 4, "w x y z"),
         None if gravity is None else point("gravity", gravity),
         None if load is None else numbers("load", load, 6, "fx fy fz mx my mz"),
@@ -42,14 +37,14 @@ def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike 
     Parameters
     ----------
     robot : Robot
-    positions : array_like (n, 3)
+    positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     orientation : array_like (4,), optional
         World-from-platform unit quaternion w x y z; default no turn.
 
     Returns
     -------
-    ndarray (n, 6, m)
+    ndarray (..., 6, m)
         World axes; uᵢ is the unit vector from attachment to outlet, rᵢ runs from the platform's origin to the attachment.
         Rows 0 to 2 have no unit, rows 3 to 5 are metres.
 
@@ -65,8 +60,8 @@ def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike 
     >>> w.shape, int(np.linalg.matrix_rank(w[0]))
     ((2, 6, 8), 6)
     """
-    matrices: Floats = _statics(robot, orientation, None, None).wrench_matrix(rows("positions", positions))
-    return matrices
+    flat, shape = flat_points("positions", positions)
+    return shaped(_statics(robot, orientation, None, None).wrench_matrix(flat), shape)
 
 
 def capacity_margin(
@@ -88,7 +83,7 @@ def capacity_margin(
     ----------
     robot : Robot
         With a mass and tension limits.
-    positions : array_like (n, 3)
+    positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     force, moment : float
         Radii of the required balls, N and N·m, around the wrench that balances weight and load.
@@ -107,8 +102,8 @@ def capacity_margin(
 
     Returns
     -------
-    ndarray (n,)
-        N. Where it is not negative, all that is required is available; NaN where a cable has no length. Of a point mass
+    ndarray (...)
+        A NumPy scalar for a single position. N. Where it is not negative, all that is required is available; NaN where a cable has no length. Of a point mass
         the three force rows count.
 
     Raises
@@ -128,8 +123,9 @@ def capacity_margin(
     """
     corners = None if vertices is None else [tuple(corner) for corner in rows("vertices", vertices, 6).tolist()]
     statics = _statics(robot, orientation, gravity, load, characteristic_length)
-    margins: Floats = statics.capacity_margin(rows("positions", positions), number("force", force), number("moment", moment), corners, thread_count(threads))
-    return margins
+    flat, shape = flat_points("positions", positions)
+    radii = number("force", force), number("moment", moment)
+    return shaped(statics.capacity_margin(flat, *radii, corners, thread_count(threads)), shape)
 
 
 def force_margin(
@@ -149,7 +145,7 @@ def force_margin(
     ----------
     robot : Robot
         With a mass and tension limits.
-    positions : array_like (n, 3)
+    positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     load, gravity, orientation : array_like, optional
         As in `capacity_margin`.
@@ -158,8 +154,8 @@ def force_margin(
 
     Returns
     -------
-    ndarray (n,)
-        N; negative where the balancing force itself is out of reach.
+    ndarray (...)
+        A NumPy scalar for a single position. N; negative where the balancing force itself is out of reach.
 
     Raises
     ------
@@ -172,7 +168,9 @@ def force_margin(
     >>> force_margin(robot, [[0, 0, 2]]).round(1)
     array([589.1])
     """
-    return _statics(robot, orientation, gravity, load).force_margin(rows("positions", positions), thread_count(threads))
+    flat, shape = flat_points("positions", positions)
+    statics = _statics(robot, orientation, gravity, load)
+    return shaped(statics.force_margin(flat, thread_count(threads)), shape)
 
 
 def moment_margin(
@@ -190,7 +188,7 @@ def moment_margin(
     ----------
     robot : Robot
         With a mass and tension limits.
-    positions : array_like (n, 3)
+    positions : array_like (..., 3)
         Positions of the platform's origin, about which the moments are, world, m.
     load, gravity, orientation : array_like, optional
         As in `capacity_margin`.
@@ -199,8 +197,8 @@ def moment_margin(
 
     Returns
     -------
-    ndarray (n,)
-        N·m; NaN for a point mass, which has no moments.
+    ndarray (...)
+        A NumPy scalar for a single position. N·m; NaN for a point mass, which has no moments.
 
     Examples
     --------
@@ -208,7 +206,9 @@ def moment_margin(
     >>> moment_margin(robot, [[0, 0, 2]]).round(1)
     array([5505.6])
     """
-    return _statics(robot, orientation, gravity, load).moment_margin(rows("positions", positions), thread_count(threads))
+    flat, shape = flat_points("positions", positions)
+    statics = _statics(robot, orientation, gravity, load)
+    return shaped(statics.moment_margin(flat, thread_count(threads)), shape)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -341,7 +341,7 @@ def tension_distribution(
     ----------
     robot : Robot
         With a mass and tension limits.
-    positions : array_like (n, 3)
+    positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     load : array_like (6,), optional
         As in `capacity_margin`.
@@ -356,7 +356,7 @@ def tension_distribution(
 
     Returns
     -------
-    ndarray (n, m)
+    ndarray (..., m)
         N; rows of NaN where no tensions within the limits balance the loads. They are continuous along a path.
 
     Raises
@@ -372,119 +372,7 @@ def tension_distribution(
     >>> bool(np.allclose((wrench_matrix(robot, [[0, 0, 2]])[0] @ t[0])[:3] + weight, 0, atol=1e-6))
     True
     """
-    wanted = None if reference is None else numbers("reference", reference, len(robot.outlets))
     statics = _statics(robot, orientation, gravity, load, characteristic_length)
-    return statics.tensions(rows("positions", positions), wanted, thread_count(threads))
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Tensions(ByValue):
-    """Lengths, tensions and margins at even steps along a path.
-
-    Attributes
-    ----------
-    s : ndarray (n,)
-        Way along the path, m.
-    positions : ndarray (n, 3)
-        World, m.
-    lengths : ndarray (n, m)
-        Of each cable, m.
-    tensions : ndarray (n, m)
-        Of each cable, N; rows of NaN where the loads cannot be balanced.
-    capacity_margin, force_margin, moment_margin : ndarray (n,)
-        N, N, N·m; NaN where they do not exist.
-
-    Examples
-    --------
-    >>> scene = Scene.load("testdata/scenes/empty.toml")
-    >>> tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
-    Tensions(21 rows, 8 cables, 1.9799 m)
-    """
-
-    s: Floats
-    positions: Floats
-    lengths: Floats
-    tensions: Floats
-    capacity_margin: Floats
-    force_margin: Floats
-    moment_margin: Floats
-
-    def to_pandas(self) -> Any:
-        """Return the rows as a table; it needs pandas.
-
-        Returns
-        -------
-        DataFrame
-            ``s``, ``x``, ``y``, ``z`` (m), ``length_0`` and on (m), ``tension_0`` and on (N), ``capacity_margin``,
-            ``force_margin`` (N), ``moment_margin`` (N·m).
-        """
-        columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
-        for name, matrix in (("length", self.lengths), ("tension", self.tensions)):
-            columns |= {f"{name}_{cable}": column for cable, column in enumerate(matrix.T)}
-        for name in ("capacity_margin", "force_margin", "moment_margin"):
-            columns[name] = getattr(self, name)
-        return frame(columns)
-
-    def __repr__(self) -> str:
-        """Say the size."""
-        rows_, cables = self.tensions.shape
-        return f"Tensions({rows_} rows, {cables} cables, {self.s[-1] if rows_ else 0.0:.4f} m)"
-
-
-def tensions_along(
-    scene: Scene,
-    waypoints: ArrayLike | Path,
-    *,
-    step: float = 0.01,
-    reference: Sequence[float] | None = None,
-) -> Tensions:
-    """Compute lengths, tensions and margins at even steps along a path, its end included.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
-    waypoints : array_like (k, 3), k >= 2
-        Positions of the platform's origin, world, m.
-    step : float
-        Distance of the rows, m.
-    reference : sequence of float (m,), optional
-        As in `tension_distribution`.
-
-    Returns
-    -------
-    Tensions
-
-    Raises
-    ------
-    InputError
-        A robot without mass or tension limits, a step that is not positive, fewer than two waypoints.
-
-    Examples
-    --------
-    >>> scene = Scene.load("testdata/scenes/empty.toml")
-    >>> along = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
-    >>> along.tensions.shape, bool(np.isfinite(along.tensions).all())
-    ((21, 8), True)
-    """
-    count = len(scene.robot.outlets)
-    wanted = None if reference is None else numbers("reference", reference, count)
-    core = core_for(scene, waypoints)
-    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), number("step", step), wanted))
-
-    def column(key: str) -> Floats:
-        return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)
-
-    def matrix(key: str, width: int) -> Floats:
-        empty = [float("nan")] * width
-        return np.array([empty if row[key] is None else row[key] for row in found], dtype=np.float64).reshape(-1, width)
-
-    return Tensions(
-        s=column("s"),
-        positions=matrix("position", 3),
-        lengths=matrix("lengths", count),
-        tensions=matrix("tensions", count),
-        capacity_margin=column("capacity_margin"),
-        force_margin=column("force_margin"),
-        moment_margin=column("moment_margin"),
-    )
+    wanted = None if reference is None else numbers("reference", reference, len(robot.outlets))
+    flat, shape = flat_points("positions", positions)
+    return shaped(statics.tensions(flat, wanted, thread_count(threads)), shape)

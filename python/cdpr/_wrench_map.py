@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import Floats, number, thread_count
+from ._given import file_name, flag, instance
 from ._pandas import frame
 from ._scene import Scene
 
@@ -83,7 +84,7 @@ class WrenchMap:
         FileError
             Another extension, or a file that cannot be written.
         """
-        self._core.save(os.fspath(path))
+        self._core.save(file_name(path))
 
     @classmethod
     def load(
@@ -116,7 +117,8 @@ class WrenchMap:
         InputError
             A file that is no map, or a map of something else.
         """
-        return cls(_core.WrenchMap.load(os.fspath(path), None if scene is None else scene._core, force, moment))
+        core = None if scene is None else instance("scene", scene, Scene)._core
+        return cls(_core.WrenchMap.load(file_name(path), core, _radius("force", force), _radius("moment", moment)))
 
     def to_pandas(self) -> Any:
         """Return the nodes as a table; it needs pandas.
@@ -193,4 +195,11 @@ def wrench_map(
     >>> wrench_map(scene, step=1.0).margin.ndim
     3
     """
-    return WrenchMap(_core.WrenchMap.of(scene._core, number("step", step), force, moment, projected, thread_count(threads)))
+    core = instance("scene", scene, Scene)._core
+    radii = _radius("force", force), _radius("moment", moment)
+    asked = number("step", step), *radii, flag("projected", projected), thread_count(threads)
+    return WrenchMap(_core.WrenchMap.of(core, *asked))
+
+
+def _radius(name: str, radius: float | None) -> float | None:
+    return None if radius is None else number(name, radius)

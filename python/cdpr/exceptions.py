@@ -23,7 +23,7 @@ class InputError(CdprError, ValueError):
     >>> import cdpr
     >>> cdpr.distance([[0, 0]], [[1, 1, 1]])
     Traceback (most recent call last):
-    cdpr.exceptions.InputError: a: found an array of shape (1, 2), expected (n, 3)
+    cdpr.exceptions.InputError: a: found an array of shape (1, 2), expected (..., 3)
     """
 
 

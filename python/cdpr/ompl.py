@@ -32,10 +32,12 @@ try:
 except ImportError as problem:
     raise ImportError("cdpr.ompl needs the bindings of OMPL 2: pip install 'cdpr[ompl]'") from problem
 
-from ._arrays import point
+from ._arrays import point, positive
 from ._planning import as_it_is
 from ._results import Path
-from ._scene import Engine, Interference, Scene
+from ._given import instance
+from ._questions import Engine, Interference, judges
+from ._scene import Scene
 from .exceptions import InputError
 
 __all__ = ["MotionValidator", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
@@ -70,7 +72,7 @@ class StateSpace(base.RealVectorStateSpace):
     def __init__(self, scene: Scene) -> None:
         """See the class."""
         super().__init__(3)
-        low, high = scene._core.position_box()
+        low, high = instance("scene", scene, Scene)._core.position_box()
         bounds = base.RealVectorBounds(3)
         for axis in range(3):
             if not low[axis] < high[axis]:
@@ -121,9 +123,9 @@ class StateValidityChecker(base.StateValidityChecker):
         self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
     ) -> None:
         """See the class."""
-        super().__init__(information)
-        self.scene = scene
-        self._choice = engine, interference
+        super().__init__(instance("information", information, base.SpaceInformation))
+        self.scene = instance("scene", scene, Scene)
+        self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
 
     def isValid(self, state: Any) -> bool:
@@ -180,9 +182,9 @@ class MotionValidator(base.MotionValidator):
         self, information: Any, scene: Scene, *, engine: Engine = "cspace", interference: Interference = "exact"
     ) -> None:
         """See the class."""
-        super().__init__(information)
-        self.scene = scene
-        self._choice = engine, interference
+        super().__init__(instance("information", information, base.SpaceInformation))
+        self.scene = instance("scene", scene, Scene)
+        self._choice = judges(engine, interference)
         self._valid = scene._core.motion_valid
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
@@ -271,7 +273,7 @@ def simple_setup(
     >>> solve(setup, 0.2).asString()
     'Exact solution'
     """
-    scene._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
+    instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)
@@ -326,9 +328,8 @@ def solve(setup: Any, seconds: float = 1.0) -> Any:
     >>> solve(setup, 10.0).asString()
     'Exact solution'
     """
-    if not seconds > 0.0:
-        raise InputError(f"seconds: found {seconds!r}, expected a positive number")
-    until = base.timedPlannerTerminationCondition(float(seconds))
+    instance("setup", setup, geometric.SimpleSetup)
+    until = base.timedPlannerTerminationCondition(positive("seconds", seconds))
     with _ctrl_c_after(until.terminate):
         return setup.solve(until)
 
@@ -383,7 +384,7 @@ def path(setup: Any) -> Path:
     >>> cdpr.refine(scene, path(setup)).cost < 3.0
     True
     """
-    motions = setup.getSpaceInformation().getMotionValidator()
+    motions = instance("setup", setup, geometric.SimpleSetup).getSpaceInformation().getMotionValidator()
     if not isinstance(motions, MotionValidator):
         raise InputError(f"setup: found a {type(motions).__name__}, expected a setup with a cdpr.ompl.MotionValidator")
     if not setup.haveExactSolutionPath():

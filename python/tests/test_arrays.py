@@ -43,9 +43,9 @@ def test_no_rows_give_no_answers(hard1):
     assert hard1.motions_valid(np.empty((0, 3)), np.empty((0, 3))).shape == (0,)
 
 
-@pytest.mark.parametrize("shape", [(3,), (4, 2), (2, 3, 1), ()])
+@pytest.mark.parametrize("shape", [(2,), (4, 2), (2, 3, 1), ()])
 def test_wrong_shapes_are_value_errors_of_our_tree(hard1, shape):
-    with pytest.raises(cdpr.InputError, match=r"points: found an array of shape .* expected \(n, 3\)") as caught:
+    with pytest.raises(cdpr.InputError, match=r"points: found an array of shape .* expected \(\.\.\., 3\)") as caught:
         hard1.states_valid(np.zeros(shape))
     assert isinstance(caught.value, ValueError) and isinstance(caught.value, cdpr.CdprError)
 
@@ -61,8 +61,8 @@ def test_numbers_that_make_no_sense_are_named_by_index(hard1, bad):
 
 
 def test_other_nonsense_is_refused(hard1):
-    with pytest.raises(cdpr.InputError, match="ends: found 2 rows, expected 1"):
-        hard1.motions_valid(np.ones((1, 3)), np.ones((2, 3)))
+    with pytest.raises(cdpr.InputError, match=r"ends: found an array of shape \(2, 3\), expected \(4, 3\), one for each start"):
+        hard1.motions_valid(np.ones((4, 3)), np.ones((2, 3)))
     with pytest.raises(cdpr.InputError, match="points"):
         hard1.states_valid([["a", "b", "c"]])
     with pytest.raises(cdpr.InputError, match="points"):

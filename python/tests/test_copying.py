@@ -31,6 +31,7 @@ REPRS = {
     "Mesh": "Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)",
     "AvailableSet": "AvailableSet(rank 3, margin 1561, 14 vertices)",
     "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
+    "WrenchReport": "WrenchReport(not feasible, rank 5 of 6, underconstrained)",
     "Distance": "2.0",
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
     "BatchResult": "BatchResult('experiment', 3 rows)",
@@ -68,6 +69,8 @@ def make(name):
             return cdpr.force_set(empty.robot, [1, 1, 1])
         case "Tensions":
             return cdpr.tensions_along(empty, along, step=0.1)
+        case "WrenchReport":
+            return cdpr.wrench_at(empty, [1, 1, 1])
         case "Distance":
             return cdpr.distance([[0, 0, 0]], [[0, 0, 2]])
         case "WrenchMap":

@@ -424,7 +424,7 @@ def test_bad_input_is_told(hard1, steps, methods):
     straight, here = [[0.3, 1, 0.3], [1.7, 1, 1.7]], [[0.3, 1, 0.3]] * 2
     unsolved = cdpr.plan(hard1, start=[1, 1, 1])
     bad = (
-        (lambda: figures.scene("hard1"), "scene: found str"),
+        (lambda: figures.scene("hard1"), "scene: found the text"),
         (lambda: figures.scene(hard1, [[0, 0, 0]]), "at least two"),
         (lambda: figures.scene(hard1, unsolved), "path: found a result with status 'start_invalid'"),
         (lambda: figures.scene(hard1, at=[0, 0]), r"at: found an array of shape \(2,\)"),
@@ -433,20 +433,20 @@ def test_bad_input_is_told(hard1, steps, methods):
         (lambda: figures.scene(hard1, ax=pyplot.subplots()[1]), "ax: found Axes, expected Axes3D"),
         (lambda: figures.paths(hard1, {}), "paths: found none"),
         (lambda: figures.paths(hard1, {"a": [1, 2]}), r"paths\['a'\]"),
-        (lambda: figures.model(hard1, cable=8), "cable: found 8, expected a number from 0 to 7"),
+        (lambda: figures.model(hard1, cable=8), "cable: found 8, expected a name, or a number from 0 to 7"),
         (lambda: figures.rewinding(hard1, straight), r"waypoints\[0\].*not valid"),
         (lambda: figures.rewinding(hard1, here, direction="sideways"), "expected one of backward, forward"),
         (lambda: figures.rewinding(hard1, here, step=0), "step: found 0 m"),
         (lambda: figures.available_set(hard1.robot, [1, 1, 1], kind="torque"), "kind: found 'torque'"),
         (lambda: figures.step_sweep(methods), "does not sweep 'step'"),
-        (lambda: figures.step_sweep(None), "batch: found NoneType"),
+        (lambda: figures.step_sweep(None), "batch: found None"),
         (lambda: figures.step_sweep(steps, "speed"), "measure: found 'speed'"),
         (lambda: figures.boxes(methods), "scenario: found none, expected one of hard1, hard3"),
         (lambda: figures.boxes(methods, scenario="hard2"), "scenario: found 'hard2'"),
         (lambda: figures.boxes(methods, scenario="hard1", methods=["RRT"]), "methods: found 'RRT'"),
         (lambda: figures.boxes({}), "data: found nothing"),
         (lambda: figures.boxes({"a": [np.nan]}), r"a: found an array of shape \(1,\), expected .* finite"),
-        (lambda: figures.boxes({"a": ["b"]}), "a: found could not convert"),
+        (lambda: figures.boxes({"a": ["b"]}), "a: found the text 'b', expected numbers"),
     )
     for call, message in bad:
         with pytest.raises(cdpr.InputError, match=message):

@@ -2,7 +2,9 @@
 
 import json
 import pickle
+import re
 import tomllib
+import warnings
 
 import jsonschema
 import numpy as np
@@ -43,7 +45,7 @@ def test_a_robot_from_arrays_has_what_it_was_given():
         (lambda: robot(tensions=[5, 1]), r"cables\[0\].tension: found \[5, 1\]"),
         (lambda: robot(tensions=[1, 2, 3]), r"tensions: found an array of shape \(3,\)"),
         (lambda: robot(mass=-1), "mass: found -1"),
-        (lambda: robot(mass=float("nan")), "robot: "),
+        (lambda: robot(mass=float("nan")), "mass: found nan, expected a finite number"),
         (lambda: robot(center_of_mass=[0, 0]), "center_of_mass"),
         (lambda: cdpr.Scene(robot(), {"p": PILLAR[:4]}, workspace=BOX), r"obstacles\[0\]: found a body without volume"),
         (lambda: cdpr.Scene(robot(), {"p": np.vstack([PILLAR, [1, 1, 1]])}, workspace=BOX), "vertex 8 lies .* inside the hull"),
@@ -125,8 +127,14 @@ def test_the_schema_accepts_every_shipped_file_and_refuses_what_the_program_refu
 def test_meshes_of_trimesh_are_obstacles_and_platforms():
     ring = trimesh.creation.annulus(r_min=0.5, r_max=0.7, height=0.2)
     ring.apply_translation([1, 1, 1])
-    with pytest.warns(cdpr.CdprWarning, match=r"obstacles\[0\]: .* triangles in .* convex parts, which"):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # nothing to worry about
         scene = cdpr.Scene(robot(), {"ring": ring}, workspace=BOX)
+    assert re.search(r"obstacles\[0\]: .* triangles in .* convex parts, which fill it exactly", scene.notes[0])
+    torus = trimesh.creation.torus(0.4, 0.1)
+    torus.apply_translation([1, 1, 1])
+    with pytest.warns(cdpr.CdprWarning, match=r"convex parts?, which reach at most"):
+        cdpr.Scene(robot(), {"torus": torus}, workspace=BOX)
     assert len(scene.to_dict()["obstacles"]) > 4
     through = scene.motions_valid([[1, 1, 0.9]], [[1, 1, 1.1]])
     assert through.all()

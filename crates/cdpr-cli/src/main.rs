@@ -6,13 +6,20 @@ mod input;
 mod output;
 mod progress;
 
+use std::panic;
 use std::process::ExitCode;
 
 use args::{Cli, Command, Target};
+use cdpr_core::error::{caught, printable};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
 use output::Console;
 use progress::INTERRUPTED_STATUS;
+
+/// Exit status of bad input.
+const BAD_INPUT_STATUS: u8 = 2;
+/// Exit status of a bug in this program: EX_SOFTWARE of sysexits.h.
+const BUG_STATUS: u8 = 70;
 
 /// How a command that ran to its end answers.
 enum Answer {
@@ -27,20 +34,47 @@ fn main() -> ExitCode {
             output::print_help(&asked.render());
             return ExitCode::SUCCESS;
         }
-        Err(error) => error.exit(),
+        Err(error) => {
+            let _ = without_control_characters(error).print();
+            return ExitCode::from(BAD_INPUT_STATUS);
+        }
     };
+    say_where_panics_are();
     // Without a handler Ctrl-C would still end the program, but without the best answer so far.
     let _ = ctrlc::set_handler(progress::interrupt);
     let out = Console::new(cli.talk.level());
     cli.color.write_global();
-    match run(cli.command, &out) {
+    match caught(|| run(cli.command, &out)) {
         Ok(_) if progress::interrupted() => ExitCode::from(INTERRUPTED_STATUS),
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
             out.error(&error);
-            ExitCode::from(if error.class() == ErrorClass::Interrupted { INTERRUPTED_STATUS } else { 2 })
+            ExitCode::from(status(&error))
         }
+    }
+}
+
+fn status(error: &Error) -> u8 {
+    match error.class() {
+        ErrorClass::Interrupted => INTERRUPTED_STATUS,
+        ErrorClass::Internal => BUG_STATUS,
+        ErrorClass::Input | ErrorClass::File | ErrorClass::OutOfTime => BAD_INPUT_STATUS,
+    }
+}
+
+/// The same error about arguments that are fit for a terminal: its message repeats them.
+fn without_control_characters(error: clap::Error) -> clap::Error {
+    let arguments = std::env::args_os().map(|argument| printable(&argument.to_string_lossy()).into_owned());
+    Cli::try_parse_from(arguments).err().unwrap_or(error)
+}
+
+/// Prints the place of a panic; [`caught`] tells the rest. Whoever wants a backtrace gets Rust's own message.
+fn say_where_panics_are() {
+    if std::env::var_os("RUST_BACKTRACE").is_none() {
+        panic::set_hook(Box::new(|bug| {
+            eprintln!("cdpr: panic{}", bug.location().map_or(String::new(), |l| format!(" at {l}")))
+        }));
     }
 }
 
@@ -62,5 +96,21 @@ fn run(command: Command, out: &Console) -> Result<Answer, Error> {
         Command::Report(args) => commands::report::run(&args, out),
         Command::Man(args) => commands::man::run(&args, out),
         Command::Completions(args) => commands::completions::run(&args, out),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_a_bug_with_a_status_of_its_own() {
+        let bug = caught(|| -> Result<Answer, Error> { panic!("index out of range") }).err().expect("an error");
+        assert_eq!(status(&bug), 70);
+        let told = bug.to_string();
+        for words in ["index out of range", "bug in cdpr", "report", "version"] {
+            assert!(told.contains(words), "no \"{words}\" in {told}");
+        }
+        assert_eq!(status(&Error::invalid("step", "found 0")), 2);
     }
 }

@@ -282,3 +282,20 @@ fn cells_that_a_spreadsheet_would_run_are_text() {
     assert!(!page.contains("'=scene") && !page.contains("&#39;=scene"), "names stand in the page as in the experiment");
     assert_eq!(status(&cdpr_in(folder.path(), &["batch", "e.json", "-o", "run", "--resume"])), 0);
 }
+
+#[test]
+fn arguments_are_escaped_in_the_errors_about_them() {
+    for arguments in [
+        vec!["plan", "hall.toml", "--seed", "\u{1b}[31m7\nred"],
+        vec!["plan", "hall.toml", "--\u{1b}]0;title\u{7}"],
+        vec!["\u{1b}[2Jplan"],
+        vec!["plan", "hall.toml", "--planner", "rrt\u{202e}"],
+        vec!["batch", "e.toml", "-o", "out", "--trials", "\u{9b}1"],
+    ] {
+        let output = cdpr(&arguments);
+        let said = stderr(&output);
+        assert_eq!(status(&output), 2, "{said}");
+        assert!(!said.contains(|c: char| c != '\n' && (c.is_control() || c == '\u{202e}')), "{said:?}");
+        assert!(said.contains("\\u00") || said.contains("\\u202e"), "{said}");
+    }
+}

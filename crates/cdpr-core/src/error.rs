@@ -117,7 +117,9 @@ impl fmt::Display for Error {
             Kind::Interrupted => f.write_str("interrupted"),
             Kind::OutOfTime => f.write_str("the time budget ended before there was an answer"),
             Kind::Internal { problem } => {
-                write!(f, "internal error: {}; this is a bug in cdpr, please report it", printable(problem))
+                let version = env!("CARGO_PKG_VERSION");
+                write!(f, "internal error: {}; this is a bug in cdpr, not in your files: ", printable(problem))?;
+                write!(f, "please report it with this message, what was asked, and the version, {version}")
             }
         }
     }

@@ -36,6 +36,6 @@ pub use path_file::{
 pub use report_file::{load_study, save_plots};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text, schema};
 pub use starter_file::{Starter, starter_scene, starter_text};
-pub use tension_file::{check_tensions_name, save_tensions, tensions_csv};
+pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};

@@ -44,6 +44,20 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
     Ok(Matrix6xX::from_columns(&columns))
 }
 
+/// Length of each cable with the platform's origin at `position`, turned by `orientation`, m: from outlet to attachment.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, kinematics::cable_lengths, testing};
+/// let scene = testing::empty(); // symmetric, and this is its middle
+/// let lengths = cable_lengths(scene.robot(), scene.orientation(), &Point::new(1.0, 1.0, 1.0));
+/// assert!(lengths.len() == 8 && lengths.iter().all(|length| (length - lengths[0]).abs() < 1e-12));
+/// ```
+pub fn cable_lengths(robot: &Robot, orientation: &Rotation, position: &Point) -> Vec<f64> {
+    let ends = robot.cables().iter().map(|cable| (cable.outlet, position + orientation * cable.attachment.coords));
+    ends.map(|(outlet, attachment)| (outlet - attachment).norm()).collect()
+}
+
 /// Rank of a wrench matrix, singular values below [`RANK_RELATIVE`] of the largest counting as zero.
 pub fn rank(wrench_matrix: &Matrix6xX<f64>) -> usize {
     let singular = singular_values(wrench_matrix);

@@ -94,6 +94,10 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
+/// How many times the least tension the largest may be where cables pull against each other. Cables that need more are
+/// nearly in one half-space, and hold a platform in theory only.
+pub const TENSION_RATIO: f64 = 1e4;
+
 /// A column of a wrench matrix that stands out less than this share of the longest one from the span of others depends
 /// on them: together they span no facet. A plane through columns that are nearly so is as good as rounding lets it be;
 /// whatever its normal, the set lies below its support there, so no margin comes out too small by it.

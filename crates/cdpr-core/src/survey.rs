@@ -8,11 +8,11 @@ use serde::Serialize;
 use crate::collision::{Checker, Constraint, Engine, Exemption, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::kinematics::{rank, wrench_matrix};
 use crate::model::Scene;
 use crate::plan::engine_within;
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
+use crate::wrench::Hold;
 
 /// Facts about a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -39,6 +39,8 @@ pub struct Survey {
     pub position_box: Option<[[f64; 3]; 2]>,
     /// Least and largest rank of the wrench matrix over sampled positions.
     pub wrench_rank: Option<[usize; 2]>,
+    /// What the cables hold where the rank is least.
+    pub hold: Option<Hold>,
     /// Pairs of cables that share an outlet or an attachment.
     pub sharing_pairs: Vec<[String; 2]>,
     /// Pairs of cables that cross wherever the platform is.
@@ -87,12 +89,9 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         let share = counts?.iter().sum::<usize>() as f64 / positions.len() as f64;
         Ok::<_, Error>((!positions.is_empty()).then_some(share))
     };
-    let ranks = positions
-        .iter()
-        .take(RANK_SAMPLES)
-        .filter_map(|p| wrench_matrix(scene.robot(), scene.orientation(), p).ok())
-        .map(|w| rank(&w));
-    let ranks: Vec<usize> = ranks.collect();
+    let hold = |p: &Point| Hold::at(scene.robot(), scene.orientation(), p);
+    let holds: Vec<Hold> = positions.iter().take(RANK_SAMPLES).filter_map(hold).collect();
+    let [least, most] = [holds.iter().min_by_key(|hold| hold.rank), holds.iter().max_by_key(|hold| hold.rank)];
     let turn = scene.orientation();
     let at = |p: Option<Point>| p.and_then(|p| engine.explain(&p, &p));
     Ok(Survey {
@@ -106,7 +105,8 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         orientation_name: scene.orientation_name().map(str::to_string),
         orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
-        wrench_rank: ranks.iter().min().zip(ranks.iter().max()).map(|(low, high)| [*low, *high]),
+        wrench_rank: least.zip(most).map(|(low, high)| [low.rank, high.rank]),
+        hold: least.cloned(),
         sharing_pairs: sharing_pairs(scene),
         always_crossing_pairs: always_crossing(engine.as_ref()),
         outlets_on_obstacles: outlets_on_obstacles(scene),

@@ -8,6 +8,7 @@ pub mod certify;
 pub mod checker;
 pub mod constraint;
 mod facets;
+pub mod hold;
 mod interior_point;
 mod kernel;
 pub mod linear_program;
@@ -26,6 +27,7 @@ pub use capacity::CapacityMargin;
 pub use certify::{Verdict, certified, first_failure, least_slack, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, measures};
+pub use hold::{FreeMotion, Hold, Holding};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 pub use map::{MapOptions, MapSummary, WrenchMap};
 pub use map_identity::MapIdentity;
@@ -34,4 +36,6 @@ pub use measure::Measure;
 pub use set_mesh::{AvailableSet, force_set, moment_set};
 pub use statics::{Loads, StaticCable, Statics};
 pub use tension_qp::{QpMethod, TensionQp};
-pub use tensions::{PathWrench, TensionRow, WrenchReport, path_wrench, tensions_along, wrench_at};
+pub use tensions::{
+    LengthRow, PathWrench, TensionRow, WrenchReport, lengths_along, path_wrench, tensions_along, wrench_at,
+};

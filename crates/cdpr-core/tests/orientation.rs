@@ -6,7 +6,7 @@ use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::io::{load_waypoints, plan_json, save_path, scene_of_path, waypoints_from_text};
-use cdpr_core::model::{BodySpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
+use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::regions::{RegionOptions, regions};
@@ -90,7 +90,8 @@ fn same_wrenches(turned: &Scene, built: &Scene, rng: &mut ChaCha8Rng) {
     let [one, other] = [turned, built].map(|scene| Statics::new(scene.robot(), &Loads::of(scene)).unwrap());
     for _ in 0..20 {
         let at = Point::new(rng.random_range(-2.0..2.0), rng.random_range(-2.0..2.0), rng.random_range(1.0..3.0));
-        let [a, b] = [&one, &other].map(|statics| wrench_at(statics, &Required::default(), &at).unwrap());
+        let [a, b] =
+            [&one, &other].map(|statics| wrench_at(statics, &Required::default(), MarginSpec::Capacity, &at).unwrap());
         assert_eq!(a.feasible, b.feasible, "{at}");
         assert!((a.capacity_margin - b.capacity_margin).abs() < 1e-6 * (1.0 + a.capacity_margin.abs()), "{at}");
     }

@@ -5,13 +5,17 @@ mod support;
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, Kind, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{
-    BodySpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableSpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec,
+    WrenchSpec,
 };
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::{Measure, WrenchConstraint, certified, first_failure, least_slack, measures};
+use cdpr_core::wrench::{
+    Measure, Required, Statics, WrenchConstraint, certified, constraint, first_failure, least_slack, measures,
+    wrench_at,
+};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use support::{built_robot, built_scene, rng};
@@ -131,9 +135,54 @@ fn under_the_papers_rule_the_nearest_grid_point_decides() {
 fn the_papers_robot_is_told_to_lack_a_rank() {
     let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
     let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap();
-    let words = "its wrench matrix has rank 5, so some wrenches cannot be had at any tension";
-    let sentence = result.reason.unwrap().sentence();
-    assert!(sentence.contains(words), "{sentence}");
+    let words = "rank 5 of 6, underconstrained: no tensions resist turning about z";
+    let reason = result.reason.unwrap();
+    assert!(reason.sentence().contains(words), "{}", reason.sentence());
+    let json = serde_json::json!(reason);
+    assert_eq!((&json["rank"], &json["holding"]), (&5.into(), &"underconstrained".into()));
+}
+
+#[test]
+fn a_position_is_feasible_where_planning_allows_it() {
+    let four = |attachments: [[f64; 3]; 4]| {
+        let outlets = [[0.0, 0.0, 3.0], [6.0, 0.0, 3.0], [6.0, 4.0, 3.0], [0.0, 4.0, 3.0]];
+        let cable = |k: usize| CableSpec {
+            name: None,
+            outlet: outlets[k],
+            attachment: attachments[k],
+            tension: Some([5.0, 500.0]),
+            diameter: None,
+            length: None,
+        };
+        let mut spec = cogiro(balls(0.0, 0.0)).spec().clone();
+        let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+        (robot.cables, robot.mass, robot.center_of_mass) = ((0..4).map(cable).collect(), Some(20.0), None);
+        robot.platform = vec![BodySpec { cuboid: Some([0.4, 0.4, 0.2]), ..BodySpec::default() }];
+        (spec.obstacles, spec.query) = (Vec::new(), None);
+        Scene::new(spec).unwrap()
+    };
+    let corners = four([[-0.2, -0.2, 0.1], [0.2, -0.2, 0.1], [0.2, 0.2, 0.1], [-0.2, 0.2, 0.1]]);
+    let scenes = [cogiro(balls(60.0, 10.0)), corners, four([[0.0, 0.0, 0.1]; 4])];
+    let mut feasible = [0; 3];
+    for (scene, feasible) in scenes.iter().zip(&mut feasible) {
+        let engine = engine_for(scene, Engine::Cspace, Interference::Exact).unwrap();
+        let statics = Statics::of(scene).unwrap();
+        let required = constraint::required_of(scene, None, None).unwrap();
+        for k in 0..60 {
+            let at = Point::new(0.5 + f64::from(k % 4), 1.0 + f64::from(k / 4 % 3), 0.6 + 0.4 * f64::from(k / 12));
+            let report = wrench_at(&statics, &required, MarginSpec::Capacity, &at).unwrap();
+            let refused = engine.violations(&at, &at).iter().any(|violation| violation.kind == Kind::Wrench);
+            assert_eq!(report.feasible, !refused, "{} at {at}", scene.robot().name());
+            assert!(report.balanced || !report.feasible);
+            *feasible += i32::from(report.feasible);
+        }
+    }
+    assert!(feasible[0] > 0 && feasible[1] == 0 && feasible[2] > 0, "{feasible:?}");
+    // In the middle the four cables carry the weight, and nothing else.
+    let statics = Statics::of(&scenes[1]).unwrap();
+    let middle = Point::new(3.0, 2.0, 1.0);
+    let report = wrench_at(&statics, &Required::default(), MarginSpec::Capacity, &middle).unwrap();
+    assert!(report.balanced && !report.feasible && report.hold.rank == 4);
 }
 
 #[test]

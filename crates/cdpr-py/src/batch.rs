@@ -9,8 +9,8 @@ use cdpr_core::io::{BatchRows, Loader, text::Notation};
 use cdpr_core::watch::Watch;
 use pyo3::prelude::*;
 
+use crate::convert::serialized;
 use crate::errors::{answered, interruptible};
-use crate::serialized;
 
 /// Least time between two calls of a progress function: each needs the interpreter.
 const PERIOD: Duration = Duration::from_millis(50);

@@ -1,8 +1,11 @@
-//! Rows of C-contiguous (n, 3) arrays as points, without a copy of the array, and numbers as such arrays.
+//! Rows of C-contiguous (n, 3) arrays as points, without a copy of the array, numbers as such arrays; names and answers.
 
-use cdpr_core::geometry::Point;
+use cdpr_core::Choice;
+use cdpr_core::geometry::{Point, Rotation};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+
+use crate::errors::answered;
 
 /// The k-th row.
 #[inline]
@@ -24,4 +27,19 @@ pub fn point(numbers: [f64; 3]) -> Point {
 pub fn triples<'py, T: numpy::Element>(py: Python<'py>, numbers: Vec<T>) -> PyResult<Bound<'py, PyArray2<T>>> {
     let rows = numbers.len() / 3;
     PyArray1::from_vec(py, numbers).reshape([rows, 3])
+}
+
+/// A choice by its name.
+pub fn named<T: Choice>(name: &str) -> PyResult<T> {
+    answered(|| T::named(name))
+}
+
+/// An answer as JSON text.
+pub fn serialized(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).expect("answers are finite")
+}
+
+/// A turn as w x y z.
+pub fn quaternion(turn: &Rotation) -> [f64; 4] {
+    [turn.w, turn.i, turn.j, turn.k]
 }

@@ -69,6 +69,18 @@ impl Statics {
         PyArray1::from_vec(py, numbers).reshape([positions.len(), 6, self.robot.cables().len()])
     }
 
+    /// Cable lengths, (n, m), m.
+    fn cable_lengths<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (rows, cables) = (positions.as_slice()?, self.robot.cables().len());
+        let lengths = |k| kinematics::cable_lengths(&self.robot, &self.loads.orientation, &row(rows, k));
+        let numbers: Vec<f64> = (0..rows.len() / 3).flat_map(lengths).collect();
+        PyArray1::from_vec(py, numbers).reshape([rows.len() / 3, cables])
+    }
+
     /// Capacity margins, N; NaN where a cable has no direction.
     fn capacity_margin<'py>(
         &self,

@@ -10,8 +10,9 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::convert::serialized;
 use crate::errors::{answered, interruptible};
-use crate::{Scene, serialized};
+use crate::scene::Scene;
 
 /// A map of margins over the positions of a scene.
 #[pyclass(frozen, module = "cdpr._core", name = "WrenchMap")]

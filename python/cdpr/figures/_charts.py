@@ -11,8 +11,9 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._arrays import Floats
+from .._arrays import Floats, as_numbers, shown
 from .._batch import BatchResult, summary_rows
+from .._given import instance, table, text, texts
 from ..exceptions import InputError
 from ._style import BLACK, COLUMN, CYCLE, GREY, styled
 
@@ -167,9 +168,10 @@ def boxes(
         samples = _samples(data, measure, scenario, methods)
         label = name if label is None else label
     else:
-        samples = {name: _numbers(name, values) for name, values in data.items()}
+        samples = {text("data", name): _numbers(name, values) for name, values in table("data", data).items()}
     if not samples:
         raise InputError("data: found nothing, expected numbers by name")
+    label = None if label is None else text("label", label)
     ax = _axes(ax)
     ticks = [textwrap.fill(name, _TICK_WIDTH) + f"\n(n = {len(values)})" for name, values in samples.items()]
     drawn = ax.boxplot(
@@ -193,13 +195,15 @@ def boxes(
 
 
 def _axis(measure: str) -> tuple[str, float]:
-    if measure not in _AXES:
+    if text("measure", measure) not in _AXES:
         raise InputError(f"measure: found {measure!r}, expected one of {', '.join(_AXES)}")
     return _AXES[measure]
 
 
 def _axes(ax: Axes | None) -> Axes:
-    return pyplot.subplots(figsize=(COLUMN, _HEIGHT), layout="constrained")[1] if ax is None else ax
+    if ax is None:
+        return pyplot.subplots(figsize=(COLUMN, _HEIGHT), layout="constrained")[1]
+    return instance("ax", ax, Axes)
 
 
 def _finished(ax: Axes, **legend: Any) -> Axes:
@@ -212,7 +216,7 @@ def _finished(ax: Axes, **legend: Any) -> Axes:
 def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:
     """Rows of a sweep by what else they differ in, in the order of the key."""
     if not isinstance(batch, BatchResult):
-        raise InputError(f"batch: found {type(batch).__name__}, expected a BatchResult")
+        raise InputError(f"batch: found {shown(batch)}, expected a BatchResult")
     rows = [row for row in summary_rows(batch) if key in row]
     if not rows:
         raise InputError(f"batch: found a run that does not sweep {key!r}, expected one that does")
@@ -253,22 +257,19 @@ def _samples(
         numbers = np.asarray((timings if measure in _TIMES else trials)[measure], dtype=np.float64)
     solved = np.asarray(trials["status"]) == "solved"
     scale = _AXES[measure][1]
-    wanted = all_methods if methods is None else [known("methods", name, all_methods) for name in methods]
+    wanted = all_methods if methods is None else [known("methods", name, all_methods) for name in texts("methods", methods)]
     return {name: _numbers(name, scale * numbers[here & solved & (names == name)]) for name in wanted}
 
 
 def known(place: str, name: str, names: list[str]) -> str:
-    if name not in names:
+    if text(place, name) not in names:
         raise InputError(f"{place}: found {name!r}, expected one of {', '.join(names)}")
     return name
 
 
 def _numbers(name: str, values: ArrayLike) -> Floats:
     """Finite numbers, at least one."""
-    try:
-        array = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{name}: found {problem}, expected numbers") from None
+    array = as_numbers(name, values)
     found: Floats = array[np.isfinite(array)] if array.ndim == 1 else array
     if found.ndim != 1 or not len(found):
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (n,) with finite numbers")

@@ -10,8 +10,9 @@ import numpy as np
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
-from .._arrays import Floats
+from .._arrays import Floats, positive
 from .._batch import BatchResult, summary_rows
+from .._given import instance, several, texts
 from ..exceptions import InputError
 from ._charts import known
 from ._style import COLUMN, CYCLE, styled
@@ -78,8 +79,11 @@ def convergence(
     if not isinstance(batch, BatchResult) or batch.history is None:
         raise InputError("batch: found no run with a history, expected one of an experiment with history = true")
     runs = _courses(batch, scenario, best)
-    chosen = {name: runs[known("methods", name, list(runs))] for name in (runs if methods is None else methods)}
-    lengths, shares = _panels() if ax is None else ax
+    names = list(runs) if methods is None else texts("methods", methods)
+    if not names:
+        raise InputError("methods: found none, expected at least one")
+    chosen = {name: runs[known("methods", name, list(runs))] for name in names}
+    lengths, shares = _panels() if ax is None else _two_axes(ax)
     ends = {name: max(course.ended for course in courses) for name, courses in chosen.items()}
     first = min((course.times[0] for courses in chosen.values() for course in courses if len(course.times)), default=0.0)
     instants = np.geomspace(max(first, _LEAST), max(ends.values()), _INSTANTS)
@@ -125,6 +129,13 @@ class _Course(NamedTuple):
         return held
 
 
+def _two_axes(ax: Any) -> tuple[Axes, Axes]:
+    found = several("ax", ax, "two Axes")
+    if len(found) != 2:
+        raise InputError(f"ax: found {len(found)}, expected two Axes")
+    return instance("ax[0]", found[0], Axes), instance("ax[1]", found[1], Axes)
+
+
 def _panels() -> tuple[Axes, Axes]:
     _, (lengths, shares) = pyplot.subplots(
         2, 1, figsize=(COLUMN, _HEIGHT), height_ratios=[3, 1], sharex=True, layout="constrained"
@@ -143,6 +154,7 @@ def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> di
     shortest = np.array([[costs.min(initial=np.inf) for _, costs, _ in trials] for trials in steps.values()]).min(axis=0)
     if not np.isfinite(shortest).any():
         raise InputError(f"scenario: found no path in {place}, expected at least one")
+    best = None if best is None else positive("best", best)
     if best is not None or not scenarios[place]:
         shortest[:] = shortest.min() if best is None else best
     return {

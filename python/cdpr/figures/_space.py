@@ -10,7 +10,8 @@ import numpy as np
 from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import ArrayLike
 
-from .._arrays import Floats, point
+from .._arrays import Floats, number, point, shown, whole
+from .._given import flag, instance, table, text
 from .._robot import Robot
 from .._scene import Scene
 from .._planning import path_rows, scene_for
@@ -18,6 +19,7 @@ from .._results import Path, Result
 from .._shadows import shadows as shadow_meshes
 from .._wrench import force_set, moment_set
 from ..exceptions import InputError
+from ._charts import known
 from ._polyhedra import faces_of_mesh, paper_axes
 from ._stage import Stage, View
 from ._style import BLACK, BLUE, CYCLE, GREEN, GREY, LIGHT, ORANGE, PALE, PURPLE, SKY, VERMILION, styled
@@ -81,6 +83,7 @@ def scene(
     >>> ax.figure.savefig("/dev/null", format="svg")
     """
     scene = scene if path is None else scene_for(scene, path)
+    robot, labels = flag("robot", robot), flag("labels", labels)
     stage, bodies = _stage_of(scene, ax, view)
     if shadows is not False:
         _add_shadows(stage, scene, bodies, None if shadows is True else shadows)
@@ -128,8 +131,9 @@ def paths(
     >>> found = {"planned": cdpr.plan(hard1, post="none"), "rewound": cdpr.plan(hard1)}
     >>> ax = cdpr.figures.paths(hard1, found)
     """
-    if not paths:
+    if not table("paths", paths):
         raise InputError("paths: found none, expected at least one")
+    flag("robot", robot)
     first, *others = [scene_for(scene, path) for path in paths.values()]
     if any(not np.allclose(other.orientation, first.orientation) for other in others):
         raise InputError("paths: found paths at several orientations, expected one")
@@ -140,7 +144,7 @@ def paths(
     for k, (name, path) in enumerate(paths.items()):
         way = _way(f"paths[{name!r}]", path)
         colour = CYCLE[k % len(CYCLE)]
-        label = f"{name}: {_length(way):.2f} m, {len(way)} waypoints"
+        label = f"{text('paths', name)}: {_length(way):.2f} m, {len(way)} waypoints"
         stage.line(way, color=colour, linewidth=1.6, gid=name, label=label)
         for place in way[1:-1]:
             stage.point(place, color=colour, marker="o", markersize=2)
@@ -152,7 +156,7 @@ def paths(
 
 @styled
 def model(
-    scene: Scene, *, cable: int = 0, at: ArrayLike | None = None, view: View = VIEW, ax: Axes3D | None = None
+    scene: Scene, *, cable: int | str = 0, at: ArrayLike | None = None, view: View = VIEW, ax: Axes3D | None = None
 ) -> Axes3D:
     """Draw the model with its symbols: world frame O, platform frame P at p, outlet and attachment of one cable.
 
@@ -161,8 +165,8 @@ def model(
     Parameters
     ----------
     scene : Scene
-    cable : int
-        The cable that is drawn in full, counting from 0.
+    cable : int or str
+        The cable that is drawn in full: its name, or its number counting from 0.
     at, view, ax : optional
         As in `scene`.
 
@@ -178,8 +182,7 @@ def model(
     """
     stage, bodies = _stage_of(scene, ax, view)
     cables, place = bodies["cables"], _position(scene, at)
-    if not 0 <= cable < len(cables):
-        raise InputError(f"cable: found {cable}, expected a number from 0 to {len(cables) - 1}")
+    cable = _number_of(cable, [drawn["name"] for drawn in cables])
     _add_robot(stage, bodies, place, PALE)
     outlet, end = np.array(cables[cable]["outlet"]), place + np.array(cables[cable]["attachment"])
     origin, size = np.zeros(3), float(np.ptp([c["outlet"] for c in cables], axis=0).max())
@@ -237,7 +240,7 @@ def rewinding(
     >>> ax = cdpr.figures.rewinding(hard1, cdpr.plan(hard1, seed=1, post="none"))
     """
     before, scene = _way("waypoints", waypoints), scene_for(scene, waypoints)
-    after, starts, ends, valid = scene._core.rewind_tries(before, float(step), direction)
+    after, starts, ends, valid = scene._core.rewind_tries(before, number("step", step), text("direction", direction))
     stage, bodies = _stage_of(scene, ax, view)
     refused = [np.array(pair) for pair, good in zip(zip(starts, ends, strict=True), valid, strict=True) if not good]
     for k, pair in enumerate(refused):
@@ -291,7 +294,7 @@ def available_set(
     >>> import cdpr, cdpr.figures
     >>> ax = cdpr.figures.available_set(cdpr.Robot.load("testdata/robots/paper.toml"), [0.7, 1.2, 0.8])
     """
-    if kind not in ("force", "moment"):
+    if text("kind", kind) not in ("force", "moment"):
         raise InputError(f'kind: found {kind!r}, expected "force" or "moment"')
     function = force_set if kind == "force" else moment_set
     found = function(robot, position, load=load, gravity=gravity, orientation=orientation)
@@ -316,8 +319,7 @@ def available_set(
 
 def _stage_of(scene: Scene, ax: Axes3D | None, view: View) -> tuple[Stage, dict[str, Any]]:
     """A stage as large as workspace and outlets, with the obstacles, the workspace box and the outlets on it."""
-    if not isinstance(scene, Scene):
-        raise InputError(f"scene: found {type(scene).__name__}, expected a Scene")
+    instance("scene", scene, Scene)
     bodies = json.loads(scene._core.bodies())
     box = scene._spec["workspace"]
     corners = np.array([box["min"], box["max"]])
@@ -333,6 +335,14 @@ def _stage_of(scene: Scene, ax: Axes3D | None, view: View) -> tuple[Stage, dict[
         place, name = np.array(cable["outlet"]), f"outlet of {cable['name']}"
         stage.point(place, color=BLACK, marker="o", markersize=2.5, gid=name)
     return stage, bodies
+
+
+def _number_of(cable: int | str, names: list[str]) -> int:
+    if isinstance(cable, str):
+        return names.index(known("cable", text("cable", cable), names))
+    if whole("cable", cable) >= len(names):
+        raise InputError(f"cable: found {shown(cable)}, expected a name, or a number from 0 to {len(names) - 1}")
+    return cable
 
 
 def _box_edges(corners: Floats) -> list[Floats]:

@@ -35,11 +35,9 @@ fn lines(s: &Survey) -> Vec<String> {
         Some([min, max]) => format!("positions: from ({}) to ({}) m", xyz(min), xyz(max)),
         None => "positions: none, the platform does not fit into the workspace".to_string(),
     });
-    if let Some([low, high]) = s.wrench_rank {
-        let rank = if low == high { low.to_string() } else { format!("{low} to {high}") };
-        let full = 6.min(s.cables);
-        let lost = if low < full { " (some wrench cannot be produced there)" } else { "" };
-        lines.push(format!("rank of the wrench matrix: {rank}{lost}"));
+    if let (Some([low, high]), Some(hold)) = (s.wrench_rank, &s.hold) {
+        let at_best = if low < high { format!(" (up to {high} elsewhere)") } else { String::new() };
+        lines.push(format!("wrench matrix: {}{at_best}", hold.sentence()));
     }
     let pairs = |pairs: &[[String; 2]]| pairs.iter().map(|p| p.join(" and ")).collect::<Vec<_>>().join("; ");
     for (label, list) in [

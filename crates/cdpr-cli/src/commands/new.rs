@@ -5,6 +5,7 @@ use std::path::Path;
 use cdpr_core::geometry::Point;
 use cdpr_core::io::text::Notation;
 use cdpr_core::io::{Starter, starter_scene, starter_text};
+use cdpr_core::wrench::Hold;
 use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
@@ -71,5 +72,11 @@ fn tell(scene: &Scene, solvable: bool, out: &Console) {
             out.say(&format!("asks for a path from {} to {}", position(&start), position(&goal)))
         }
         _ => out.note("no two positions with a path between them were found; add yours under [query]"),
+    }
+    let room = scene.workspace();
+    let middle = Point::from((room.min.coords + room.max.coords) / 2.0);
+    let hold = scene.wrench().and_then(|_| Hold::at(scene.robot(), scene.orientation(), &middle));
+    if let Some(hold) = hold.filter(|hold| !hold.is_full()) {
+        out.note(&format!("{}; no position keeps the demand of [wrench]", hold.sentence()));
     }
 }

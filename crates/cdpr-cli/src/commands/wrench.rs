@@ -5,17 +5,19 @@ use std::path::Path;
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::model::MarginSpec;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
-    Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, tensions_along, wrench_at,
+    LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, lengths_along,
+    tensions_along, wrench_at,
 };
 use cdpr_core::{Error, Scene, io};
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::input;
-use crate::output::{Console, is_stream, position, scene_line, thousandths};
+use crate::output::{Console, count, is_stream, position, scene_line, thousandths};
 use crate::progress::{interrupted, with_sign_of_life, writing};
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
@@ -35,7 +37,8 @@ fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error>
 
 fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> Result<Answer, Error> {
     let (statics, required) = asked(args, scene)?;
-    let report = wrench_at(&statics, &required, at).map_err(|e| e.in_file(&args.scene.scene))?;
+    let margin = scene.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
+    let report = wrench_at(&statics, &required, margin, at).map_err(|e| e.in_file(&args.scene.scene))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {
@@ -51,38 +54,88 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     named.map(io::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
     let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
-    let (statics, required) = asked(args, &scene)?;
-    let rows = tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted)
+    let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
+    match asked(args, &scene) {
+        Err(lacking) if !scene.robot().knows_its_forces() && !demanded => {
+            out.note(&format!("lengths only: {lacking}"));
+            lengths(args, &scene, &path.waypoints, out)
+        }
+        asked => tensions(args, &scene, asked?, &path.waypoints, out),
+    }
+}
+
+fn lengths(args: &WrenchArgs, scene: &Scene, waypoints: &[Point], out: &Console) -> Result<Answer, Error> {
+    let rows = lengths_along(scene.robot(), scene.orientation(), waypoints, args.step)?;
+    let names = scene.robot().cable_names();
+    let json = serde_json::json!({ "cables": names, "rows": rows });
+    let summary = || {
+        let mut lines = vec![scene_line(scene), count(rows.len(), "place")];
+        lines.extend(length_lines(&names, &rows.iter().collect::<Vec<_>>()));
+        lines
+    };
+    print_rows(args, &json, &io::lengths_csv(&names, &rows), summary, out)?;
+    Ok(Answer::Yes)
+}
+
+fn tensions(
+    args: &WrenchArgs,
+    scene: &Scene,
+    (statics, required): (Statics, Required),
+    waypoints: &[Point],
+    out: &Console,
+) -> Result<Answer, Error> {
+    let rows = tensions_along(&statics, &required, waypoints, args.step, None, &interrupted)
         .map_err(|e| e.in_file(&args.scene.scene))?;
-    let all_balanced = rows.iter().all(|row| row.tensions.is_some());
+    let names = scene.robot().cable_names();
+    let json = serde_json::json!({ "cables": names, "rows": rows });
+    let free = rows.iter().find_map(|row| {
+        let hold = statics.hold(&row.place.position.into()).filter(|hold| !hold.is_full())?;
+        Some(format!("{}, at {:.4} m", hold.sentence(), row.place.s))
+    });
+    free.iter().for_each(|free| out.note(free));
+    print_rows(args, &json, &io::tensions_csv(&names, &rows), || summary(scene, &names, &rows), out)?;
+    Ok(if rows.iter().all(|row| row.tensions.is_some()) { Answer::Yes } else { Answer::No })
+}
+
+/// Prints rows along a path as asked: JSON, a summary beside a CSV file, or else the CSV itself.
+fn print_rows(
+    args: &WrenchArgs,
+    json: &serde_json::Value,
+    csv: &str,
+    summary: impl Fn() -> Vec<String>,
+    out: &Console,
+) -> Result<(), Error> {
     if let Some(output) = &args.output {
-        out.write(output, io::tensions_csv(&rows).as_bytes(), "")?;
+        out.write(output, csv.as_bytes(), "")?;
     }
     match args.scene.format {
-        Format::Json => out.result(&format!("{:#}", serde_json::json!({ "rows": rows }))),
-        Format::Text if args.output.is_none() => out.result(io::tensions_csv(&rows).trim_end()),
-        Format::Text => summary(&scene, &statics, &rows).iter().for_each(|line| out.result(line)),
+        Format::Json => out.result(&format!("{json:#}")),
+        Format::Text if args.output.is_none() => out.result(csv.trim_end()),
+        Format::Text => summary().iter().for_each(|line| out.result(line)),
     }
-    Ok(if all_balanced { Answer::Yes } else { Answer::No })
+    Ok(())
 }
 
 fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<String> {
     let verdict = if report.feasible { "feasible" } else { "not feasible" };
-    let full = if statics.point_mass() { 3 } else { 6 };
     let mut lines = vec![format!("{verdict} at {at}: capacity margin {} N", thousandths(report.capacity_margin))];
-    if report.rank < full {
-        lines.push(format!(
-            "rank {} of {full}: some wrenches cannot be had at any tension, and no ball of moments can be required",
-            report.rank
-        ));
-    }
+    lines.push(report.hold.sentence());
     let moment =
         report.moment_margin.map_or("none (point mass)".to_string(), |margin| format!("{} N·m", thousandths(margin)));
     lines.push(format!("force margin {} N, moment margin {moment}", thousandths(report.force_margin)));
     lines.push(format!("limited by: {}", saturated(report)));
     match &report.tensions {
-        None => lines.push("no tensions within the limits balance the loads".to_string()),
+        None => {
+            lines.push("no tensions within the limits balance the loads; cable lengths:".to_string());
+            let lengths = report.cables.iter().zip(&report.lengths);
+            lines.extend(lengths.map(|(cable, length)| format!("  {cable}: {length:.4} m")));
+        }
         Some(tensions) => {
+            if !report.hold.is_full() {
+                lines.push(
+                    "the loads alone are balanced here, but a disturbance along a free motion is not".to_string(),
+                );
+            }
             lines.push("tensions nearest to the middle of their limits:".to_string());
             lines.extend(
                 statics
@@ -108,28 +161,43 @@ fn saturated(report: &WrenchReport) -> String {
     if sides.is_empty() { "no cable (the set is flat)".to_string() } else { sides.join("; ") }
 }
 
-fn summary(scene: &Scene, statics: &Statics, rows: &[TensionRow]) -> Vec<String> {
-    let balanced: Vec<&TensionRow> = rows.iter().filter(|row| row.tensions.is_some()).collect();
-    let tensions = || {
-        balanced
-            .iter()
-            .flat_map(|row| row.tensions.iter().flatten().enumerate().map(|(cable, tension)| (*tension, cable, row.s)))
+/// Where a number of a cable is found along a path.
+type Found<'a> = Option<(f64, &'a str, f64)>;
+
+/// The least and the greatest of numbers, each with its cable and place.
+fn extremes<'a>(numbers: impl Iterator<Item = (f64, &'a str, f64)>) -> [Found<'a>; 2] {
+    let all: Vec<(f64, &str, f64)> = numbers.collect();
+    [all.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied(), all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).copied()]
+}
+
+fn length_lines(names: &[&str], rows: &[&LengthRow]) -> Vec<String> {
+    let lengths =
+        rows.iter().flat_map(|row| row.lengths.iter().zip(names).map(|(length, cable)| (*length, *cable, row.s)));
+    let line = |(what, found): (&str, Found)| {
+        found.map(|(length, cable, s)| format!("{what} cable {length:.4} m: {cable} at {s:.4} m"))
     };
-    let told = |what: &str, found: Option<(f64, usize, f64)>| {
-        found.map(|(tension, cable, s)| {
-            format!("{what} tension {tension:.3} N: {} at {s:.4} m", statics.cables()[cable].name)
-        })
+    ["shortest", "longest"].into_iter().zip(extremes(lengths)).filter_map(line).collect()
+}
+
+fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
+    let balanced = rows.iter().filter(|row| row.tensions.is_some()).count();
+    let tensions = rows.iter().flat_map(|row| {
+        let tensions = row.tensions.iter().flatten();
+        tensions.zip(names).map(|(tension, cable)| (*tension, *cable, row.place.s))
+    });
+    let line = |(what, found): (&str, Found)| {
+        found.map(|(tension, cable, s)| format!("{what} tension {tension:.3} N: {cable} at {s:.4} m"))
     };
-    let scarcest = rows.iter().filter_map(|row| row.capacity_margin.map(|margin| (margin, row.s)));
+    let scarcest = rows.iter().filter_map(|row| row.capacity_margin.map(|margin| (margin, row.place.s)));
     let mut lines = vec![scene_line(scene)];
-    lines.push(format!("{} places, the loads balanced at {} of them", rows.len(), balanced.len()));
-    lines.extend(told("least", tensions().min_by(|a, b| a.0.total_cmp(&b.0))));
-    lines.extend(told("greatest", tensions().max_by(|a, b| a.0.total_cmp(&b.0))));
+    lines.push(format!("{} places, the loads balanced at {balanced} of them", rows.len()));
+    lines.extend(["least", "greatest"].into_iter().zip(extremes(tensions)).filter_map(line));
     lines.extend(
         scarcest
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(margin, s)| format!("least capacity margin {margin:.3} N at {s:.4} m")),
     );
+    lines.extend(length_lines(names, &rows.iter().map(|row| &row.place).collect::<Vec<_>>()));
     lines
 }
 

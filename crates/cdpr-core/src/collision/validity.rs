@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
 use crate::watch::Watch;
 use crate::words::{length, small_length};
+use crate::wrench::Hold;
 
 /// Convex polyhedra, each as a list of half-spaces.
 pub type Polyhedra = Vec<Vec<HalfSpace>>;
@@ -158,11 +159,10 @@ pub struct WrenchLimit {
     /// Where it is measured, if at a point of the grid rule instead of on the motion, m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<[f64; 3]>,
-    /// Rank of the wrench matrix; below 6 (3 for a point mass) some wrenches cannot be had at any tension.
-    pub rank: usize,
-    /// Whether the rank is lower than it could be.
-    #[serde(skip)]
-    pub rank_deficient: bool,
+    /// What the cables hold there whatever their limits: rank and what follows from it. None where a cable has no
+    /// direction.
+    #[serde(flatten)]
+    pub hold: Option<Hold>,
     /// What it is measured by: capacity, force or moment.
     pub measure: &'static str,
     /// Its unit.
@@ -179,14 +179,19 @@ impl WrenchLimit {
         self.wrench_margin.unwrap_or(f64::NEG_INFINITY)
     }
 
+    /// Whether no tensions resist some motion of the platform.
+    pub fn leaves_motions_free(&self) -> bool {
+        self.hold.as_ref().is_some_and(|hold| !hold.is_full())
+    }
+
     /// In plain words: "by 12.3 N, with cable 2 at greatest tension and cable 4 at least tension".
     fn sentence(&self) -> String {
         let amount = match self.wrench_margin {
             None => return ": a cable has no direction".to_string(),
-            Some(margin) if margin < 0.0 && !self.rank_deficient => format!(" by {:.3} {}", -margin, self.unit),
-            Some(_) if self.rank_deficient => {
-                format!(": its wrench matrix has rank {}, so some wrenches cannot be had at any tension", self.rank)
+            Some(_) if self.leaves_motions_free() => {
+                return self.hold.as_ref().map_or(String::new(), |hold| format!(": {}", hold.sentence()));
             }
+            Some(margin) if margin < 0.0 => format!(" by {:.3} {}", -margin, self.unit),
             Some(margin) => format!(": the least {} margin found is {margin:.3e} {}", self.measure, self.unit),
         };
         let side = |cables: &[String], which: &str| {

@@ -28,6 +28,8 @@ pub(super) struct Told {
     pub workspace: Option<WorkspaceSpec>,
     /// What the user should know.
     pub notes: Vec<String>,
+    /// Those of the notes that tell of nothing to worry about.
+    pub good: Vec<String>,
     /// What may be wrong with it, and explain an error.
     pub hints: Vec<String>,
 }
@@ -63,7 +65,9 @@ pub(super) fn in_place(
                 (place.clone(), parts_of(&mesh, size, watch).map_err(|e| e.under(&format!("{place}.mesh")))?)
             }
         };
-        told.notes.extend(parts.notes.iter().map(|note| format!("{what}: {note}")));
+        let notes: Vec<String> = parts.notes.iter().map(|note| format!("{what}: {note}")).collect();
+        told.good.extend(notes.iter().filter(|_| parts.exact).cloned());
+        told.notes.extend(notes);
         told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| format!("{what}: {hint}")));
         let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
         let first = specs.next().expect("a mesh has parts");
@@ -104,6 +108,8 @@ fn tolerance(body: &BodySpec, place: &str) -> Result<Option<f64>, Error> {
 struct Parts {
     parts: Vec<Vec<[f64; 3]>>,
     notes: Vec<String>,
+    /// Whether they are just the mesh, and that is sound.
+    exact: bool,
 }
 
 fn of_file(path: &Path, body: &BodySpec, place: &str, watch: &Watch) -> Result<Parts, Error> {
@@ -156,7 +162,8 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: 
     notes.extend(told(&scaled, &pieces, &parts));
     notes.extend(missed(&asked, &parts, most));
     let corners = parts.iter().flat_map(|p| &p.bodies).map(|b| b.vertices().iter().map(|v| [v.x, v.y, v.z]).collect());
-    Ok(Parts { parts: corners.collect(), notes })
+    let exact = faults.notes().is_empty() && parts.iter().all(|p| p.reach == 0.0);
+    Ok(Parts { parts: corners.collect(), notes, exact })
 }
 
 fn extent(piece: &Piece) -> f64 {
@@ -242,7 +249,7 @@ struct Kept {
 
 /// Identifies a decomposition: the mesh, what was asked, and the way it is done.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
-    const METHOD: &str = "convex parts 5";
+    const METHOD: &str = "convex parts 6";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
     hex(&[asked.as_bytes(), bytes])
 }

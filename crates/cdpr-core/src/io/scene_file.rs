@@ -119,9 +119,9 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
         }
     }
     mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut told, watch)?;
-    let Told { notes, hints, .. } = told;
+    let Told { notes, good, hints, .. } = told;
     let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;
-    Ok(scene.with_notes(notes).with_notes(hints))
+    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good))
 }
 
 /// Which file format a schema is asked for.

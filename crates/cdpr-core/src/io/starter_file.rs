@@ -41,8 +41,7 @@ pub fn starter_scene(
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
     let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
-    let cables = dense.robot().cables();
-    if dense.robot().mass().is_some() && cables.iter().all(|cable| cable.tension.is_some()) {
+    if dense.robot().knows_its_forces() {
         spec.wrench = Some(WrenchSpec::default());
     }
     let around = proposal::workspace(&dense);

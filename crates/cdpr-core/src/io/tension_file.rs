@@ -1,56 +1,73 @@
-//! Tensions along a path as CSV: `s,x,y,z,length_0,…,tension_0,…,capacity_margin,force_margin,moment_margin`, in m, N and
-//! N·m; cables count from 0, and what does not exist is left empty.
+//! Cables along a path as CSV. Columns of a cable have its name and their unit: `s,x,y,z,length of winch 1 (m),…,tension of
+//! winch 1 (N),…,capacity_margin,force_margin,moment_margin`; the others are in m, N and N·m. What does not exist is left
+//! empty.
 
 use std::path::Path;
 
 use super::output::write_atomically;
 use super::text::{extension, other_extension};
 use crate::error::Error;
-use crate::wrench::TensionRow;
+use crate::wrench::{LengthRow, TensionRow};
 
-/// The rows as CSV text.
+/// The rows as CSV text; `cables` are their names.
 ///
 /// # Example
 /// ```
 /// use cdpr_core::{geometry::Point, io::tensions_csv, testing};
 /// use cdpr_core::wrench::{Loads, Required, Statics, tensions_along};
-/// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
+/// let robot = testing::empty().robot().clone();
+/// let statics = Statics::new(&robot, &Loads::default())?;
 /// let path = [Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)];
 /// let rows = tensions_along(&statics, &Required::default(), &path, 0.5, None, &|| false)?;
-/// let csv = tensions_csv(&rows);
-/// assert!(csv.starts_with("s,x,y,z,length_0,") && csv.lines().count() == 4);
+/// let csv = tensions_csv(&robot.cable_names(), &rows);
+/// assert!(csv.starts_with("s,x,y,z,length of cable 0 (m),") && csv.lines().count() == 4);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn tensions_csv(rows: &[TensionRow]) -> String {
-    let cables = rows.first().map_or(0, |row| row.lengths.len());
-    let numbered = |what: &'static str| (0..cables).map(move |k| format!("{what}_{k}"));
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let header = names(&["s", "x", "y", "z"]).into_iter().chain(numbered("length")).chain(numbered("tension"));
-    let header = header.chain(names(&["capacity_margin", "force_margin", "moment_margin"]));
-    writer.write_record(header.collect::<Vec<_>>()).expect("memory takes it");
-    for row in rows {
-        writer.write_record(record(row, cables)).expect("all rows are equally long");
-    }
-    String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers are text")
+pub fn tensions_csv(cables: &[&str], rows: &[TensionRow]) -> String {
+    let header = place_header(cables)
+        .chain(columns("tension", cables, "N"))
+        .chain(["capacity_margin", "force_margin", "moment_margin"].map(str::to_string));
+    let record = |row: &TensionRow| {
+        let tensions = (0..cables.len()).map(|k| row.tensions.as_ref().map(|t| t[k]));
+        let margins = [row.capacity_margin, row.force_margin, row.moment_margin];
+        let numbers = tensions.chain(margins).map(|x| x.map_or(String::new(), |x| x.to_string()));
+        place_record(&row.place).chain(numbers).collect()
+    };
+    table(header.collect(), rows.iter().map(record))
 }
 
-fn record(row: &TensionRow, cables: usize) -> Vec<String> {
-    let number = |x: f64| x.to_string();
-    let maybe = |x: Option<f64>| x.map_or(String::new(), number);
-    let tensions = (0..cables).map(|k| maybe(row.tensions.as_ref().map(|t| t[k])));
-    let place = [row.s].into_iter().chain(row.position).map(number);
-    let margins = [row.capacity_margin, row.force_margin, row.moment_margin].map(maybe);
-    place.chain(row.lengths.iter().copied().map(number)).chain(tensions).chain(margins).collect()
+/// The rows as CSV text where tensions are not known.
+pub fn lengths_csv(cables: &[&str], rows: &[LengthRow]) -> String {
+    table(place_header(cables).collect(), rows.iter().map(|row| place_record(row).collect()))
+}
+
+fn place_header(cables: &[&str]) -> impl Iterator<Item = String> {
+    ["s", "x", "y", "z"].map(str::to_string).into_iter().chain(columns("length", cables, "m"))
+}
+
+fn columns(what: &str, cables: &[&str], unit: &str) -> Vec<String> {
+    cables.iter().map(|cable| format!("{what} of {cable} ({unit})")).collect()
+}
+
+fn place_record(row: &LengthRow) -> impl Iterator<Item = String> {
+    [row.s].into_iter().chain(row.position).chain(row.lengths.iter().copied()).map(|x| x.to_string())
+}
+
+fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in std::iter::once(header).chain(rows) {
+        writer.write_record(record).expect("memory takes rows of one length");
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers and names are text")
 }
 
 /// Writes the rows as a CSV file, whole or not at all.
 ///
 /// # Errors
 /// A name that does not end in .csv, a file that cannot be written.
-pub fn save_tensions(path: &Path, rows: &[TensionRow]) -> Result<(), Error> {
+pub fn save_tensions(path: &Path, cables: &[&str], rows: &[TensionRow]) -> Result<(), Error> {
     check_tensions_name(path)?;
-    write_atomically(path, tensions_csv(rows).as_bytes())
+    write_atomically(path, tensions_csv(cables, rows).as_bytes())
 }
 
 /// Checks that a name is one for tensions.

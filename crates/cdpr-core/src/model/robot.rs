@@ -90,6 +90,16 @@ impl Robot {
         &self.cables
     }
 
+    /// Names of the cables, in their order.
+    pub fn cable_names(&self) -> Vec<&str> {
+        self.cables.iter().map(|cable| cable.name.as_str()).collect()
+    }
+
+    /// Whether mass and all tension limits are known, which wrench work needs.
+    pub fn knows_its_forces(&self) -> bool {
+        self.mass().is_some() && self.cables.iter().all(|cable| cable.tension.is_some())
+    }
+
     /// Convex parts of the platform, platform frame.
     pub fn parts(&self) -> &[Polytope] {
         &self.parts

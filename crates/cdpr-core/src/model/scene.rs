@@ -43,6 +43,7 @@ pub struct Scene {
     start: Option<Point>,
     goal: Option<Point>,
     notes: Vec<String>,
+    good_notes: Vec<String>,
 }
 
 impl Scene {
@@ -83,13 +84,38 @@ impl Scene {
             None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
         };
         let notes = degrees_hints(&spec, &robot);
-        Ok(Scene { spec, robot, obstacles, seams, workspace, orientation, orientations, pairs, start, goal, notes })
+        let good_notes = Vec::new();
+        Ok(Scene {
+            spec,
+            robot,
+            obstacles,
+            seams,
+            workspace,
+            orientation,
+            orientations,
+            pairs,
+            start,
+            goal,
+            notes,
+            good_notes,
+        })
     }
 
     /// The same scene with more to say about where it is from.
     pub fn with_notes(mut self, notes: Vec<String>) -> Self {
         self.notes.extend(notes);
         self
+    }
+
+    /// The same scene; these notes tell of nothing to worry about.
+    pub fn with_good_notes(mut self, notes: Vec<String>) -> Self {
+        self.good_notes.extend(notes);
+        self
+    }
+
+    /// Those of the notes that tell of nothing to worry about: no warning is due.
+    pub fn good_notes(&self) -> &[String] {
+        &self.good_notes
     }
 
     /// What the user should know about how the scene was read: meshes that are not sound, and how far the convex parts

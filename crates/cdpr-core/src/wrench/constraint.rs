@@ -42,8 +42,15 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
         return Err(Error::invalid("robot.cables", problem));
     }
     let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
-    let required = required(spec)?;
-    let capacity = CapacityMargin::new(statics.clone(), required).map_err(|e| e.under("wrench"))?;
+    measures_by(&statics, &required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity))
+}
+
+/// What a demand is measured by; the demands of the projected margins are the radii of its balls.
+///
+/// # Errors
+/// A moment required of a point mass, or one that its weight and load have about the point where its cables meet.
+pub fn measures_by(statics: &Statics, required: &Required, margin: MarginSpec) -> Result<Vec<Measure>, Error> {
+    let capacity = CapacityMargin::new(statics.clone(), required.clone()).map_err(|e| e.under("wrench"))?;
     if let Some(moment) = statics.moment_on_point_mass() {
         let problem = format!(
             "found a moment of {moment:.3} N·m about the point where all cables meet, expected none: they can exert none; \
@@ -51,12 +58,15 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
         );
         return Err(Error::invalid("robot.center_of_mass", problem));
     }
-    Ok(match spec.margin.unwrap_or(MarginSpec::Capacity) {
+    let (force, moment) = match required {
+        Required::Balls { force, moment } => (*force, *moment),
+        Required::Polytope(_) => (0.0, 0.0),
+    };
+    Ok(match margin {
         MarginSpec::Capacity => vec![Measure::Capacity(Box::new(capacity))],
+        MarginSpec::Projected if statics.point_mass() => vec![Measure::Force(statics.clone(), force)],
         MarginSpec::Projected => {
-            let force = Measure::Force(statics.clone(), spec.force.unwrap_or(0.0));
-            let moment = Measure::Moment(statics.clone(), spec.moment.unwrap_or(0.0));
-            if statics.point_mass() { vec![force] } else { vec![force, moment] }
+            vec![Measure::Force(statics.clone(), force), Measure::Moment(statics.clone(), moment)]
         }
     })
 }
@@ -132,7 +142,7 @@ impl WrenchConstraint {
             }
         };
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.rank_deficient;
+        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
         Some(Violation {
             at,
             kind: Kind::Wrench,
@@ -164,8 +174,7 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
     };
     let mut found = WrenchLimit {
         wrench_margin: None,
-        rank: 0,
-        rank_deficient: false,
+        hold: None,
         corner: None,
         measure: name,
         unit,
@@ -175,8 +184,7 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
     let statics = measure.statics();
     let (Some(limit), Some(columns)) = (measure.limit(position), statics.columns(position)) else { return found };
     found.wrench_margin = Some(limit.margin);
-    let (rank, full) = statics.rank(&columns);
-    (found.rank, found.rank_deficient) = (rank, !full);
+    found.hold = statics.hold(position);
     let heights: Vec<f64> = columns.iter().map(|column| limit.normal.dot(column)).collect();
     let in_facet = DEPENDENT.sqrt() * heights.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
     for (cable, height) in statics.cables().iter().zip(heights) {

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector6;
 
+use super::hold::{Hold, meet_in_one_point};
 use crate::error::Error;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::model::{Robot, Scene, body};
@@ -132,7 +133,7 @@ impl Statics {
         Ok(Statics {
             balance: -Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z),
             length: *length,
-            point_mass: cables.iter().all(|c| (c.arm - cables[0].arm).norm() <= SAME_POINT),
+            point_mass: meet_in_one_point(cables.iter().map(|cable| cable.arm)),
             cables,
         })
     }
@@ -178,6 +179,12 @@ impl Statics {
     /// The largest tension of all cables, N: the scale of wrenches.
     pub fn largest_tension(&self) -> f64 {
         self.cables.iter().map(|cable| cable.tension[1]).fold(0.0, f64::max)
+    }
+
+    /// What the cables hold at a position whatever their limits; none where a cable has no direction.
+    pub fn hold(&self, position: &Point) -> Option<Hold> {
+        let columns: Vec<_> = self.cables.iter().map(|cable| cable.column(position, 1.0)).collect();
+        columns.iter().all(|column| column.x.is_finite()).then(|| Hold::of(&columns, self.point_mass))
     }
 
     /// Columns of the wrench matrix at a position, moments divided by ℓ; none where a cable has no direction.

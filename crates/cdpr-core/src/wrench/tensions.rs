@@ -1,10 +1,12 @@
 //! Tensions and margins of a robot, at a position and along a path.
 
-use nalgebra::{Matrix6xX, Vector6};
+use nalgebra::Matrix6xX;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::constraint::limit_at;
+use super::certify::certified;
+use super::constraint::{limit_at, measures_by};
+use super::hold::Hold;
 use super::linear_program::{Balance, FeasibilityLp};
 use super::measure::Measure;
 use super::tension_qp::TensionQp;
@@ -13,7 +15,9 @@ use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, leas
 use crate::collision::WrenchLimit;
 use crate::collision::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, Rotation};
+use crate::kinematics::cable_lengths;
+use crate::model::{MarginSpec, Robot};
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::watch::{Interrupt, Watch};
 
@@ -21,12 +25,6 @@ impl Statics {
     /// Least and largest tension of each cable, N.
     pub fn limits(&self) -> Vec<[f64; 2]> {
         self.cables().iter().map(|cable| cable.tension).collect()
-    }
-
-    /// Rank of the wrench matrix at a position, and whether it is as high as it can be (6, or 3 for a point mass).
-    pub fn rank(&self, columns: &[Vector6<f64>]) -> (usize, bool) {
-        let rank = Span::of(columns).rank();
-        (rank, rank == if self.point_mass() { 3 } else { 6 })
     }
 
     /// Length of each cable at a position, m.
@@ -76,13 +74,16 @@ fn undecided(position: &Point) -> Error {
 /// Everything about the wrenches of a robot at one position; see [`wrench_at`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WrenchReport {
-    /// Whether all required wrenches are available: full rank and a capacity margin of at least 0; where nothing but the
-    /// loads is required, whether the linear program finds tensions.
+    /// Whether planning with the same demand allows the position: full rank, and all that is required is available.
     pub feasible: bool,
+    /// Whether tensions within the limits balance the loads alone. At a lower rank they may do so, but they resist no
+    /// disturbance along a free motion.
+    pub balanced: bool,
+    /// What the cables hold whatever their limits: rank and what follows from it.
+    #[serde(flatten)]
+    pub hold: Hold,
     /// The wrench matrix, six rows; the last three in metres.
     pub wrench_matrix: Vec<Vec<f64>>,
-    /// Its rank.
-    pub rank: usize,
     /// See [`force_limit`], N.
     pub force_margin: f64,
     /// See [`moment_limit`], N·m; none for a point mass.
@@ -91,51 +92,61 @@ pub struct WrenchReport {
     pub capacity_margin: f64,
     /// The facet that limits the capacity.
     pub limit: WrenchLimit,
+    /// Names of the cables, in the order of what follows.
+    pub cables: Vec<String>,
     /// The tensions nearest to the middle of the limits that balance the loads, N; none if there are none.
     pub tensions: Option<Vec<f64>>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
 }
 
-/// What the cables of a robot can do at a position.
+/// What the cables of a robot can do at a position, where `margin` decides.
 ///
 /// # Errors
-/// A position where a cable has no direction; a moment required of a point mass; a solver that came to no answer.
+/// A position where a cable has no direction; a moment required of a point mass, or one that its weight has; a solver that
+/// came to no answer.
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing, wrench::{Loads, Required, Statics, wrench_at}};
+/// use cdpr_core::{geometry::Point, model::MarginSpec, testing};
+/// use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
 /// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
-/// let report = wrench_at(&statics, &Required::default(), &Point::new(1.0, 1.0, 1.0))?;
-/// assert!(report.feasible && report.rank == 5); // the weight alone can be carried, without yaw
+/// let at = Point::new(1.0, 1.0, 1.0);
+/// let report = wrench_at(&statics, &Required::default(), MarginSpec::Capacity, &at)?;
+/// assert!(report.balanced && !report.feasible); // the weight can be carried, but any moment about z turns the platform:
+/// assert_eq!(report.hold.sentence(), "rank 5 of 6, underconstrained: no tensions resist turning about z");
 /// let tensions = report.tensions.unwrap();
 /// assert!(tensions[4] > tensions[0]); // cables to the ceiling pull more
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn wrench_at(statics: &Statics, required: &Required, position: &Point) -> Result<WrenchReport, Error> {
+pub fn wrench_at(
+    statics: &Statics,
+    required: &Required,
+    margin: MarginSpec,
+    position: &Point,
+) -> Result<WrenchReport, Error> {
+    let measures = measures_by(statics, required, margin)?;
     let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
-    let (Some(columns), Some(limit)) = (statics.columns(position), capacity_limit(statics, required, position)) else {
+    let (Some(hold), Some(limit)) = (statics.hold(position), capacity_limit(statics, required, position)) else {
         let short = statics.cables().iter().find(|cable| !cable.column(position, 1.0).x.is_finite());
         let name = short.map_or("a cable", |cable| &cable.name);
         let problem =
             format!("has no direction at this position, expected a length of at least {MIN_CABLE_LENGTH:e} m");
         return Err(Error::invalid(name, problem));
     };
-    let (rank, full) = statics.rank(&columns);
-    let feasible = match required {
-        Required::Balls { force: 0.0, moment: 0.0 } => statics.balanced(&mut FeasibilityLp::new(), position)?,
-        _ => full && limit.margin >= 0.0,
-    };
     let margin = |limit: Option<super::Limit<3>>| limit.map(|limit| limit.margin);
+    let tensions = statics.tensions(&mut TensionQp::default(), position, None)?;
     Ok(WrenchReport {
-        feasible,
+        feasible: measures.iter().all(|measure| certified(measure, position, position)),
+        balanced: tensions.is_some(),
+        hold,
         wrench_matrix: (0..6).map(|row| metric_row(statics, position, row)).collect(),
-        rank,
         force_margin: margin(force_limit(statics, position)).unwrap_or(f64::NAN),
         moment_margin: margin(moment_limit(statics, position)),
         capacity_margin: limit.margin,
         limit: limit_at(&Measure::Capacity(Box::new(capacity)), position),
-        tensions: statics.tensions(&mut TensionQp::default(), position, None)?,
+        cables: statics.cables().iter().map(|cable| cable.name.clone()).collect(),
+        tensions,
         lengths: statics.lengths(position),
     })
 }
@@ -145,9 +156,9 @@ fn metric_row(statics: &Statics, position: &Point, row: usize) -> Vec<f64> {
     statics.cables().iter().map(|cable| cable.column(position, 1.0)[row]).collect()
 }
 
-/// The cables at one place of a path.
+/// The lengths of the cables at one place of a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TensionRow {
+pub struct LengthRow {
     /// Way along the path, m.
     pub s: f64,
     /// Which segment, counting from 0.
@@ -158,6 +169,16 @@ pub struct TensionRow {
     pub position: [f64; 3],
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
+}
+
+/// The cables at one place of a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TensionRow {
+    /// Place and lengths.
+    #[serde(flatten)]
+    pub place: LengthRow,
+    /// Rank of the wrench matrix; 0 where a cable has no direction.
+    pub rank: usize,
     /// Tension of each cable, N; none where the loads cannot be balanced.
     pub tensions: Option<Vec<f64>>,
     /// See [`capacity_limit`], N; none where a cable has no direction.
@@ -166,6 +187,35 @@ pub struct TensionRow {
     pub force_margin: Option<f64>,
     /// See [`moment_limit`], N·m.
     pub moment_margin: Option<f64>,
+}
+
+impl Place {
+    fn row(&self, lengths: Vec<f64>) -> LengthRow {
+        LengthRow { s: self.s, segment: self.segment, at: self.at, position: self.position.into(), lengths }
+    }
+}
+
+/// Positions and cable lengths at even steps along a path, its end included. They need neither mass nor tension limits.
+///
+/// # Errors
+/// A step that is not positive or makes too many rows.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, testing, wrench::lengths_along};
+/// let (scene, path) = (testing::empty(), [Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)]);
+/// let rows = lengths_along(scene.robot(), scene.orientation(), &path, 0.5)?;
+/// assert_eq!((rows.len(), rows[0].lengths.len()), (3, 8));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn lengths_along(
+    robot: &Robot,
+    orientation: &Rotation,
+    waypoints: &[Point],
+    step: f64,
+) -> Result<Vec<LengthRow>, Error> {
+    let row = |place: &Place| place.row(cable_lengths(robot, orientation, &place.position));
+    Ok(even_steps(waypoints, step)?.iter().map(row).collect())
 }
 
 /// Positions, lengths, tensions and margins at even steps along a path, its end included; on all cores.
@@ -187,11 +237,8 @@ pub fn tensions_along(
         let position = place.position;
         let finite = |margin: f64| margin.is_finite().then_some(margin);
         Ok(TensionRow {
-            s: place.s,
-            segment: place.segment,
-            at: place.at,
-            position: position.into(),
-            lengths: statics.lengths(&position),
+            place: place.row(statics.lengths(&position)),
+            rank: statics.columns(&position).map_or(0, |columns| Span::of(&columns).rank()),
             tensions: statics.tensions(&mut TensionQp::default(), &position, reference)?,
             capacity_margin: finite(capacity.at(&position)),
             force_margin: force_limit(statics, &position).map(|limit| limit.margin),

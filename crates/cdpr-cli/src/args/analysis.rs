@@ -1,0 +1,71 @@
+//! What obstacles keep from cables, and what cables can balance.
+
+use std::path::PathBuf;
+
+use cdpr_core::regions::{RegionOptions, Space};
+use clap::{Args, ValueHint};
+
+use super::shared::{SceneArgs, Strict};
+use super::values::{choice, positive};
+
+#[derive(Debug, Args)]
+pub struct ShadowsArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// File to write (.obj, .ply, .stl or .html).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    /// Where the regions are drawn: attachment, or position with --all.
+    #[arg(long, value_parser = choice::<Space>())]
+    pub space: Option<Space>,
+    /// Also regions of the platform with obstacles, of cables with the platform, and of pairs of cables (flat); they
+    /// exist only in the space of positions, which is then the default.
+    #[arg(long)]
+    pub all: bool,
+    /// Only regions of these cables.
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    pub cable: Vec<String>,
+    /// Only regions of these obstacles.
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    pub obstacle: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("where").required(true).args(["at", "grid", "along"]))]
+pub struct WrenchArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// A position of the platform's origin, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub at: Option<Vec<f64>>,
+    /// Margins on a grid of this step over all positions inside the workspace, m; needs -o.
+    #[arg(long, value_name = "STEP", value_parser = positive, requires = "output", allow_negative_numbers = true)]
+    pub grid: Option<f64>,
+    /// With --grid, force and moment margins as well (slower).
+    #[arg(long, requires = "grid")]
+    pub projected: bool,
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub along: Option<PathBuf>,
+    #[command(flatten)]
+    pub strict: Strict,
+    /// Distance of the rows along the path, m.
+    #[arg(long, value_name = "M", default_value_t = 0.01, value_parser = positive, allow_negative_numbers = true)]
+    pub step: f64,
+    /// Radius of the required force ball instead of the scene's, N.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub force: Option<f64>,
+    /// Radius of the required moment ball instead of the scene's, N·m.
+    #[arg(long, value_name = "NM", allow_negative_numbers = true)]
+    pub moment: Option<f64>,
+    /// Write the rows (.csv) or the map (.npz for NumPy, .vti for ParaView) here.
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
+impl ShadowsArgs {
+    pub fn options(&self) -> RegionOptions {
+        let (cables, obstacles) = (self.cable.clone(), self.obstacle.clone());
+        RegionOptions { space: self.space, all: self.all, cables, obstacles }
+    }
+}

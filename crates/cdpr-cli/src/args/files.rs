@@ -1,0 +1,103 @@
+//! Files made and shown.
+
+use std::path::PathBuf;
+
+use cdpr_core::io::scene_file::Format as FileFormat;
+use cdpr_core::{Choice, model::Unit};
+use clap::{Args, ValueHint};
+
+use super::shared::{CheckerArgs, Format, SceneArgs, Strict};
+use super::values::choice;
+
+#[derive(Debug, Args)]
+pub struct NewArgs {
+    /// File to write; standard output if none is given.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Robot file.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub robot: Option<PathBuf>,
+    /// Meshes of obstacles (.stl or .obj), in world coordinates.
+    #[arg(long, value_name = "MESH", num_args = 1.., requires = "robot", value_hint = ValueHint::FilePath)]
+    pub obstacle: Vec<PathBuf>,
+    /// Unit of the meshes.
+    #[arg(long, value_parser = choice::<Unit>(), requires = "obstacle", default_value = Unit::M.name())]
+    pub units: Unit,
+    /// Start, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, requires = "robot")]
+    pub start: Option<Vec<f64>>,
+    /// Goal, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, requires = "robot")]
+    pub goal: Option<Vec<f64>>,
+    /// Overwrite an existing file.
+    #[arg(long)]
+    pub force: bool,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ImportArgs {
+    /// The source: an XML file of CASPR, a folder of them, or a YAML file of the Gazebo simulation.
+    #[arg(value_hint = ValueHint::AnyPath)]
+    pub source: PathBuf,
+    /// CASPR's bodies file, where it does not stand beside the cables file under the same name.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub bodies: Option<PathBuf>,
+    /// Set of cables [default: the one that the file names].
+    #[arg(long, value_name = "ID")]
+    pub cable_set: Option<String>,
+    /// Mesh of the platform in its frame (.stl or .obj); the robot file names it.
+    #[arg(long, value_name = "MESH", value_hint = ValueHint::FilePath)]
+    pub platform: Option<PathBuf>,
+    /// Unit of that mesh.
+    #[arg(long, value_parser = choice::<Unit>(), requires = "platform", default_value = Unit::M.name())]
+    pub units: Unit,
+    /// Robot file to write (.toml or .json).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct SchemaArgs {
+    /// Which file format.
+    #[arg(value_parser = choice::<FileFormat>(), default_value = FileFormat::Scene.name())]
+    pub of: FileFormat,
+    /// Accepted for uniformity; a schema is JSON.
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ViewArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Path file to show.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub path: Option<PathBuf>,
+    /// Page to write.
+    #[arg(short, long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub strict: Strict,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// Folder to write; without it the page of cdpr itself is printed.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}

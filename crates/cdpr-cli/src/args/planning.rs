@@ -1,0 +1,141 @@
+//! Planning and shortening.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use cdpr_core::geometry::Point;
+use cdpr_core::plan::{PlanOptions, Post, Processing};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+use cdpr_core::{Choice, Error};
+use clap::{Args, ValueHint};
+
+use super::shared::{CheckerArgs, PathArgs, SceneArgs};
+use super::values::{budget, choice, positive, something};
+
+#[derive(Debug, Args)]
+pub struct PlanArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Search method.
+    #[arg(long, value_parser = choice::<Planner>(), default_value = Planner::default().name())]
+    pub planner: Planner,
+    #[command(flatten)]
+    pub settings: PlannerArgs,
+    /// Stop after this time, ms, compiling of the scene included (the samples may run out first).
+    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
+    pub budget_ms: Option<Duration>,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+    /// Seed of everything random.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    #[command(flatten)]
+    pub rewinding: RewindArgs,
+    /// What is done to the found path [default: none for anytime, taut for rrt-connect, both for the others].
+    #[arg(long, value_parser = choice::<Post>())]
+    pub post: Option<Post>,
+    /// Start instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub start: Option<Vec<f64>>,
+    /// Goal instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub goal: Option<Vec<f64>>,
+    /// Write the result here (.json, or .csv for the waypoints alone).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Write a page here that shows the result.
+    #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
+    pub html: Option<PathBuf>,
+}
+
+/// Options of the planner; those that it does not have are refused.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct PlannerArgs {
+    /// Stop after this many random samples [default: 20000; rrt-star: 500000; anytime: no limit].
+    #[arg(long, value_name = "N")]
+    pub max_samples: Option<usize>,
+    /// Stop after this many nodes.
+    #[arg(long, value_name = "N")]
+    pub max_nodes: Option<usize>,
+    /// Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+    #[arg(long)]
+    pub keep_going: bool,
+    /// Go on after the first path until it is at most this long, m.
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub target_cost: Option<f64>,
+    /// With anytime, go on until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
+    pub gap: Option<f64>,
+    /// Longest edge by which rrt and rrt-star grow, m [default: --step, as in the paper].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub extend_step: Option<f64>,
+    /// Probability with which rrt and rrt-star take the goal for a sample [default: 0].
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    pub goal_bias: Option<f64>,
+    /// Radius of the ball that rrt-star looks at around a new node, m [default: shrinks with the number of nodes].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub near_radius: Option<f64>,
+}
+
+impl PlannerArgs {
+    fn settings(self) -> PlannerSettings {
+        PlannerSettings {
+            max_samples: self.max_samples,
+            max_nodes: self.max_nodes,
+            keep_going: self.keep_going,
+            target_cost: self.target_cost,
+            gap: self.gap,
+            extend_step: self.extend_step,
+            goal_bias: self.goal_bias,
+            near_radius: self.near_radius,
+        }
+    }
+}
+
+/// Options of rewinding.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct RewindArgs {
+    /// Distance of the points that rewinding tries, m; also the step of rrt and rrt-star.
+    #[arg(long, value_name = "M", default_value_t = PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
+    pub step: f64,
+    /// How often rewinding runs.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub repeats: usize,
+}
+
+#[derive(Debug, Args)]
+pub struct PostArgs {
+    #[command(flatten)]
+    pub path: PathArgs,
+    #[command(flatten)]
+    pub rewinding: RewindArgs,
+    /// What is done to the path.
+    #[arg(long, value_parser = something(), default_value = Post::Both.name())]
+    pub post: Post,
+    /// Write the path here (.json or .csv).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
+impl PlanArgs {
+    pub fn options(&self) -> Result<PlanOptions, Error> {
+        Ok(PlanOptions {
+            planner: PlannerOptions::new(self.planner, self.rewinding.step, &self.settings.settings())?,
+            engine: self.checker.engine,
+            interference: self.checker.interference,
+            seed: self.seed,
+            start: self.start.as_deref().map(Point::from_slice),
+            goal: self.goal.as_deref().map(Point::from_slice),
+            step: self.rewinding.step,
+            post: self.post,
+            repeats: self.rewinding.repeats,
+            budget: self.budget_ms,
+        })
+    }
+}
+
+impl PostArgs {
+    pub fn options(&self) -> Result<Processing, Error> {
+        self.post.processing(self.rewinding.step, self.rewinding.repeats)
+    }
+}

@@ -1,0 +1,66 @@
+//! Values of options, parsed and checked.
+
+use std::time::Duration;
+
+use cdpr_core::Choice;
+use cdpr_core::model::OrientationSource;
+use cdpr_core::plan::Post;
+use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+use super::experiments::Trials;
+
+/// Four numbers are a quaternion, anything else is a name.
+pub fn orientation(text: &str) -> Result<OrientationSource, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    Ok(match numbers.ok().and_then(|numbers| <[f64; 4]>::try_from(numbers).ok()) {
+        Some(quaternion) => OrientationSource::Quaternion(quaternion),
+        None => OrientationSource::Named(text.to_string()),
+    })
+}
+
+pub fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse().map_err(|_| "expected a whole number")?;
+    thread_count(number).map_err(|e| e.to_string())
+}
+
+pub fn trials(text: &str) -> Result<Trials, String> {
+    let number =
+        |text: &str| text.parse::<usize>().map_err(|_| "expected a whole number N, or a range A..B".to_string());
+    let range = match text.split_once("..") {
+        Some((first, end)) => number(first)?..number(end)?,
+        None => 0..number(text)?,
+    };
+    if range.is_empty() { Err("found no trials, expected at least one".to_string()) } else { Ok(Trials(range)) }
+}
+
+/// Accepts the names of a choice, and shows them with their help.
+pub fn choice<T: Choice>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(possible::<T>()).map(|name| T::named(&name).expect("one of the possible names"))
+}
+
+fn possible<T: Choice>() -> Vec<PossibleValue> {
+    T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help)).collect()
+}
+
+/// The names of [`Post`] but for that of doing nothing.
+pub fn something() -> impl TypedValueParser<Value = Post> {
+    let names = possible::<Post>().into_iter().filter(|name| !name.matches(Post::None.name(), false));
+    PossibleValuesParser::new(names.collect::<Vec<_>>())
+        .map(|name| Post::named(&name).expect("one of the possible names"))
+}
+
+/// A time in milliseconds.
+pub fn budget(text: &str) -> Result<Duration, String> {
+    let ms: f64 = text.parse().map_err(|_| "expected a number")?;
+    time_budget("", ms, TimeUnit::Millisecond).map_err(|e| e.to_string())
+}
+
+/// A positive number, such as a step.
+pub fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number <= 1e9 => Ok(number),
+        Ok(number) => Err(format!("found {number}, expected a positive number of at most 1e9")),
+        Err(_) => Err("expected a number".to_string()),
+    }
+}

@@ -1,0 +1,88 @@
+//! Robots, paths and texts from and to files.
+
+use cdpr_core::Choice;
+use cdpr_core::io::{self, Loader, text::Notation};
+use cdpr_core::watch::Watch;
+use pyo3::prelude::*;
+
+use crate::convert::{named, quaternion, serialized};
+use crate::errors::{answered, interruptible};
+use crate::scene::Scene;
+
+/// Checks a robot given as JSON text, and gives it back with its meshes as convex parts.
+#[pyfunction]
+pub fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
+    let robot = interruptible(py, |stop| Loader::new(Watch::on(stop)).robot_from_text(text, Notation::Json, None))?;
+    Ok(serialized(robot.spec()))
+}
+
+/// Writes a robot file of a robot given as JSON text.
+#[pyfunction]
+pub fn save_robot(path: std::path::PathBuf, text: &str) -> PyResult<()> {
+    answered(|| io::save_table(&path, io::robot_from_text(text, Notation::Json, None)?.spec()))
+}
+
+/// A robot of another program as JSON text, and what was not carried over.
+#[pyfunction]
+pub fn import_robot(
+    py: Python<'_>,
+    path: std::path::PathBuf,
+    bodies: Option<std::path::PathBuf>,
+    cable_set: Option<String>,
+    platform: Option<std::path::PathBuf>,
+    units: &str,
+) -> PyResult<(String, Vec<String>)> {
+    let units = named(units)?;
+    let options = io::ImportOptions { bodies, cable_set, platform: platform.map(|mesh| (mesh, units)) };
+    let found = interruptible(py, |stop| Loader::new(Watch::on(stop)).import(&path, &options))?;
+    Ok((serialized(&found.whole), found.notes))
+}
+
+/// The robot of a robot file as JSON text.
+#[pyfunction]
+pub fn load_robot(py: Python<'_>, path: std::path::PathBuf) -> PyResult<String> {
+    let robot = interruptible(py, |stop| Loader::new(Watch::on(stop)).robot(&path))?;
+    Ok(serialized(robot.spec()))
+}
+
+/// Waypoints, orientation, all that the file says as JSON, and a warning if it was planned for another scene.
+type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
+
+/// The waypoints of a path file as rows, and its orientation; strictly, a file of another scene is an error.
+#[pyfunction]
+pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
+    let (loaded, of_scene) = answered(|| {
+        let loaded = io::load_waypoints(&path)?;
+        let of_scene = scene.map(|scene| io::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
+        Ok((loaded, of_scene.transpose()?))
+    })?;
+    let (turned, warning) = of_scene.unzip();
+    let said = loaded.file.as_ref().and_then(|file| file.orientation);
+    let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
+    let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));
+    Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json, warning.flatten()))
+}
+
+/// Writes the JSON of a result as a path file, or its waypoints as CSV.
+#[pyfunction]
+pub fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
+    answered(|| io::save_path(&path, &io::text::parse(json, Notation::Json)?))
+}
+
+/// The JSON Schema of the scene, robot, path or experiment format as JSON text.
+#[pyfunction]
+pub fn schema(of: &str) -> PyResult<String> {
+    answered(|| Ok(io::schema(Choice::named(of)?).to_string()))
+}
+
+/// Checks that a file can be written, before the work for it is done.
+#[pyfunction]
+pub fn check_target(path: std::path::PathBuf) -> PyResult<()> {
+    answered(|| io::check_target(&path))
+}
+
+/// Writes a text file whole or not at all.
+#[pyfunction]
+pub fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
+    answered(|| io::write_atomically(&path, text.as_bytes()))
+}

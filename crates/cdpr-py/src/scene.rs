@@ -1,0 +1,464 @@
+//! Scenes, and what is asked of them.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
+use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
+use cdpr_core::geometry::Point;
+use cdpr_core::io::{self, Loader, text::Notation};
+use cdpr_core::model::MarginSpec;
+use cdpr_core::plan::{
+    Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
+    shorten_path, trace_rewinding,
+};
+use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings};
+use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
+use cdpr_core::view::{ShownPath, page_within};
+use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
+use cdpr_core::wrench as core_wrench;
+use cdpr_core::{Choice, Error, ErrorClass};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::convert::{named, point, points, quaternion, row, serialized, triples};
+use crate::drawing::drawn;
+use crate::errors::{answered, interruptible, raised};
+use crate::search::{Planned, Tree, heard, search_tree, tree_arrays};
+
+/// A checked scene, with the engines compiled for it so far.
+#[pyclass(frozen, module = "cdpr._core")]
+pub struct Scene(pub cdpr_core::Scene, Mutex<Vec<Compiled>>);
+
+type Compiled = ((Engine, Interference), Arc<dyn Checker>);
+
+impl Scene {
+    fn of(scene: cdpr_core::Scene) -> Self {
+        Scene(scene, Mutex::default())
+    }
+}
+
+/// The engine for a scene, compiled on first use and kept.
+fn engine_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
+    let wanted = (named(engine)?, named(interference)?);
+    match known_engine(scene, wanted) {
+        Some(engine) => Ok(engine),
+        None => interruptible(py, |stop| compiled(scene, wanted, &Watch::on(stop))),
+    }
+}
+
+fn known_engine(scene: &Scene, wanted: (Engine, Interference)) -> Option<Arc<dyn Checker>> {
+    let known = scene.1.lock().unwrap_or_else(PoisonError::into_inner);
+    known.iter().find(|(key, _)| *key == wanted).map(|(_, engine)| engine.clone())
+}
+
+/// The engine for a scene, within a watch. Two threads may compile it at the same time: none waits for the other.
+fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
+    if let Some(engine) = known_engine(scene, wanted) {
+        return Ok(engine);
+    }
+    let engine: Arc<dyn Checker> = engine_within(&scene.0, wanted.0, wanted.1, watch)?.into();
+    scene.1.lock().unwrap_or_else(PoisonError::into_inner).push((wanted, engine.clone()));
+    Ok(engine)
+}
+
+#[pymethods]
+impl Scene {
+    /// Loads a scene file.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: std::path::PathBuf) -> PyResult<Self> {
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).scene(&path)).map(Scene::of)
+    }
+
+    /// A scene from JSON text, the robot in place.
+    #[staticmethod]
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        interruptible(py, |stop| Loader::new(Watch::on(stop)).scene_from_text(text, Notation::Json, None))
+            .map(Scene::of)
+    }
+
+    /// The scene as JSON text, the robot in place.
+    fn to_json(&self) -> String {
+        serialized(self.0.spec())
+    }
+
+    /// Writes a scene file, the robot in place.
+    fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
+        answered(|| io::save_table(&path, self.0.spec()))
+    }
+
+    /// Identifies what paths of this scene are planned against.
+    fn fingerprint(&self) -> PyResult<String> {
+        answered(|| Ok(self.0.fingerprint()))
+    }
+
+    /// Names and quaternions of the scene's orientations.
+    fn orientations(&self) -> Vec<(String, [f64; 4])> {
+        self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
+    }
+
+    /// The scene for a path that holds at this orientation, if it says one (none if it is the scene itself), and a warning
+    /// if the path was planned for another scene, given by name and fingerprint; an error if that is asked for.
+    #[pyo3(signature = (orientation, orientation_name=None, planned_for=None, strict=false))]
+    fn for_path(
+        &self,
+        orientation: Option<[f64; 4]>,
+        orientation_name: Option<&str>,
+        planned_for: Option<(String, String)>,
+        strict: bool,
+    ) -> PyResult<(Option<Scene>, Option<String>)> {
+        let id = planned_for.map(|(name, fingerprint)| io::SceneId { name, fingerprint });
+        let (scene, warning) =
+            answered(|| io::scene_for(&self.0, orientation.map(Into::into), orientation_name, id.as_ref(), strict))?;
+        Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
+    }
+
+    /// What the user should know about the scene.
+    fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
+    }
+
+    /// Those of the notes that tell of nothing to worry about.
+    fn good_notes(&self) -> Vec<String> {
+        self.0.good_notes().to_vec()
+    }
+
+    /// Whether each row of an (n, 3) array is a valid position.
+    fn states_valid<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        engine: &str,
+        interference: &str,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let engine = engine_of(py, self, engine, interference)?;
+        let rows = positions.as_slice()?;
+        let mut answers = vec![false; rows.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            states_valid(&*engine, |k| row(rows, k), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// Whether each straight motion between rows of two (n, 3) arrays is valid.
+    fn motions_valid<'py>(
+        &self,
+        py: Python<'py>,
+        starts: PyReadonlyArray2<'py, f64>,
+        ends: PyReadonlyArray2<'py, f64>,
+        engine: &str,
+        interference: &str,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let engine = engine_of(py, self, engine, interference)?;
+        let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
+        let mut answers = vec![false; starts.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// Whether one straight motion is valid.
+    fn motion_valid(
+        &self,
+        py: Python<'_>,
+        start: [f64; 3],
+        end: [f64; 3],
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<bool> {
+        let engine = engine_of(py, self, engine, interference)?;
+        answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
+    }
+
+    /// World-from-platform unit quaternion, w x y z.
+    fn orientation(&self) -> [f64; 4] {
+        quaternion(self.0.orientation())
+    }
+
+    /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
+    fn position_box(&self, py: Python<'_>) -> PyResult<([f64; 3], [f64; 3])> {
+        let (min, max) = interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.position_box();
+        Ok((min.into(), max.into()))
+    }
+
+    /// The signed clearance of each row of an (n, 3) array, m.
+    fn clearance<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'py, f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
+        let rows = positions.as_slice()?;
+        let mut answers = vec![0.0; rows.len() / 3];
+        interruptible(py, |interrupted| {
+            let options = BatchOptions { threads, interrupted };
+            clearances(&*engine, |k| row(rows, k), &mut answers, &options)
+        })?;
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// The violations of a motion as JSON, those that begin first first.
+    fn violations(
+        &self,
+        py: Python<'_>,
+        start: [f64; 3],
+        end: [f64; 3],
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(py, self, engine, interference)?;
+        answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
+    }
+
+    /// The report on a path as JSON.
+    fn check(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(py, self, engine, interference)?;
+        let waypoints = points(waypoints.as_slice()?);
+        let report = interruptible(py, |stop| check(&self.0, &*engine, &waypoints, &Watch::on(stop)))?;
+        Ok(serialized(&report))
+    }
+
+    /// Tensions and margins at even steps along a path, as JSON.
+    fn tensions_along(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        step: f64,
+        reference: Option<Vec<f64>>,
+    ) -> PyResult<String> {
+        let statics = answered(|| core_wrench::Statics::of(&self.0))?;
+        let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
+        let waypoints = points(waypoints.as_slice()?);
+        let along = |stop: &Interrupt| {
+            core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
+        };
+        interruptible(py, along).map(|rows| serialized(&rows))
+    }
+
+    /// What the cables can balance at a position, as JSON.
+    fn wrench_at(&self, position: [f64; 3], force: Option<f64>, moment: Option<f64>) -> PyResult<String> {
+        answered(|| {
+            let statics = core_wrench::Statics::of(&self.0)?;
+            let required = core_wrench::constraint::required_of(&self.0, force, moment)?;
+            let margin = self.0.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
+            Ok(serialized(&core_wrench::wrench_at(&statics, &required, margin, &point(position))?))
+        })
+    }
+
+    /// The result of planning as JSON, as in a path file, and its search tree: states (n, 3) and parents (n,).
+    #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
+    fn plan<'py>(
+        &self,
+        py: Python<'py>,
+        planner: &str,
+        engine: &str,
+        interference: &str,
+        seed: u64,
+        start: Option<[f64; 3]>,
+        goal: Option<[f64; 3]>,
+        step: f64,
+        post: Option<&str>,
+        repeats: usize,
+        budget: Option<f64>,
+        settings: &str,
+        on_improvement: Option<Py<PyAny>>,
+    ) -> PyResult<Planned<'py>> {
+        let settings: PlannerSettings = answered(|| io::text::parse(settings, Notation::Json))?;
+        let planner = named(planner)?;
+        let options = PlanOptions {
+            planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
+            engine: named(engine)?,
+            interference: named(interference)?,
+            seed,
+            start: start.map(point),
+            goal: goal.map(point),
+            step,
+            post: post.map(named).transpose()?,
+            repeats,
+            budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
+        };
+        let search = |stop: &Interrupt, tell: &Listener<Point>| {
+            let watch = options.watch(stop);
+            let (scene, engine, found) = match &self.0.choices()[..] {
+                [_] => match compiled(self, (options.engine, options.interference), &watch) {
+                    Err(error) if error.class() == ErrorClass::OutOfTime => {
+                        (self.0.clone(), None, PlanResult::out_of_time())
+                    }
+                    engine => {
+                        let engine = engine?;
+                        let found = plan_heard(&*engine, &self.0, &options, &watch, tell)?;
+                        (self.0.clone(), Some(engine), found)
+                    }
+                },
+                _ => {
+                    let planned = plan_choosing(&self.0, &options, stop, tell)?;
+                    (planned.scene, planned.engine.map(Arc::from), planned.result)
+                }
+            };
+            let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found.waypoints, false, &watch);
+            let appraisal = engine.map(appraise).transpose()?.unwrap_or_default();
+            Ok((scene, found, appraisal))
+        };
+        let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
+        let Appraisal { nearest, wrench, .. } = appraisal;
+        let json = answered(|| Ok(io::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
+        Ok((json.to_string(), tree_arrays(py, &found.tree)?))
+    }
+
+    /// A length that no path between two positions falls below, m.
+    fn lower_bound(&self, py: Python<'_>, start: Option<[f64; 3]>, goal: Option<[f64; 3]>) -> PyResult<f64> {
+        let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
+            let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
+            given.map(point).or(own).ok_or_else(missing)
+        };
+        let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
+        let bounds = |stop: &Interrupt| {
+            let watch = Watch::on(stop);
+            let bound = |scene: &cdpr_core::Scene| {
+                let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
+                lower_bound(&*engine, &start, &goal, &watch)
+            };
+            self.0.choices().iter().map(bound).collect::<Result<Vec<f64>, Error>>()
+        };
+        Ok(interruptible(py, bounds)?.into_iter().fold(f64::INFINITY, f64::min))
+    }
+
+    /// The path made shorter, as JSON.
+    #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.rewind
+    fn shorten(
+        &self,
+        py: Python<'_>,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        post: &str,
+        step: f64,
+        repeats: usize,
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<String> {
+        let engine = engine_of(py, self, engine, interference)?;
+        let waypoints = points(waypoints.as_slice()?);
+        let post: Post = named(post)?;
+        let processing = answered(|| post.processing(step, repeats))?;
+        let shorter =
+            interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
+        answered(|| Ok(io::path_json(&self.0, &shorter).to_string()))
+    }
+
+    /// The path rewound once, and every motion asked about: starts, ends, answers.
+    fn rewind_tries<'py>(
+        &self,
+        py: Python<'py>,
+        waypoints: PyReadonlyArray2<'py, f64>,
+        step: f64,
+        direction: &str,
+    ) -> PyResult<Tries<'py>> {
+        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
+        let (waypoints, direction) = (points(waypoints.as_slice()?), named(direction)?);
+        let trace = interruptible(py, |interrupted| {
+            trace_rewinding(&*engine, &waypoints, step, direction, &Watch::on(interrupted))
+        })?;
+        let rows = |list: &mut dyn Iterator<Item = Point>| triples(py, list.flat_map(|p| [p.x, p.y, p.z]).collect());
+        Ok((
+            rows(&mut trace.path.iter().copied())?,
+            rows(&mut trace.tries.iter().map(|t| t.from))?,
+            rows(&mut trace.tries.iter().map(|t| t.to))?,
+            trace.tries.iter().map(|t| t.valid).collect(),
+        ))
+    }
+
+    /// What there is to draw, as JSON: obstacles by name, world; platform and attachments around the platform's origin,
+    /// turned as in the scene. Each part has vertices and faces, corners counter-clockwise seen from outside.
+    fn bodies(&self) -> PyResult<String> {
+        answered(|| Ok(drawn(&self.0)))
+    }
+
+    /// Each forbidden region as summary (JSON), vertices (n, 3) and triangles (m, 3).
+    fn regions<'py>(
+        &self,
+        py: Python<'py>,
+        space: Option<&str>,
+        all: bool,
+        cables: Vec<String>,
+        obstacles: Vec<String>,
+    ) -> PyResult<Vec<Region<'py>>> {
+        let options = region_options(space, all, cables, obstacles)?;
+        let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
+        let arrays = |region: &NamedMesh| {
+            let vertices = region.mesh.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+            let triangles = region.mesh.triangles.iter().flatten().map(|i| *i as i64).collect();
+            Ok((serialized(&region.summary()), triples(py, vertices)?, triples(py, triangles)?))
+        };
+        found.meshes.iter().map(arrays).collect()
+    }
+
+    /// Writes forbidden regions in the format that the extension names.
+    fn save_regions(
+        &self,
+        py: Python<'_>,
+        path: std::path::PathBuf,
+        space: Option<&str>,
+        all: bool,
+        cables: Vec<String>,
+        obstacles: Vec<String>,
+    ) -> PyResult<()> {
+        answered(|| io::RegionFormat::of(&path).and_then(|_| io::check_target(&path)))?;
+        let options = region_options(space, all, cables, obstacles)?;
+        let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
+        py.detach(|| answered(|| io::save_regions(&path, &self.0, &found)))
+    }
+
+    /// A self-contained page that shows the scene and, if given, a path.
+    #[allow(clippy::too_many_arguments)] // one per thing shown
+    fn page(
+        &self,
+        py: Python<'_>,
+        status: Option<String>,
+        waypoints: Option<PyReadonlyArray2<'_, f64>>,
+        cost: Option<f64>,
+        raw_waypoints: Option<PyReadonlyArray2<'_, f64>>,
+        raw_cost: Option<f64>,
+        planner: Option<String>,
+        tree: Option<Tree<'_>>,
+        interference: &str,
+    ) -> PyResult<String> {
+        let list = |rows: Option<PyReadonlyArray2<'_, f64>>| {
+            rows.map_or(Ok(Vec::new()), |rows| Ok::<_, PyErr>(points(rows.as_slice()?)))
+        };
+        let Some(waypoints) = waypoints else {
+            return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
+        };
+        let waypoints = points(waypoints.as_slice()?);
+        let engine = engine_of(py, self, Engine::default().name(), interference)?;
+        let raw_waypoints = list(raw_waypoints)?;
+        let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
+        let shown = ShownPath { status, waypoints, cost, raw_waypoints, raw_cost, planner, tree };
+        interruptible(py, |stop| {
+            let watch = Watch::on(stop);
+            let violations = check_path(&*engine, &shown.waypoints, &watch)?.violations;
+            page_within(&self.0, Some(&shown), &violations, &watch)
+        })
+    }
+}
+
+type Tries<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Vec<bool>);
+type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
+
+fn region_options(
+    space: Option<&str>,
+    all: bool,
+    cables: Vec<String>,
+    obstacles: Vec<String>,
+) -> PyResult<RegionOptions> {
+    Ok(RegionOptions { space: space.map(named).transpose()?, all, cables, obstacles })
+}

@@ -1,0 +1,61 @@
+//! Searches: what they find on the way, and their trees as arrays.
+
+use std::sync::{Mutex, PoisonError};
+
+use cdpr_core::Error;
+use cdpr_core::geometry::Point;
+use cdpr_core::planning::{Listener, SearchTree};
+use cdpr_core::watch::Interrupt;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+
+use crate::convert::{points, triples};
+use crate::errors::{interruptible_with_rest, raised};
+
+pub type Planned<'py> = (String, TreeArrays<'py>);
+pub type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
+pub type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
+
+/// The states of a search tree as rows, and the parent of each.
+pub fn tree_arrays<'py>(py: Python<'py>, tree: &SearchTree<Point>) -> PyResult<TreeArrays<'py>> {
+    let states = tree.states.iter().flat_map(|state| [state.x, state.y, state.z]).collect();
+    let parents = tree.parents.iter().map(|parent| *parent as i64).collect();
+    Ok((triples(py, states)?, PyArray1::from_vec(py, parents)))
+}
+
+pub fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
+    let states = points(states.as_slice()?);
+    let known = |parent: &i64| usize::try_from(*parent).ok().filter(|parent| *parent < states.len());
+    let found: Option<Vec<usize>> = parents.as_slice()?.iter().map(known).collect();
+    let parents = found.filter(|parents| parents.len() == states.len()).ok_or_else(|| {
+        raised(Error::invalid("tree.parents", "found others, expected for each state the index of its parent"))
+    })?;
+    Ok(SearchTree { states, parents })
+}
+
+/// Runs a search that tells of better paths; a Ctrl-C that comes when there is a path ends the search with it.
+pub fn heard<T: Send>(
+    py: Python<'_>,
+    on_improvement: Option<&Py<PyAny>>,
+    search: impl FnOnce(&Interrupt, &Listener<Point>) -> Result<T, Error> + Send,
+) -> PyResult<T> {
+    let failure: Mutex<Option<PyErr>> = Mutex::default();
+    let failed = || failure.lock().unwrap_or_else(PoisonError::into_inner);
+    let tell = |seconds: f64, cost: f64, path: &[Point]| {
+        let Some(callback) = on_improvement else { return };
+        let told = Python::attach(|py| {
+            let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
+            callback.call1(py, (seconds, cost, waypoints)).map(drop)
+        });
+        *failed() = told.err();
+    };
+    let (found, signal) =
+        interruptible_with_rest(py, |interrupted| search(&|| interrupted() || failed().is_some(), &tell));
+    let stopped = |error: &PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
+    match (failed().take(), signal) {
+        (Some(error), _) => Err(error),
+        (None, Some(signal)) if !(stopped(&signal) && found.is_ok()) => Err(signal),
+        _ => found.map_err(raised),
+    }
+}

@@ -1,0 +1,108 @@
+"""What is given that is no array: names, flags, files, tables, scenes and robots; whatever else comes is named."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ._arrays import shown
+from .exceptions import InputError
+
+_Kind = TypeVar("_Kind")
+
+
+def text(name: str, value: Any) -> str:
+    """A text of whole characters, as files can hold it."""
+    if not isinstance(value, str):
+        raise InputError(f"{name}: found {shown(value)}, expected a text")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{name}: found {value!a}, half of a surrogate pair, expected whole characters") from None
+    return str(value)
+
+
+def texts(name: str, values: Any) -> list[str]:
+    """A sequence of texts."""
+    return [text(f"{name}[{k}]", value) for k, value in enumerate(several(name, values, "a sequence of texts"))]
+
+
+def several(name: str, values: Any, expected: str) -> list[Any]:
+    """Whatever stands in a sequence; a text is none."""
+    try:
+        if isinstance(values, (str, bytes)):
+            raise TypeError
+        return list(values)
+    except TypeError:
+        raise InputError(f"{name}: found {shown(values)}, expected {expected}") from None
+
+
+def flag(name: str, value: Any) -> bool:
+    """True or False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise InputError(f"{name}: found {shown(value)}, expected True or False")
+    return bool(value)
+
+
+def file_name(path: Any, name: str = "path") -> str:
+    """The name of a file, as the system takes it."""
+    try:
+        found = os.fsdecode(path)
+        os.fsencode(found)
+    except (TypeError, UnicodeError):
+        raise InputError(f"{name}: found {shown(path)}, expected the name of a file") from None
+    if "\0" in found:
+        raise InputError(f"{name}: found {found!r}, expected a name without zero characters")
+    return found
+
+
+_HINTS = {
+    ("Scene", "Robot"): "; its robot is scene.robot",
+    ("Robot", "Scene"): "; cdpr.Scene(robot, workspace=...) makes one",
+}
+
+
+def instance(name: str, value: Any, kind: type[_Kind]) -> _Kind:
+    """A value of this kind."""
+    if not isinstance(value, kind):
+        hint = _HINTS.get((type(value).__name__, kind.__name__), "")
+        raise InputError(f"{name}: found {shown(value)}, expected a {kind.__name__}{hint}")
+    return value
+
+
+def table(name: str, value: Any) -> Mapping[str, Any]:
+    """A mapping."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name}: found {shown(value)}, expected a mapping")
+    return value
+
+
+# Deeper tables are in no file; a table that holds itself is one.
+_DEEPEST = 32
+
+
+def plain(place: str, value: Any, depth: int = 0, known: Callable[[Any], Any] = lambda value: value) -> Any:
+    """A value as a file holds it, arrays as lists; `place` is its key path. What else is known stands for something."""
+    value = known(value)
+    if depth > _DEEPEST:
+        raise InputError(f"{place[:200]}: found tables within tables more than {_DEEPEST} deep, expected fewer")
+    if isinstance(value, Mapping):
+        where = f"{place}." if place else ""
+        return {key: plain(f"{where}{text(place or 'key', key)}", entry, depth + 1, known) for key, entry in value.items()}
+    if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
+        raise InputError(f"{place}: found masked entries, expected numbers")
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [plain(f"{place}[{k}]", entry, depth + 1, known) for k, entry in enumerate(value)]
+    if isinstance(value, str):
+        return text(place, value)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InputError(f"{place}: found {value}, expected a finite number")
+    if value is None or isinstance(value, (bool, float)) or (isinstance(value, int) and abs(value) < 2**64):
+        return value
+    raise InputError(f"{place}: found {shown(value)}, expected what a file can hold")

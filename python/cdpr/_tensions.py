@@ -1,0 +1,266 @@
+"""What the cables do at a position and along a path of a scene."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Floats, number, numbers, point
+from ._given import instance
+from ._pandas import frame
+from ._planning import core_for, path_rows
+from ._results import Path
+from ._scene import Scene
+from ._values import ByValue
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class WrenchReport(ByValue):
+    """What the cables can do at a position.
+
+    Attributes
+    ----------
+    feasible : bool
+        Whether planning with the same demand allows the position: full rank, and all that is required is available.
+    balanced : bool
+        Whether tensions within the limits balance weight and load alone.
+    rank, full_rank : int
+        Rank of the wrench matrix, and the highest there can be: 6, or 3 for a point mass.
+    holding : str
+        What follows from the rank and the directions of the cables: "fully_constrained" (they pull against each other),
+        "suspended" (they need a load, such as the weight, to pull against) or "underconstrained" (no tensions resist some
+        motion).
+    free_motions : tuple of str
+        The motions that no tensions resist, world axes, such as "turning about z".
+    free_twists : ndarray (full_rank - rank, 6)
+        The same as velocity of the platform's origin and rate of turning, m/s and rad/s, the largest number 1.
+    capacity_margin, force_margin, moment_margin : float
+        N, N, N·m; NaN where there is none. See `capacity_margin` and its like.
+    at_greatest, at_least : tuple of str
+        Cables at their greatest and least tension where the capacity ends.
+    cables : tuple of str
+        Names of the cables, in the order of what follows.
+    lengths : ndarray (m,)
+        Of each cable, m.
+    tensions : ndarray (m,)
+        Of each cable, N: those nearest to the middle of the limits that balance weight and load; NaN if there are none.
+    wrench_matrix : ndarray (6, m)
+        As `wrench_matrix` gives it.
+
+    Examples
+    --------
+    >>> report = wrench_at(Scene.load("testdata/scenes/empty.toml"), [1, 1, 1])
+    >>> report
+    WrenchReport(not feasible, rank 5 of 6, underconstrained)
+    >>> report.balanced, report.free_motions, report.free_twists
+    (True, ('turning about z',), array([[0., 0., 0., 0., 0., 1.]]))
+    """
+
+    feasible: bool
+    balanced: bool
+    rank: int
+    full_rank: int
+    holding: str
+    free_motions: tuple[str, ...]
+    free_twists: Floats
+    capacity_margin: float
+    force_margin: float
+    moment_margin: float
+    at_greatest: tuple[str, ...]
+    at_least: tuple[str, ...]
+    cables: tuple[str, ...]
+    lengths: Floats
+    tensions: Floats
+    wrench_matrix: Floats
+
+    def __repr__(self) -> str:
+        """Say what is held."""
+        verdict = "feasible" if self.feasible else "not feasible"
+        return f"WrenchReport({verdict}, rank {self.rank} of {self.full_rank}, {self.holding.replace('_', ' ')})"
+
+
+def wrench_at(
+    scene: Scene, position: ArrayLike, *, force: float | None = None, moment: float | None = None
+) -> WrenchReport:
+    """Say what the cables can balance at a position, as ``cdpr wrench --at`` does.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+    position : array_like (3,)
+        Of the platform's origin, world, m.
+    force, moment : float, optional
+        Radii of the required balls instead of the scene's, N and N·m.
+
+    Returns
+    -------
+    WrenchReport
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits, a position where a cable has no length, a moment required of a point mass.
+
+    Examples
+    --------
+    >>> report = wrench_at(Scene.load("testdata/scenes/cogiro.toml"), [0, 0, 2])
+    >>> report.feasible, report.rank, report.holding
+    (True, 6, 'suspended')
+    """
+    core = instance("scene", scene, Scene)._core
+    radii = (None if r is None else number(key, r) for key, r in (("force", force), ("moment", moment)))
+    found = json.loads(core.wrench_at(point("position", position), *radii))
+    motions = found["free_motions"]
+    known: dict[str, Any] = {key: found[key] for key in ("feasible", "balanced", "rank", "full_rank", "holding")}
+    known |= {key: _or_nan(found[key]) for key in ("capacity_margin", "force_margin", "moment_margin")}
+    known |= {key: tuple(found["limit"][key]) for key in ("at_greatest", "at_least")}
+    return WrenchReport(
+        **known,
+        free_motions=tuple(motion["words"] for motion in motions),
+        free_twists=np.array([motion["twist"] for motion in motions], dtype=np.float64).reshape(-1, 6),
+        cables=tuple(found["cables"]),
+        lengths=np.array(found["lengths"]),
+        tensions=np.full(len(found["cables"]), np.nan) if found["tensions"] is None else np.array(found["tensions"]),
+        wrench_matrix=np.array(found["wrench_matrix"]),
+    )
+
+
+def _or_nan(value: float | None) -> float:
+    return float("nan") if value is None else value
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Tensions(ByValue):
+    """Lengths, tensions and margins at even steps along a path.
+
+    Attributes
+    ----------
+    s : ndarray (n,)
+        Way along the path, m.
+    positions : ndarray (n, 3)
+        World, m.
+    lengths : ndarray (n, m)
+        Of each cable, m.
+    tensions : ndarray (n, m)
+        Of each cable, N; rows of NaN where the loads cannot be balanced.
+    capacity_margin, force_margin, moment_margin : ndarray (n,)
+        N, N, N·m; NaN where they do not exist.
+    cables : tuple of str
+        Names of the cables, in the order of the columns.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
+    Tensions(21 rows, 8 cables, 1.9799 m)
+    """
+
+    s: Floats
+    positions: Floats
+    lengths: Floats
+    tensions: Floats
+    capacity_margin: Floats
+    force_margin: Floats
+    moment_margin: Floats
+    cables: tuple[str, ...]
+
+    def to_pandas(self) -> Any:
+        """Return the rows as a table; it needs pandas.
+
+        Returns
+        -------
+        DataFrame
+            As the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), ``length of cable 0 (m)`` and
+            ``tension of cable 0 (N)`` for each cable by its name, ``capacity_margin``, ``force_margin`` (N),
+            ``moment_margin`` (N·m).
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/empty.toml")
+        >>> table = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1).to_pandas()
+        >>> list(table)[4:6]
+        ['length of cable 0 (m)', 'length of cable 1 (m)']
+        """
+        columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
+        for name, matrix, unit in (("length", self.lengths, "m"), ("tension", self.tensions, "N")):
+            named = zip(self.cables, matrix.T, strict=True)
+            columns |= {f"{name} of {cable} ({unit})": column for cable, column in named}
+        for name in ("capacity_margin", "force_margin", "moment_margin"):
+            columns[name] = getattr(self, name)
+        return frame(columns)
+
+    def __repr__(self) -> str:
+        """Say the size."""
+        rows_, cables = self.tensions.shape
+        return f"Tensions({rows_} rows, {cables} cables, {self.s[-1] if rows_ else 0.0:.4f} m)"
+
+
+def tensions_along(
+    scene: Scene,
+    waypoints: ArrayLike | Path,
+    *,
+    step: float = 0.01,
+    reference: Sequence[float] | None = None,
+    strict: bool = False,
+) -> Tensions:
+    """Compute lengths, tensions and margins at even steps along a path, its end included.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+    waypoints : array_like (k, 3), k >= 2
+        Positions of the platform's origin, world, m.
+    step : float
+        Distance of the rows, m.
+    reference : sequence of float (m,), optional
+        As in `tension_distribution`.
+    strict : bool
+        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+
+    Returns
+    -------
+    Tensions
+
+    Raises
+    ------
+    InputError
+        A robot without mass or tension limits (`Robot.cable_lengths` needs neither), a step that is not positive, fewer
+        than two waypoints; with ``strict``, a path that was planned for another scene.
+
+    Examples
+    --------
+    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> along = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
+    >>> along.tensions.shape, bool(np.isfinite(along.tensions).all())
+    ((21, 8), True)
+    """
+    core = core_for(scene, waypoints, strict=strict)
+    cables = scene.robot.cable_names
+    count = len(cables)
+    wanted = None if reference is None else numbers("reference", reference, count)
+    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), number("step", step), wanted))
+
+    def column(key: str) -> Floats:
+        return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)
+
+    def matrix(key: str, width: int) -> Floats:
+        empty = [float("nan")] * width
+        return np.array([empty if row[key] is None else row[key] for row in found], dtype=np.float64).reshape(-1, width)
+
+    return Tensions(
+        s=column("s"),
+        positions=matrix("position", 3),
+        lengths=matrix("lengths", count),
+        tensions=matrix("tensions", count),
+        capacity_margin=column("capacity_margin"),
+        force_margin=column("force_margin"),
+        moment_margin=column("moment_margin"),
+        cables=cables,
+    )

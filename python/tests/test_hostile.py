@@ -1,0 +1,356 @@
+"""Whatever is passed to whichever parameter of everything public: only exceptions of our tree come out, and nothing hangs.
+
+Texts, truth values and masked entries are never taken for numbers.
+"""
+
+import functools
+import inspect
+import warnings
+
+import matplotlib
+import numpy as np
+import pytest
+from conftest import TESTDATA
+from matplotlib import pyplot
+
+import cdpr
+import cdpr.figures
+import cdpr.ompl
+
+matplotlib.use("Agg")
+
+CUBE = [[x, y, z] for x in (0.0, 0.2) for y in (0.0, 0.2) for z in (0.0, 0.2)]
+HERE, THERE = [0.3, 1.0, 0.3], [1.7, 1.0, 1.7]
+EXPERIMENT = {"version": 1, "trials": 1, "scenarios": [{"name": "a", "scene": str(TESTDATA / "scenes/empty.toml")}]}
+EXPERIMENT["methods"] = [{"name": "RRT", "planner": "rrt"}]
+WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
+
+# Made by functions; who makes one by hand is on their own.
+RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
+RESULTS |= {"Tensions", "Violation", "View", "WrenchMap", "WrenchReport"}
+
+CALLBACKS = {"on_improvement", "progress"}  # what they raise comes out as it is
+
+
+class Strange:
+    """No number, no text, no array."""
+
+
+def nested(depth):
+    value = []
+    for _ in range(depth):
+        value = [value]
+    return value
+
+
+def within_itself():
+    value = []
+    value.append(value)
+    return value
+
+
+def hostile(scene):
+    """Values by name."""
+    values = {
+        "None": None, "text": "abc", "number in a text": "5", "5": 5, "-1": -1, "0": 0, "nan": float("nan"),
+        "inf": float("inf"), "True": True, "[]": [], "[[]]": [[]], "object": Strange(), "surrogate": "\ud800",
+        "bytes": b"x", "large": 10**400, "very large": 10**5000, "masked": np.ma.array([1.0, 1.0, 1.0], mask=[False, True, False]),
+        "masked scalar": np.ma.masked, "texts": np.array(["a", "b", "c"]), "list of texts": ["1", "2", "3"],
+        "truths": [True, False, True], "mixed truths": [1.0, True, 0.5], "flags": np.array([True, False]),
+        "complex": 1j, "ragged": [[1, 2], [3]], "deep": nested(100), "very deep": nested(5000), "within itself": within_itself(),
+        "mapping": {"a": 1}, "odd keys": {5: 1}, "mapping of nan": {"a": float("nan")}, "surrogates": ["\ud800", "a"],
+        "function": lambda *_: 1, "generator": (x for x in "ab"), "class": int, "scene": scene, "robot": scene.robot,
+        "objects": np.array([None, Strange()], dtype=object), "zero byte": "a\0b", "empty": "", "nan array": np.full((2, 3), np.nan),
+        "integers": np.array([2**63], dtype=np.uint64), "ones": np.ones((2, 3)), "one point": np.ones(3),
+    }  # fmt: skip
+    return values
+
+
+@pytest.fixture(scope="module")
+def batch():
+    return cdpr.run_batch(EXPERIMENT)
+
+
+@pytest.fixture
+def calls(tmp_path, monkeypatch, batch):
+    """Everything public by name, with arguments that it takes."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("webbrowser.open_new_tab", lambda url: True)
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    held = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
+    robot, path = held.robot, cdpr.Path([HERE, [0.3, 1.0, 0.4]], 0.1)
+    grid = cdpr.wrench_map(held, step=2.0)
+    grid.save("map.npz")
+    path.save("path.json")
+    scene.save("scene.toml")
+    robot.save("robot.toml")
+    points = {"positions": [[0, 0, 2.0]]}
+    loads = {"load": [0.0] * 6, "gravity": [0, 0, -9.81], "orientation": [1.0, 0, 0, 0]}
+    threads = {"threads": 1}
+    judges = {"engine": "cspace", "interference": "exact"}
+    along = {"scene": scene, "waypoints": [HERE, [0.3, 1.0, 0.4]], "strict": False}
+    regions = {"space": "attachment", "all_regions": False, "cables": "cable 1", "obstacles": ["pillar"]}
+    end = {"start": HERE, "goal": THERE}
+    cables = {
+        "outlets": robot.outlets, "attachments": robot.attachments, "platform": [CUBE], "tensions": [1.0, 100.0], "mass": 5.0,
+        "center_of_mass": [0.0, 0.0, 0.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
+    }  # fmt: skip
+    said = {
+        "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
+        "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
+        "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "name": "s", "obstacles": {"crate": CUBE},
+    }  # fmt: skip
+    information = cdpr.ompl.simple_setup(scene).getSpaceInformation()
+    experiment = {"experiment": EXPERIMENT, "executor": None, "progress": None, "trials": 1, "threads": 1}
+    figure = {"view": (20.0, -60.0), "ax": None}
+    plan = {
+        "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
+        "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
+        "near_radius": None, "orientation": None, **judges, "on_improvement": None,
+    }  # fmt: skip
+    return {
+        "Robot": (cdpr.Robot, cables),
+        "Robot.replace": (robot.replace, cables),
+        "Robot.from_dict": (cdpr.Robot.from_dict, {"spec": robot.to_dict()}),
+        "Robot.load": (cdpr.Robot.load, {"path": "robot.toml"}),
+        "Robot.save": (robot.save, {"path": "robot.json"}),
+        "Robot.to_dict": (robot.to_dict, {}),
+        "Robot.cable_lengths": (robot.cable_lengths, points | {"orientation": [1.0, 0, 0, 0]}),
+        "Scene": (cdpr.Scene, {"robot": scene.robot} | said),
+        "Scene.replace": (scene.replace, {"robot": scene.robot} | said),
+        "Scene.from_dict": (cdpr.Scene.from_dict, {"spec": scene.to_dict()}),
+        "Scene.load": (cdpr.Scene.load, {"path": "scene.toml"}),
+        "Scene.save": (scene.save, {"path": "scene.json"}),
+        "Scene.to_dict": (scene.to_dict, {}),
+        "Scene.with_obstacle": (
+            scene.with_obstacle,
+            {"name": "crate", "obstacle": CUBE, "position": [0.0, 0, 0], "rpy": [0.0, 0, 0], "rpy_degrees": None, "quaternion": None},
+        ),
+        "Scene.without": (scene.without, {"names": "pillar"}),
+        "Scene.states_valid": (scene.states_valid, {"points": [HERE]} | judges | threads),
+        "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | judges | threads),
+        "Scene.clearance": (scene.clearance, {"points": [HERE]} | threads),
+        "Scene.violations": (scene.violations, {"start": HERE, "end": THERE} | judges),
+        "Scene.explain_motion": (scene.explain_motion, {"start": HERE, "end": THERE} | judges),
+        "Path": (cdpr.Path, {"waypoints": [HERE, THERE], "cost": 1.0, "orientation": [1.0, 0, 0, 0]}),
+        "Path.save": (path.save, {"path": "path.csv"}),
+        "Path.to_pandas": (path.to_pandas, {}),
+        "View.save": (cdpr.View("<html>").save, {"path": "view.html"}),
+        "WrenchMap.save": (grid.save, {"path": "map.vti"}),
+        "WrenchMap.load": (cdpr.WrenchMap.load, {"path": "map.npz", "scene": held, "force": None, "moment": None}),
+        "BatchResult.save": (batch.save, {"folder": "run"}),
+        "capacity_margin": (
+            cdpr.capacity_margin,
+            {"robot": robot, "force": 1.0, "moment": 1.0, "vertices": [[1.0, 0, 0, 0, 0, 0]], "characteristic_length": 1.0}
+            | points | loads | threads,
+        ),
+        "force_margin": (cdpr.force_margin, {"robot": robot} | points | loads | threads),
+        "moment_margin": (cdpr.moment_margin, {"robot": robot} | points | loads | threads),
+        "force_set": (cdpr.force_set, {"robot": robot, "position": [0, 0, 2.0]} | loads),
+        "moment_set": (cdpr.moment_set, {"robot": robot, "position": [0, 0, 2.0]} | loads),
+        "tension_distribution": (
+            cdpr.tension_distribution,
+            {"robot": robot, "reference": [100.0] * 8, "characteristic_length": 1.0} | points | loads | threads,
+        ),
+        "wrench_matrix": (cdpr.wrench_matrix, {"robot": robot, "orientation": [1.0, 0, 0, 0]} | points),
+        "wrench_at": (cdpr.wrench_at, {"scene": held, "position": [0, 0, 2.0], "force": 1.0, "moment": 1.0}),
+        "wrench_map": (
+            cdpr.wrench_map,
+            {"scene": held, "step": 2.0, "force": 1.0, "moment": 1.0, "projected": False} | threads,
+        ),
+        "tensions_along": (
+            cdpr.tensions_along,
+            {"scene": held, "waypoints": [[0, 0, 2.0], [1, 0, 2]], "step": 0.5, "reference": [100.0] * 8, "strict": False},
+        ),
+        "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
+        "plan": (cdpr.plan, {"scene": scene} | plan),
+        "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
+        "refine": (cdpr.refine, along | judges),
+        "check": (cdpr.check, along | judges),
+        "lower_bound": (cdpr.lower_bound, {"scene": scene} | end),
+        "load_path": (cdpr.load_path, {"path": "path.json", "scene": scene, "strict": False}),
+        "schema": (cdpr.schema, {"of": "scene"}),
+        "import_robot": (
+            cdpr.import_robot,
+            {"path": TESTDATA / "caspr/CoGiRo", "bodies": None, "cable_set": None, "platform": None, "units": "m"},
+        ),
+        "shadows": (cdpr.shadows, {"scene": scene} | regions),
+        "save_shadows": (cdpr.save_shadows, {"path": "s.obj", "scene": scene} | regions),
+        "show": (cdpr.show, along | {"interference": "exact"}),
+        "save_view": (cdpr.save_view, along | {"path": "v.html", "interference": "exact"}),
+        "run_batch": (cdpr.run_batch, experiment),
+        "figures.scene": (
+            cdpr.figures.scene,
+            {"scene": scene, "path": path, "at": HERE, "shadows": "cable 1", "robot": True, "labels": True} | figure,
+        ),
+        "figures.paths": (cdpr.figures.paths, {"scene": scene, "paths": {"a": path}, "robot": False} | figure),
+        "figures.model": (cdpr.figures.model, {"scene": scene, "cable": "cable 1", "at": HERE} | figure),
+        "figures.rewinding": (
+            cdpr.figures.rewinding,
+            {"scene": scene, "waypoints": path, "direction": "backward", "step": 0.1} | figure,
+        ),
+        "figures.available_set": (
+            cdpr.figures.available_set,
+            {"robot": robot, "position": [0, 0, 2.0], "kind": "force"} | loads | figure,
+        ),
+        "figures.boxes": (
+            cdpr.figures.boxes,
+            {"data": {"a": [1.0, 2.0]}, "measure": "cost", "scenario": None, "methods": None, "label": "length", "ax": None},
+        ),
+        "figures.step_sweep": (cdpr.figures.step_sweep, {"batch": sweep("step"), "measure": "reduction", "ax": None}),
+        "figures.repeats": (cdpr.figures.repeats, {"batch": sweep("repeats"), "measure": "reduction", "ax": None}),
+        "figures.convergence": (
+            cdpr.figures.convergence,
+            {"batch": sweep("history"), "scenario": "a", "methods": ["RRT"], "best": 1.0, "ax": None},
+        ),
+        "figures.style": (cdpr.figures.style, {}),
+        "ompl.simple_setup": (cdpr.ompl.simple_setup, {"scene": scene} | end | judges),
+        "ompl.solve": (cdpr.ompl.solve, {"setup": solved(scene), "seconds": 0.01}),
+        "ompl.path": (cdpr.ompl.path, {"setup": solved(scene)}),
+        "ompl.StateSpace": (cdpr.ompl.StateSpace, {"scene": scene}),
+        "ompl.StateValidityChecker": (cdpr.ompl.StateValidityChecker, {"information": information, "scene": scene} | judges),
+        "ompl.MotionValidator": (cdpr.ompl.MotionValidator, {"information": information, "scene": scene} | judges),
+    }
+
+
+def solved(scene):
+    setup = cdpr.ompl.simple_setup(scene)
+    assert cdpr.ompl.solve(setup, 10.0)
+    return setup
+
+
+@functools.cache
+def sweep(what):
+    """A run that can be drawn."""
+    swept = {"step": {"step": [0.1, 0.2]}, "repeats": {"repeats": [1, 2]}}.get(what)
+    method = {"name": "RRT", "planner": "rrt"} | ({} if swept is None else {"sweep": swept})
+    return cdpr.run_batch(EXPERIMENT | {"history": what == "history", "methods": [method]})
+
+
+def called(call, arguments):
+    if "names" in arguments:
+        return call(arguments["names"])
+    return call(**arguments)
+
+
+def outcome(call, arguments):
+    """What goes wrong if something other than our exceptions comes out."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cdpr.CdprWarning)
+        try:
+            called(call, arguments)
+        except cdpr.InternalError as bug:
+            return f"InternalError: {bug}"
+        except cdpr.CdprError:
+            return None
+        except BaseException as other:  # noqa: BLE001 (PanicException is none of Exception's)
+            return f"{type(other).__name__}: {other!a}"[:300]
+        finally:
+            pyplot.close("all")
+    return None
+
+
+def public():
+    """Names of functions, of classes that people make, and of the methods of all."""
+    for name in cdpr.__all__:
+        thing = getattr(cdpr, name)
+        if inspect.isfunction(thing) or (inspect.isclass(thing) and not issubclass(thing, Exception) and name not in RESULTS):
+            yield name
+        if not inspect.isclass(thing) or issubclass(thing, Exception):
+            continue
+        for key, member in vars(thing).items():
+            if not key.startswith("_") and isinstance(member, (classmethod, staticmethod, type(public))):
+                yield f"{name}.{key}"
+
+
+# They take nothing but what they belong to.
+WITHOUT_ARGUMENTS = {"Report.to_pandas", "Result.history_to_pandas", "SearchTree.to_pandas", "Tensions.to_pandas", "View.open"}
+WITHOUT_ARGUMENTS |= {"WrenchMap.to_pandas"}
+
+
+def test_everything_public_is_called_with_all_its_parameters(calls):
+    drawn = {f"figures.{name}" for name in cdpr.figures.__all__ if callable(getattr(cdpr.figures, name))}
+    others = {f"ompl.{name}" for name in cdpr.ompl.__all__}
+    assert (set(public()) - WITHOUT_ARGUMENTS) | drawn | others == set(calls)
+    for name, (call, arguments) in calls.items():
+        known = [key for key in inspect.signature(call).parameters if not key.startswith("_")]
+        assert sorted(known) == sorted(arguments), name
+        if name == "plan":
+            arguments = arguments | {"target_cost": None}
+        assert outcome(call, arguments) is None, name
+
+
+def test_only_our_exceptions_come_out(calls, hard1):
+    found = []
+    for name, (call, arguments) in calls.items():
+        for key in arguments:
+            for what, value in hostile(hard1).items():
+                if key in CALLBACKS and callable(value):
+                    continue
+                wrong = outcome(call, arguments | {key: value})
+                if wrong is not None:
+                    found.append(f"{name}({key}={what}): {wrong}")
+    assert not found, "\n".join(found)
+
+
+def numeric(value):
+    """Whether a good argument is a number or an array of them."""
+    if isinstance(value, (bool, str)) or value is None:
+        return False
+    try:
+        return np.asarray(value).dtype.kind in "if" and np.asarray(value).size > 0
+    except ValueError:
+        return False
+
+
+def disguised(value):
+    """What NumPy would take for the number or array without a word."""
+    array = np.asarray(value, dtype=np.float64)
+    yield "text", array.astype(str).tolist()
+    yield "array of texts", array.astype(str)
+    yield "truth", array.astype(bool).tolist()
+    yield "array of truths", array.astype(bool)
+    mask = np.zeros(array.shape, dtype=bool)
+    mask.flat[-1] = True
+    yield "masked", np.ma.array(array, mask=mask)
+
+
+def test_texts_truth_values_and_masked_entries_are_no_numbers(calls):
+    taken = []
+    for name, (call, arguments) in calls.items():
+        for key in filter(lambda key: numeric(arguments[key]), arguments):  # noqa: B023
+            for what, value in disguised(arguments[key]):
+                try:
+                    called(call, arguments | {key: value})
+                except cdpr.InputError:
+                    continue
+                taken.append(f"{name}({key}={what})")
+    assert not taken, "\n".join(taken)
+
+
+def test_a_scene_in_the_place_of_a_robot_is_named_and_the_other_way_round(hard1):
+    with pytest.raises(cdpr.InputError, match=r"robot: found a Scene, expected a Robot; its robot is scene\.robot"):
+        cdpr.capacity_margin(hard1, [1, 1, 1])
+    with pytest.raises(cdpr.InputError, match=r"robot: found a Scene"):
+        hard1.replace(robot=hard1)
+    with pytest.raises(cdpr.InputError, match=r"scene: found a Robot, expected a Scene; cdpr\.Scene\(robot, workspace=\.\.\.\)"):
+        cdpr.plan(hard1.robot)
+    with pytest.raises(cdpr.InputError, match="scene: found a Robot"):
+        cdpr.save_view("view.html", hard1.robot)
+
+
+def test_messages_name_what_was_found(hard1):
+    for call, words in [
+        (lambda: cdpr.Robot([[0, 0, 1]], [[0, 0, 0]], [[[0, 0, 0]]], tensions="abc"), "tensions: found the text 'abc'"),
+        (lambda: cdpr.Scene.from_dict("abc"), "scene: found the text 'abc', expected a mapping"),
+        (lambda: hard1.save(5), "path: found 5, expected the name of a file"),
+        (lambda: cdpr.plan(hard1, planner="\ud800"), r"planner: found '\\ud800', half of a surrogate pair"),
+        (lambda: cdpr.plan(hard1, keep_going=np.ones(3)), "keep_going: found an array of shape \\(3,\\), expected True or False"),
+        (lambda: cdpr.plan(hard1, planner=np.ones(3)), "planner: found an array of shape \\(3,\\), expected a text"),
+        (lambda: hard1.states_valid(np.ma.masked_less([[1.0, 1, 0]], 0.5)), "points: found masked entries"),
+        (lambda: hard1.replace(clearances={("cable 1", "pillar"): np.nan}), r"clearances\[.*\]: found nan, expected a finite"),
+        (lambda: cdpr.Scene.from_dict({"obstacles": [{"box": [1, float("inf"), 1]}]}), r"obstacles\[0\]\.box\[1\]: found inf"),
+        (lambda: cdpr.check(hard1, [["0", "1", "0"]]), "waypoints: found the text '0'"),
+    ]:
+        with pytest.raises(cdpr.InputError, match=words):
+            call()
