@@ -170,3 +170,14 @@ def test_an_imported_robot_is_the_stored_one():
     assert made.mass == stored.mass
     with pytest.raises(cdpr.InputError, match="no cable set \"orignal\", expected one of original; did you mean"):
         cdpr.import_robot(TESTDATA / "caspr" / "CoGiRo", cable_set="orignal")
+
+
+def test_cables_have_the_names_that_answers_use(hard1):
+    assert hard1.robot.cable_names == tuple(f"cable {k}" for k in range(8))
+    spec = hard1.robot.to_dict()
+    spec["cables"][3]["name"] = "hoist"
+    robot = cdpr.Robot.from_dict(spec)
+    assert robot.cable_names[2:5] == ("cable 2", "hoist", "cable 4")
+    report = cdpr.check(hard1.replace(robot=robot), [[0.3, 1, 0.3], [1.7, 1, 1.7]])
+    culprits = {name for violation in report.violations for name in violation.culprits}
+    assert {"hoist", "cable 2"} <= culprits <= {*robot.cable_names, "platform", "pillar"}
