@@ -4,6 +4,7 @@
 mod batch;
 mod convert;
 mod errors;
+mod forked;
 mod wrench;
 mod wrench_map;
 
@@ -663,6 +664,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        forked::loaded();
         module.add("MAX_COORDINATE", cdpr_core::numerics::MAX_COORDINATE)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }

@@ -271,7 +271,7 @@ mod tests {
         spec.clearance = Some(0.02);
         let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.3 };
         spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
-        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.8)];
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
         let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
         let named = |k: usize| found.pairs[found.tightest[k]] == ["cable 3", "pillar"];
         for k in 0..found.s.len() {
