@@ -269,13 +269,13 @@ mod tests {
         use crate::model::{ClearancesSpec, PairClearanceSpec};
         let mut spec = hard1().spec().clone();
         spec.clearance = Some(0.02);
-        let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.3 };
+        let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.08 };
         spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
         let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
         let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
         let named = |k: usize| found.pairs[found.tightest[k]] == ["cable 3", "pillar"];
         for k in 0..found.s.len() {
-            assert_eq!(found.required[k], if named(k) { 0.3 } else { 0.02 });
+            assert_eq!(found.required[k], if named(k) { 0.08 } else { 0.02 });
         }
         assert!((0..found.s.len()).any(named) && !(0..found.s.len()).all(named));
     }
