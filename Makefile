@@ -6,7 +6,7 @@ WHEELS := target/wheels
 
 SITE := target/site
 
-.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel python-test package-test docs workflows packages \
+.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel python-test package-test reference docs workflows packages \
 	deny demo figures bench viewer browser clean
 
 test: lint rust-test python-test docs workflows
@@ -97,9 +97,13 @@ python-test: wheel browser program
 package-test: wheel
 	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
 
+# The pages of docs/reference that are made from help, schemas and docstrings; they are under version control.
+reference: wheel program
+	CDPR=target/debug/cdpr $(BIN)/python docs/reference/make.py
+
 # The documentation as a site, in target/site/index.html; warnings are errors.
-docs: wheel program
-	CDPR=target/debug/cdpr $(BIN)/python -m sphinx -W --keep-going -q -j auto -d target/doctrees docs $(SITE)
+docs: wheel
+	$(BIN)/python -m sphinx -W --keep-going -q -j auto -d target/doctrees docs $(SITE)
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 	rm -rf $(SITE)/rust && cp -r target/doc $(SITE)/rust
 

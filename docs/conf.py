@@ -13,29 +13,15 @@ version = release = cdpr.__version__
 
 extensions = [
     "myst_parser",
-    "sphinx.ext.autodoc",
-    "sphinx.ext.napoleon",
-    "sphinx.ext.mathjax",
     "sphinx_copybutton",
-    "outside_links",
-    "program_help",
-    "python_modules",
-    "schema_tables",
+    "plain_pages",
 ]
 exclude_patterns = ["_extensions", "_static", "figures"]
 highlight_language = "none"
 
 myst_heading_anchors = 4
 
-autodoc_member_order = "groupwise"
-autodoc_typehints = "none"  # the docstrings tell types and shapes
-napoleon_google_docstring = False
-napoleon_use_ivar = True
-napoleon_use_rtype = False
-
 nitpicky = True
-# Types in docstrings are words for people: "ndarray (n, 3)", "Robot or None".
-nitpick_ignore_regex = [("py:class", ".*")]
 
 html_theme = "furo"
 html_title = f"cdpr {version}"

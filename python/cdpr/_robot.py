@@ -253,6 +253,11 @@ class Robot(Immutable):
         return str(self._spec.get("name", "robot"))
 
     @property
+    def cable_names(self) -> tuple[str, ...]:
+        """Names of the cables, in order; "cable 0", "cable 1", ... where they have none of their own."""
+        return tuple(cable.get("name") or f"cable {k}" for k, cable in enumerate(self._spec["cables"]))
+
+    @property
     def outlets(self) -> Floats:
         """Outlets, (m, 3), world, m."""
         return np.array([cable["outlet"] for cable in self._spec["cables"]], dtype=np.float64)

@@ -1,5 +1,6 @@
 """Reprs, equality, hashing, pickling and copying of everything that the package hands out."""
 
+import concurrent.futures
 import copy
 import multiprocessing
 import pickle
@@ -174,3 +175,70 @@ def test_processes_that_share_nothing_get_and_give_them():
 )
 def test_what_is_not_there_is_said_too(what, shown):
     assert repr(what(make("Scene"))).startswith(shown)
+
+
+def fail(how):
+    """In another process: an error or a warning of each kind."""
+    match how:
+        case "InputError":
+            cdpr.Scene.from_dict({"version": 1})
+        case "FileError":
+            cdpr.Scene.load("nowhere.toml")
+        case _:
+            raise getattr(cdpr, how)("a message")
+
+
+@pytest.mark.parametrize("how", ["CdprError", "FileError", "InputError", "InternalError", "CdprWarning"])
+def test_errors_come_back_from_processes_as_what_they_are(how, executor):
+    with pytest.raises(getattr(cdpr, how)) as problem:
+        executor.submit(fail, how).result(timeout=60)
+    assert type(problem.value) is getattr(cdpr, how) and len(problem.value.args) == 1 and str(problem.value)
+
+
+@pytest.fixture(scope="module")
+def executor():
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as executor:
+        yield executor
+
+
+@pytest.mark.parametrize("name", REPRS)
+def test_each_goes_to_a_process_and_comes_back(name, executor):
+    one = make(name)
+    assert executor.submit(copy.copy, one).result(timeout=60) == one
+
+
+def everything(scene):
+    """Something of every kind of long work, each on all threads."""
+    points = np.random.default_rng(0).uniform(0.3, 1.7, (2, 20_000, 3))
+    result = cdpr.plan(scene)
+    return [
+        scene.motions_valid(*points).sum(),
+        scene.clearance(points[0, :500]).sum(),
+        cdpr.wrench_map(scene, step=0.4),
+        cdpr.tensions_along(scene, result, step=0.1),
+        cdpr.check(scene, result),
+        cdpr.shadows(scene),
+        cdpr.lower_bound(scene),
+        result.waypoints.tolist(),
+    ]
+
+
+def everything_twice(scene):
+    """In a forked process and in one that it forks."""
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        return [everything(scene), pool.apply_async(everything, (scene,)).get(timeout=60)]
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork here")
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_processes_that_are_forked_have_threads_of_their_own():
+    scene = make("Scene")
+    expected = everything(scene)  # rayon's threads are there from now on, and a fork does not take them along
+    pool = concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork"))
+    try:
+        found = pool.submit(everything_twice, scene).result(timeout=120)
+    finally:
+        for process in pool._processes.values():
+            process.kill()
+        pool.shutdown(wait=False, cancel_futures=True)
+    assert found == [expected, expected]

@@ -6,11 +6,15 @@ A page's blocks run from top to bottom in one folder, which holds testdata and e
 - `toml` must be a good file. If its first line is a comment that names one, it becomes that file; what is part of a scene
   is tried in the scene that `cdpr new` writes.
 - `text` is what the block before it printed, but for times.
+- `rust` is tested by cargo, `pycon` (examples of docstrings) by doctest, and `console` and `pyi` (help, signatures) are
+  compared with what docs/reference/make.py writes, as are all pages that it makes.
 
 What cannot run here stands behind `<!-- skip: next "why" -->`; SKIPPED counts these, page by page.
 """
 
 import contextlib
+import importlib
+import importlib.util
 import io
 import os
 import re
@@ -43,8 +47,7 @@ SKIPPED = {
     "docs/tutorial.md": 1,
     "docs/wrench.md": 1,
 }
-# Rust is tested by cargo, directives by building the site.
-ELSEWHERE = re.compile(r"rust|\{.*\}.*")
+ELSEWHERE = {"rust", "pycon", "console", "pyi"}
 FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)
 TIME = re.compile(r"\d[\d.]* (ms|s|µs)\b")
 RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")
@@ -132,5 +135,44 @@ def test_a_page_does_what_it_says(name, page):
 @pytest.mark.parametrize("name", NAMES)
 def test_no_block_of_a_page_is_left_out(name):
     kinds = Counter(FENCE.findall((ROOT / name).read_text()))
-    others = [kind for kind in kinds if kind not in ("python", "sh", "toml", "text") and not ELSEWHERE.fullmatch(kind)]
-    assert not others
+    assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive, either: GitHub would show it as it is
+
+
+def reference_maker():
+    spec = importlib.util.spec_from_file_location("make_reference", ROOT / "docs/reference/make.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("name", ["command-line.md", "experiment.md", "python.md", "rust.md", "scene.md"])
+def test_reference_pages_are_up_to_date(name, monkeypatch):
+    monkeypatch.setenv("CDPR", str(program()))
+    checked_in = (ROOT / "docs/reference" / name).read_text(encoding="utf-8")
+    assert checked_in == reference_maker().PAGES[name](), "write it anew: make reference"
+
+
+def test_reference_pages_name_everything_public():
+    pages = {name: (ROOT / "docs/reference" / name).read_text(encoding="utf-8") for name in reference_maker().PAGES}
+    for module in ("cdpr", "cdpr.figures", "cdpr.ompl"):
+        found = importlib.import_module(module)
+        public = [name for name in found.__all__ if callable(getattr(found, name))]
+        assert [name for name in public if f"### {module}.{name}\n" not in pages["python.md"]] == []
+    for key in cdpr.schema("scene")["properties"]:
+        assert f"`{key}`" in pages["scene.md"]
+    assert "cdpr wrench [OPTIONS]" in pages["command-line.md"]
+
+
+LINK = re.compile(r"\]\(([^)\s:]*?)(#[^)\s]*)?\)")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_links_lead_somewhere(name):
+    """On GitHub; the site's own links are checked where it is built."""
+    page = ROOT / name
+    for target, anchor in LINK.findall(FENCE.sub("", page.read_text(encoding="utf-8"))):
+        file = (page.parent / target).resolve() if target else page
+        assert file.exists(), target
+        if anchor and file.suffix == ".md":
+            headings = re.findall(r"^#+ (.*)$", FENCE.sub("", file.read_text(encoding="utf-8")), re.MULTILINE)
+            assert anchor[1:] in {reference_maker().anchor(heading) for heading in headings}, target + anchor

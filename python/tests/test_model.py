@@ -222,3 +222,14 @@ def test_a_platform_on_elastic_cables_settles_as_the_documentation_says():
     moved = f"at the goal {1e3 * np.linalg.norm(goal[:3]):.0f} mm away and turned by {np.degrees(np.linalg.norm(goal[3:])):.2f}°"
     assert moved in told and f"no attachment moves by more than {1e3 * at_goal.max():.1f} mm" in told
     assert 1e3 * at_start.max() < 14
+
+
+def test_cables_have_the_names_that_answers_use(hard1):
+    assert hard1.robot.cable_names == tuple(f"cable {k}" for k in range(8))
+    spec = hard1.robot.to_dict()
+    spec["cables"][3]["name"] = "hoist"
+    robot = cdpr.Robot.from_dict(spec)
+    assert robot.cable_names[2:5] == ("cable 2", "hoist", "cable 4")
+    report = cdpr.check(hard1.replace(robot=robot), [[0.3, 1, 0.3], [1.7, 1, 1.7]])
+    culprits = {name for violation in report.violations for name in violation.culprits}
+    assert {"hoist", "cable 2"} <= culprits <= {*robot.cable_names, "platform", "pillar"}

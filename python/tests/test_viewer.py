@@ -134,7 +134,8 @@ def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, pl
     page = open_page(cogiro, planned)
     assert page.title() == "cogiro – cdpr"
     assert colors(page) > 100
-    plots = ["cable lengths", "clearance", "cable tensions (limits dashed)", "capacity margin beyond the demand"]
+    plots = ["cable lengths, m", "clearance (required: dashed), m", "cable tensions (limits: dashed), N"]
+    plots += ["capacity margin beyond the demand, N"]
     assert page.locator(".plot figcaption").all_inner_texts() == plots
     assert page.locator("#cable-table tr").count() == 9
     assert page.locator("#nearest").inner_text().startswith("nearest: ")
@@ -143,6 +144,77 @@ def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, pl
     margin = cdpr.capacity_margin(cogiro.robot, [cogiro.goal], force=demand["force"], moment=demand["moment"])[0]
     said = page.locator("#wrench").inner_text().replace("\xa0", " ")
     assert said == f"capacity margin: {margin:.4g} N beyond the demand"
+
+
+def test_start_and_goal_are_those_of_the_path(open_page: Open, hard1: cdpr.Scene) -> None:
+    path = cdpr.plan(hard1, start=[0.5, 1.0, 1.6], goal=[1.0, 1.6, 1.6])
+    page = open_page(hard1, path)
+    data = json.loads(page.locator("#cdpr-data").text_content() or "")
+    assert [data["start"], data["goal"]] == [path.waypoints[0].tolist(), path.waypoints[-1].tolist()]
+    still = open_page(hard1, file="still.html")
+    assert json.loads(still.locator("#cdpr-data").text_content() or "")["goal"] == [1.7, 1.0, 1.7]
+
+
+def test_the_raw_path_is_listed_where_it_differs_from_the_final_one(open_page: Open, hard1: cdpr.Scene) -> None:
+    rewound = cdpr.plan(hard1, "modified-rrt", seed=3)
+    assert not np.array_equal(rewound.raw_waypoints, rewound.waypoints)
+    for path, listed in [(rewound, True), (cdpr.plan(hard1), False)]:
+        names = open_page(hard1, path).locator(".legend-name").all_inner_texts()
+        assert ("raw path" in names) == listed
+
+
+def scale_labels(page: Page, plot: str) -> list[float]:
+    """Numbers beside a chart: one without a unit is in the unit that its title gives."""
+    return [float(text) for text in page.locator(".plot", has_text=plot).locator(".scale").all_inner_texts()]
+
+
+def test_the_clearance_chart_shows_what_is_required(open_page: Open, hard1: cdpr.Scene) -> None:
+    careful = hard1.replace(clearance=0.02, clearances={("cable 3", "pillar"): 0.08})
+    page = open_page(careful, cdpr.plan(careful))
+    chart = page.locator(".plot", has_text="clearance (required: dashed), m")
+    floor = chart.locator("path.limit").get_attribute("d") or ""
+    heights = {float(place) for place in re.findall(r"[ML][\d.]+ ([\d.]+)", floor)}
+    assert len(heights) == 2  # 20 mm, and 80 mm where cable 3 is the tightest
+    assert 0.02 in scale_labels(page, "clearance")
+    assert page.locator("#nearest.bad").count() == 0
+    said = set()
+    for share in np.linspace(0, 1, 60):
+        page.evaluate("(share) => cdprViewer.setDistance(share * cdprViewer.length)", share)
+        said.add(page.locator("#nearest").inner_text().replace("\xa0", " "))
+    assert all(re.fullmatch(r"tightest: .+, [\d.]+ m?m apart, (20|80) mm required", text) for text in said)
+    assert any("cable 3 and pillar" in text and "80 mm required" in text for text in said)
+    assert any("20 mm required" in text for text in said)
+
+
+def test_what_comes_too_near_is_red_and_listed_with_gap_and_demand(open_page: Open, hard1: cdpr.Scene) -> None:
+    path = cdpr.plan(hard1.replace(clearance=0.01))
+    page = open_page(hard1.replace(clearance=0.05), path.waypoints)
+    first = page.locator(".violation").first.inner_text().replace("\xa0", " ")
+    assert re.fullmatch(r"\S+ \d comes too near pillar after .*, only [\d.]+ [µm]?m apart, 50 mm required", first), first
+    page.locator(".violation").first.click()
+    assert re.match(r"(too near|in collision): ", page.locator("#nearest.bad").inner_text())
+
+
+def test_each_axis_has_one_unit_and_the_distance_stands_under_each_chart(open_page: Open, cogiro: cdpr.Scene) -> None:
+    page = open_page(cogiro, [[0.0, 2.2, 1.7], [0.0, 2.2, 5.0]])
+    grounds = [text.split("\n") for text in page.locator(".ground").all_inner_texts()]
+    assert grounds == [["0", "distance along the path, m", "3.300"]] * page.locator(".plot").count()
+    assert len(grounds) == 4
+    titles = page.locator("#cable-table th").all_inner_texts()
+    assert titles == ["cable", "length, m", "tension, N"]
+    for plot in ["cable lengths", "clearance", "cable tensions"]:
+        assert scale_labels(page, plot)
+    numbers = page.locator("#cable-table td.number").all_inner_texts()
+    assert all(re.fullmatch(r"-?[\d.]+|–", text) for text in numbers)
+
+
+def test_the_position_of_the_platform_is_shown(open_page: Open, hard1: cdpr.Scene, empty: cdpr.Scene) -> None:
+    page = open_page(hard1, BAD)
+    page.evaluate("cdprViewer.setDistance(0.5 * cdprViewer.length)")
+    assert page.locator("#position").inner_text() == "platform at (1.000, 1.000, 1.000)\xa0m"
+    still = open_page(empty, file="still.html")
+    x, y, z = empty.start
+    assert still.locator("#position").inner_text() == f"platform at ({x:.3f}, {y:.3f}, {z:.3f})\xa0m"
 
 
 def test_a_wrench_margin_that_is_missing_is_shown_in_red(open_page: Open, cogiro: cdpr.Scene) -> None:
@@ -164,11 +236,11 @@ def test_every_switch_changes_the_picture(
     rows = page.locator(".legend-row")
     names = rows.locator(".legend-name").all_inner_texts()
     layers = {"platform", "obstacles", "names of obstacles", "cables", "names of cables", "outlets and frame"}
-    layers |= {"final path", "start and goal", "workspace", "nearest to each other", "swept by cables"}
+    layers |= {"final path", "start and goal", "workspace", "tightest pair", "swept by cables"}
     layers |= {"shadows of obstacles", "cable 0", "column" if which == "planned" else "pillar"}
     tree = f"search tree ({np.sum(planned.tree.parents != np.arange(len(planned.tree.parents)))} edges)"
-    layers |= {"raw path", "wrench-feasible workspace", tree} if which == "planned" else {"violations"}
-    assert layers <= set(names)
+    layers |= {"wrench-feasible workspace", tree} if which == "planned" else {"violations"}
+    assert layers <= set(names) and "raw path" not in names
     before = picture(page)
     for number, name in enumerate(names):
         box = rows.nth(number).locator("input")

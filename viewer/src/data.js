@@ -77,7 +77,8 @@ function readMotion(motion) {
     s: motion.s,
     lengths: list(motion.lengths),
     clearance: list(motion.clearance),
-    nearest: list(motion.nearest),
+    required: list(motion.required),
+    tightest: list(motion.tightest),
     pairs: list(motion.pairs).map((pair) => list(pair).map(String)),
     tensions: list(motion.tensions),
     tensionLimits: list(motion.tension_limits),
@@ -100,7 +101,8 @@ function readViolation(violation) {
     at: Math.min(1, Math.max(0, numberOrNull(violation?.at) ?? 0)),
     kind: text(violation?.kind, 'unknown'),
     culprits: list(violation?.culprits).map(String),
-    margin: numberOrNull(violation?.margin),
+    gap: numberOrNull(violation?.gap),
+    required: numberOrNull(violation?.required) ?? 0,
   };
 }
 

@@ -1,4 +1,4 @@
-// Marks those two who come nearest to each other where the platform is.
+// Marks the two with the least room between them where the platform is.
 
 import { Group, Vector3 } from 'three';
 import { moveWideLines, wideLines } from './marks.js';
@@ -14,7 +14,7 @@ function obstacleMark(obstacle, frame, material) {
   return mark;
 }
 
-/** Two materials, one for a gap and one for an overlap. */
+/** Two materials, one for enough room and one for too little. */
 function materials(theme) {
   const of = (role) => theme.paint(wideLines([new Vector3(), new Vector3()], { linewidth: WIDTH }).material, role);
   return { gap: of('highlight'), overlap: of('violation') };
@@ -54,7 +54,7 @@ export function createHighlight(model, frame, shapes, theme) {
     for (const mark of all.children) mark.visible = false;
     for (const mark of (nearest?.culprits ?? []).map(markOf)) {
       mark.visible = true;
-      mark.material = nearest.gap < 0 ? overlap : gap;
+      mark.material = nearest.bad ? overlap : gap;
     }
   }
 

@@ -13,7 +13,7 @@ const NAMES = {
   searchTree: { name: 'search tree', swatch: 'hair' },
   rawPath: { name: 'raw path', swatch: 'dashed' },
   finalPath: { name: 'final path', swatch: 'thick' },
-  nearest: { name: 'nearest to each other', swatch: 'thick' },
+  nearest: { name: 'tightest pair', swatch: 'thick' },
   violations: { name: 'violations', swatch: 'cross' },
   startGoal: { name: 'start and goal', swatch: 'ghost' },
   workspace: { name: 'workspace', swatch: 'outline' },

@@ -182,12 +182,18 @@ function createPlainView() {
   return { move: () => {}, layers: {}, look: null };
 }
 
+// The largest coordinate in the workspace, m.
+const sizeOf = ({ workspace }) => (workspace ? Math.max(...[...workspace.min, ...workspace.max].map(Math.abs)) : 1);
+
 function connect(model, route, view) {
   let showPlots = () => null;
+  const size = sizeOf(model);
   const playback = createPlayback(
     route.length,
     (distance) => {
-      view.move(route.positionAt(distance), showPlots(distance));
+      const position = route.positionAt(distance);
+      view.move(position, showPlots(distance));
+      panel.showPosition(position, size);
       panel.showDistance(distance, route.length);
     },
     panel.showPlaying,

@@ -1,6 +1,6 @@
 // The panel: title, outcome, legend and list of violations; and the bar with the slider.
 
-import { describeOutcome, describeRegions, describeViolation, formatProgress } from './wording.js';
+import { describeOutcome, describeRegions, describeViolation, formatPosition, formatProgress } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const NARROW = '(max-width: 560px)';
@@ -162,6 +162,11 @@ export function showDistance(distance, length) {
   byId('slider').value = String(distance);
   byId('slider').setAttribute('aria-valuetext', text);
   byId('distance').textContent = text;
+}
+
+/** Shows where the platform is, in a unit that suits a scene of this size. */
+export function showPosition(position, size) {
+  byId('position').textContent = `platform at ${formatPosition(position, size)}`;
 }
 
 /** Shows whether the platform runs. */

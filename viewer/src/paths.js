@@ -15,9 +15,11 @@ export function createSearchTree(path, frame, theme) {
   return [lines];
 }
 
-/** The path as the planner found it: thin and dashed. */
+const samePoints = (a, b) => a.length === b.length && a.every((p, k) => p.every((x, axis) => x === b[k][axis]));
+
+/** The path as the planner found it, if that is another one: thin and dashed. */
 export function createRawPath(path, frame, theme) {
-  if (!path || path.rawWaypoints.length < 2) return [];
+  if (!path || path.rawWaypoints.length < 2 || samePoints(path.rawWaypoints, path.waypoints)) return [];
   const points = path.rawWaypoints.map((p) => frame.point(p));
   const line = wideLines(chain(points), { linewidth: 2, dashed: true, dashSize: 0.025, gapSize: 0.018 });
   theme.paint(line.material, 'rawPath');
@@ -35,9 +37,9 @@ export function createFinalPath(path, frame, theme) {
   return [line, marks];
 }
 
-// Pieces of the path where something is in collision or a wrench margin is missing.
-function badPieces({ clearance, margins, s }, route, frame) {
-  const isBad = (i) => clearance[i] < 0 || margins.some(({ values }) => values[i] < 0);
+// Pieces of the path where something comes too near or a wrench margin is missing.
+function badPieces({ clearance, required, margins, s }, route, frame) {
+  const isBad = (i) => clearance[i] < required[i] || margins.some(({ values }) => values[i] < 0);
   const places = s.map((distance) => frame.point(route.positionAt(distance)));
   return s.slice(1).flatMap((_, i) => (isBad(i) && isBad(i + 1) ? [places[i], places[i + 1]] : []));
 }

@@ -7,23 +7,52 @@ const UNITS = [
   { from: 0, factor: 1e6, digits: 1, name: 'µm' },
 ];
 
-function withUnit(metres, unit, digits) {
-  return `${(metres * unit.factor).toFixed(digits)}\u00a0${unit.name}`;
-}
+const FORCES = [
+  { from: 1e4, factor: 1e-3, digits: 2, name: 'kN' },
+  { from: 100, factor: 1, digits: 0, name: 'N' },
+  { from: 0, factor: 1, digits: 1, name: 'N' },
+];
 
-const unitFor = (metres) => UNITS.find((unit) => Math.abs(metres) >= unit.from);
+const unitFor = (units, size) => units.find((unit) => Math.abs(size) >= unit.from);
+
+// Without the sign of a zero.
+const rounded = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, '');
+
+const axisOf = ({ factor, digits, name }) => ({
+  unit: name,
+  /** A number in this unit, without the unit; a dash where there is none. */
+  format: (value) => (Number.isFinite(value) ? rounded(value * factor, digits) : '–'),
+});
+
+/** The unit of lengths up to this one, m. */
+export const lengthAxis = (largest) => axisOf(unitFor(UNITS, largest));
+
+/** The unit of forces up to this one, N. */
+export const forceAxis = (largest) => axisOf(unitFor(FORCES, largest));
+
+/** A unit for numbers up to this one, with four digits. */
+export function numberAxis(largest, name) {
+  const digits = Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(largest || 1))));
+  return axisOf({ factor: 1, digits, name });
+}
 
 /** A length with three decimals or so: "2.621 m". */
 export function formatLength(metres) {
   if (metres === 0) return '0 m';
-  const unit = unitFor(metres);
-  return withUnit(metres, unit, unit.digits);
+  const { unit, format } = lengthAxis(metres);
+  return `${format(metres)}\u00a0${unit}`;
 }
 
 /** A distance in the unit of a whole: "0.050 of 2.621 m". */
 export function formatProgress(distance, whole) {
-  const unit = unitFor(whole);
-  return `${(distance * unit.factor).toFixed(unit.digits)} of ${withUnit(whole, unit, unit.digits)}`;
+  const { unit, format } = lengthAxis(whole);
+  return `${format(distance)} of ${format(whole)}\u00a0${unit}`;
+}
+
+/** A position in a unit that suits the whole scene: "(0.300, 1.000, 0.300) m". */
+export function formatPosition(position, size) {
+  const { unit, format } = lengthAxis(size);
+  return `(${position.map(format).join(', ')})\u00a0${unit}`;
 }
 
 /** A small gap without needless digits: "12 mm". */
@@ -34,18 +63,13 @@ export function formatGap(metres) {
   return `${Number((metres * 1e6).toPrecision(3))}\u00a0µm`;
 }
 
-/** A tension: "412.3 N", or a dash where there is none. */
-export function formatForce(newtons) {
-  if (!Number.isFinite(newtons)) return '–';
-  if (Math.abs(newtons) >= 1e4) return `${(newtons / 1e3).toFixed(2)} kN`;
-  return `${newtons.toFixed(Math.abs(newtons) >= 100 ? 0 : 1)} N`;
-}
-
-/** Who comes nearest to whom: "cable 3 and pillar, 12 mm apart". */
-export function describeNearest({ culprits, gap }) {
+/** How the tightest pair keeps its distance: "tightest: cable 3 and pillar, 62 mm apart, 50 mm required". */
+export function describeTightest({ culprits, gap, required }) {
   const who = culprits.join(' and ');
-  if (gap < 0) return `in collision: ${who}, ${formatGap(-gap)} deep`;
-  return gap === 0 ? `in collision: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
+  if (gap < 0 && gap < required) return `in collision: ${who}, ${formatGap(-gap)} deep`;
+  if (required <= 0) return gap === 0 ? `nearest: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
+  const which = gap < required ? 'too near' : 'tightest';
+  return `${which}: ${who}, ${formatGap(gap)} apart, ${formatGap(required)} required`;
 }
 
 /** A wrench margin or another number with its unit: "12.34 N". */
@@ -108,24 +132,23 @@ const SENTENCES = {
   wrench: () => 'the cables cannot balance the platform',
 };
 
-function describeEvent({ kind, culprits, margin }) {
+function describeEvent({ kind, culprits, gap }) {
   if (SENTENCES[kind]) return SENTENCES[kind](culprits);
-  const verb = margin > 0 ? 'comes too near' : 'meets';
+  const verb = gap > 0 ? 'comes too near' : 'meets';
   if (culprits.length >= 2) return `${culprits[0]} ${verb} ${culprits.slice(1).join(' and ')}`;
   return [...culprits, kind].join(': ');
 }
 
-function describeMargin({ kind, margin }) {
-  if (margin === null) return '';
-  const gap = formatGap(Math.abs(margin));
-  if (kind === 'workspace') return margin < 0 ? `, ${gap} outside` : '';
-  if (kind === 'cable-length') return margin < 0 ? `, by ${gap}` : '';
-  if (margin < 0) return `, ${gap} deep`;
-  return margin > 0 ? `, only ${gap} apart` : '';
+function describeGap({ kind, gap, required }) {
+  if (gap === null) return '';
+  if (kind === 'workspace') return gap < 0 ? `, ${formatGap(-gap)} outside` : '';
+  if (kind === 'cable-length') return gap < 0 ? `, by ${formatGap(-gap)}` : '';
+  if (gap < 0) return `, ${formatGap(-gap)} deep`;
+  return gap > 0 ? `, only ${formatGap(gap)} apart, ${formatGap(required)} required` : '';
 }
 
 /** A violation that begins at a distance along the path in one sentence. */
 export function describeViolation(violation, distance) {
   const where = `after ${formatLength(distance)} (segment ${violation.segment})`;
-  return `${describeEvent(violation)} ${where}${describeMargin(violation)}`;
+  return `${describeEvent(violation)} ${where}${describeGap(violation)}`;
 }

@@ -5,6 +5,7 @@ mod commands;
 mod input;
 mod output;
 mod progress;
+mod signals;
 
 use std::panic;
 use std::process::ExitCode;
@@ -40,8 +41,7 @@ fn main() -> ExitCode {
         }
     };
     say_where_panics_are();
-    // Without a handler Ctrl-C would still end the program, but without the best answer so far.
-    let _ = ctrlc::set_handler(progress::interrupt);
+    signals::on_request_to_stop(progress::interrupt);
     let out = Console::new(cli.talk.level());
     cli.color.write_global();
     match caught(|| run(cli.command, &out)) {

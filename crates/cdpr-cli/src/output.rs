@@ -155,9 +155,38 @@ pub fn lossy(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Prints what was asked for instead of a command: help, or the version.
+/// Prints help or the version, no line wider than the terminal.
 pub fn print_help(help: &clap::builder::StyledStr) {
-    arrived(write!(anstream::stdout(), "{}", help.ansi()).and_then(|()| std::io::stdout().flush()));
+    let lines = help.ansi().to_string();
+    let text: String = lines.split_inclusive('\n').map(|line| wrapped(line, columns())).collect();
+    arrived(write!(anstream::stdout(), "{text}").and_then(|()| std::io::stdout().flush()));
+}
+
+/// Width of the terminal as clap takes it, which does not wrap usage and names of options.
+fn columns() -> usize {
+    let named = || std::env::var("COLUMNS").ok()?.parse().ok();
+    let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+    width.or_else(named).unwrap_or(100)
+}
+
+/// A line, maybe with colours, broken between words where it is wider than this.
+fn wrapped(line: &str, width: usize) -> String {
+    let wide = |text: &str| anstream::adapter::strip_str(text).to_string().trim_end().chars().count();
+    if wide(line) <= width {
+        return line.to_string();
+    }
+    let indent = " ".repeat(line.len() - line.trim_start_matches(' ').len() + 2);
+    let mut rows = vec![String::new()];
+    for word in line.split_inclusive(' ') {
+        let row = rows.last_mut().expect("there is one");
+        let longer = format!("{row}{word}");
+        if !row.trim().is_empty() && wide(&longer) > width.max(wide(row)) {
+            rows.push(format!("{indent}{word}"));
+        } else {
+            *row = longer;
+        }
+    }
+    rows.iter().map(|row| row.trim_end_matches(' ')).collect::<Vec<_>>().join("\n")
 }
 
 /// Whether this is `-`.

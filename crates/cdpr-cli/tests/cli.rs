@@ -167,6 +167,30 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
 }
 
 #[test]
+fn a_cable_that_ends_where_the_platform_may_touch_is_told_how_to_do_so_too() {
+    let folder = folder();
+    let planned = |touch: &str| {
+        let robot = testdata("robots/cogiro.toml");
+        let scene = format!(
+            "version = 1\nrobot = {robot:?}\nclearance = 0.05\ntouch = [{touch}]\n\
+             [workspace]\nmin = [-7, -5, 0]\nmax = [7, 5, 6]\n\
+             [[obstacles]]\nname = \"conveyor\"\nbox = [2.0, 1.5, 0.8]\nposition = [-3.0, 1.5, 0.4]\n\
+             [query]\nstart = [-3.0, 1.5, 0.801]\ngoal = [4.0, 0.5, 1.0]\n"
+        );
+        fs::write(folder.path().join("hall.toml"), scene).unwrap();
+        cdpr_in(folder.path(), &["plan", "hall.toml"])
+    };
+    let platform = "[\"platform\", \"conveyor\"]";
+    let refused = stderr(&planned(platform));
+    let hint = "next: only the platform may touch conveyor; to let cable 0 do so as well, add [\"cable 0\", \"conveyor\"] to `touch`";
+    assert!(refused.contains(hint), "{refused}");
+    let pairs: Vec<String> = [0, 2, 4, 6].map(|k| format!("[\"cable {k}\", \"conveyor\"]")).into();
+    assert_eq!(status(&planned(&format!("{platform}, {}", pairs.join(", ")))), 0);
+    let refused = stderr(&planned(""));
+    assert!(refused.contains("next: move it") && !refused.contains("to `touch`"), "{refused}");
+}
+
+#[test]
 fn exempt_pairs_stand_beside_the_answer() {
     let folder = folder();
     let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();

@@ -261,6 +261,56 @@ fn a_script_that_ignores_ctrl_c_for_its_children_can_stop_them() {
     assert_eq!(ended.and_then(|ended| ended.code()), Some(130));
 }
 
+/// A plan with a budget of two seconds, started by a shell in a way of its own.
+fn started_by(place: &Place, script: &str) -> std::process::Child {
+    Command::new("sh")
+        .current_dir(place.folder.path())
+        .args(["-c", script, "sh"])
+        .arg(assert_cmd::cargo::cargo_bin("cdpr"))
+        .args(["plan", "crowded.toml", "--planner", "rrt-star", "--keep-going", "--max-samples", "1000000000"])
+        .args(["--budget-ms", "2000", "-o", "out.json"])
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+#[test]
+fn a_hangup_ends_a_command_like_sigterm() {
+    let _alone = alone();
+    let place = Place::new();
+    let mut child = started_by(&place, "exec \"$@\"");
+    std::thread::sleep(Duration::from_millis(500));
+    let sent = Instant::now();
+    send("HUP", &child);
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(sent.elapsed() < Duration::from_secs(1), "{:?}", sent.elapsed());
+    place.assert_whole_and_clear("a plan that was hung up on");
+}
+
+#[test]
+fn under_nohup_a_command_goes_on_after_a_hangup_and_still_stops_when_it_should() {
+    let _alone = alone();
+    let place = Place::new();
+    for script in ["exec nohup \"$@\"", "trap '' HUP; exec \"$@\""] {
+        let mut child = started_by(&place, script);
+        for _ in 0..5 {
+            std::thread::sleep(Duration::from_millis(100));
+            send("HUP", &child);
+        }
+        let code = child.wait().unwrap().code();
+        assert!(matches!(code, Some(0 | 1)), "{script}: {code:?}"); // its budget ended it
+        assert!(place.folder.path().join("out.json").exists(), "{script}");
+        place.assert_whole_and_clear(script);
+        let mut child = started_by(&place, script);
+        std::thread::sleep(Duration::from_millis(500));
+        send("TERM", &child);
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{script}");
+        place.assert_whole_and_clear(script);
+    }
+}
+
 /// Time of a plan beyond its budget, ms: reading the scene, which the budget does not count, is taken off.
 fn late(place: &Place, arguments: &[&str], budget: f64) -> f64 {
     let clock = Instant::now();

@@ -2,6 +2,7 @@
 
 mod support;
 
+use assert_cmd::Command;
 use support::*;
 
 #[test]
@@ -97,8 +98,9 @@ fn every_command_has_examples_a_manual_page_and_completions() {
     assert_eq!(status(&cdpr_in(folder.path(), &["man", "-o", "man1"])), 0);
     let help = stdout(&cdpr(&["--help"]));
     let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let named = commands.filter(|line| !line.starts_with("   ")); // others go on with a description
     let names: Vec<&str> =
-        commands.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help").collect();
+        named.filter_map(|line| line.split_whitespace().next()).filter(|name| *name != "help").collect();
     assert!(names.len() >= 15, "{help}");
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = stdout(&cdpr(&["completions", shell]));
@@ -112,4 +114,30 @@ fn every_command_has_examples_a_manual_page_and_completions() {
     }
     assert!(folder.path().join("man1/cdpr.1").exists());
     assert!(stdout(&cdpr(&["man"])).contains(".TH cdpr 1"));
+}
+
+#[test]
+fn help_fits_narrow_terminals_and_cuts_no_word() {
+    let help = |command: &str, columns: &str| {
+        let mut program = Command::cargo_bin("cdpr").unwrap();
+        let arguments = [command, "--help"].into_iter().filter(|argument| !argument.is_empty());
+        let output = program.env("COLUMNS", columns).args(arguments).output().unwrap();
+        assert_eq!((status(&output), stderr(&output).as_str()), (0, ""), "{command}, {columns} columns");
+        stdout(&output)
+    };
+    // clap may put the colon after a name on a line of its own.
+    let words = |text: &str| text.replace(':', " : ").split_whitespace().map(str::to_string).collect::<Vec<_>>();
+    for command in ["", "plan", "check", "new", "import", "view", "shadows", "wrench", "batch", "merge", "completions"]
+    {
+        let whole = words(&help(command, "1000"));
+        for columns in ["80", "40", "20", "3", "0", "-1", "many"] {
+            let text = help(command, columns);
+            assert_eq!(words(&text), whole, "{command}, {columns} columns");
+            let width = columns.parse().unwrap_or(100);
+            for line in text.lines().filter(|_| width >= 20) {
+                let fits = line.chars().count() <= width || line.split_whitespace().count() == 1;
+                assert!(fits, "{command}, {columns} columns: {line}");
+            }
+        }
+    }
 }

@@ -17,6 +17,7 @@ pub mod validity;
 pub use constraint::{Constraint, Constraints, Demand};
 pub use cspace::CspaceEngine;
 pub use exempt::{Exemption, Reason};
+pub use explain::tightest;
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
 pub use validity::{

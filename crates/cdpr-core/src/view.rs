@@ -108,6 +108,7 @@ fn filled(scene: &Scene, data: &Value) -> String {
 
 fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> Value {
     let q = scene.orientation();
+    let waypoints = path.map_or(&[][..], |path| &path.waypoints); // they may go from and to other places than the scene's
     let cable = |c: &crate::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
     let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
     json!({
@@ -118,8 +119,8 @@ fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -
         "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
         "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
         "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
-        "start": scene.start().as_ref().map(xyz),
-        "goal": scene.goal().as_ref().map(xyz),
+        "start": waypoints.first().or(scene.start().as_ref()).map(xyz),
+        "goal": waypoints.last().or(scene.goal().as_ref()).map(xyz),
         "path": path.map(|p| json!({
             "status": p.status,
             "waypoints": p.waypoints.iter().map(xyz).collect::<Vec<_>>(),

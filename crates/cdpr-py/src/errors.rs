@@ -12,6 +12,8 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 
+use crate::forked::with_living_threads;
+
 static INPUT_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static OUT_OF_TIME: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -35,7 +37,7 @@ pub fn raised(error: Error) -> PyErr {
 /// Time between two looks at whether a signal has come.
 const PERIOD: Duration = Duration::from_millis(20);
 /// Stack of the thread that works, bytes: as large as that of a main thread usually is.
-const STACK: usize = 8 << 20;
+pub const STACK: usize = 8 << 20;
 
 /// Runs short work. A panic within it comes out as an `InternalError`: PyO3 would raise a `PanicException`, which no
 /// `except Exception` catches.
@@ -59,7 +61,7 @@ pub fn abandonable<T: Send + 'static>(
 ) -> PyResult<T> {
     py.detach(|| {
         let (send, receive) = mpsc::sync_channel(1);
-        let worker = move || drop(send.send(caught(work)));
+        let worker = move || drop(send.send(with_living_threads(|| caught(work))));
         std::thread::Builder::new().stack_size(STACK).spawn(worker).map_err(|e| raised(no_thread(&e)))?;
         loop {
             match receive.recv_timeout(PERIOD) {
@@ -84,7 +86,8 @@ pub fn interruptible_with_rest<T: Send>(
         let (send, receive) = mpsc::sync_channel(1);
         std::thread::scope(|scope| {
             let stop = &stop;
-            let worker = move || drop(send.send(caught(|| work(&|| stop.load(Ordering::Relaxed)))));
+            let stopped = || stop.load(Ordering::Relaxed);
+            let worker = move || drop(send.send(with_living_threads(|| caught(|| work(&stopped)))));
             if let Err(problem) = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, worker) {
                 return (Err(no_thread(&problem)), None);
             }

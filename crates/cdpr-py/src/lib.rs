@@ -6,6 +6,7 @@ mod convert;
 mod drawing;
 mod errors;
 mod files;
+mod forked;
 mod scene;
 mod search;
 mod wrench;
@@ -70,6 +71,7 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        forked::loaded();
         module.add("GRAVITY", cdpr_core::model::GRAVITY)?;
         module.add("MAX_COORDINATE", cdpr_core::numerics::MAX_COORDINATE)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))

@@ -1,8 +1,9 @@
 //! `cdpr plan`
 
-use cdpr_core::collision::Checker;
+use cdpr_core::collision::{Checker, Kind, Violation};
 use cdpr_core::geometry::Point;
-use cdpr_core::model::OrientationSource;
+use cdpr_core::model::{Member, OrientationSource, PairRule};
+use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Planned, Post, appraise, plan_choosing};
 use cdpr_core::planning::Status;
 use cdpr_core::view::{ShownPath, page};
@@ -65,7 +66,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let page = page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
-    say_next(args, &found, out);
+    say_next(args, &scene, &found, out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
 }
 
@@ -152,7 +153,7 @@ fn words(orientation: &OrientationSource) -> String {
     }
 }
 
-fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
+fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
     let scene = args.scene.scene.display();
     let turned =
         args.scene.orientation.as_ref().map_or(String::new(), |turn| format!(" --orientation {}", words(turn)));
@@ -166,8 +167,25 @@ fn say_next(args: &PlanArgs, found: &PlanResult, out: &Console) {
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try --max-samples with a larger number, or another --seed"),
         (Status::StartInvalid | Status::GoalInvalid, _) => {
+            if let Some([cable, obstacle]) = stands_beside(asked, found) {
+                let pair = format!("[{cable:?}, {obstacle:?}]");
+                out.say(&format!(
+                    "next: only the platform may touch {obstacle}; to let {cable} do so as well, add {pair} to `touch`"
+                ));
+            }
             out.say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
         }
         _ => {}
     }
+}
+
+/// The cable and obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable that ends at the
+/// place of contact comes as near as the platform does.
+fn stands_beside<'a>(scene: &Scene, found: &'a PlanResult) -> Option<[&'a str; 2]> {
+    let beside = |reason: &&Violation| reason.kind == Kind::CableObstacle && reason.gap >= Some(-TOUCH_DEPTH);
+    let reason = found.reason.as_ref().filter(beside)?;
+    let [cable, obstacle] = &reason.culprits[..] else { return None };
+    let index = scene.obstacles().iter().position(|known| known.name == *obstacle)?;
+    let touches = scene.pairs().between(Member::Platform, Member::Obstacle(index)) == PairRule::Touch;
+    touches.then_some([cable, obstacle])
 }

@@ -78,17 +78,38 @@ pub(super) fn path_clearance(
     }))
 }
 
-/// The least gap of a motion, m, and the index of the constraint it is about. Bodies whose boxes are further apart than
-/// the least gap found so far are not looked at.
+/// Who has the least room at a position: the pair whose gap exceeds what is required of it by the least, or falls short by
+/// the most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
+pub fn tightest(constraints: &Constraints, position: &Point) -> Option<Clearance> {
+    let required = |constraint: &Constraint| constraints.required(constraint).unwrap_or(0.0);
+    let (room, index) = least(constraints, position, position, required)?;
+    let constraint = &constraints.list[index];
+    let required = required(constraint);
+    Some(Clearance { value: room + required, at: 0.0, culprits: constraints.culprits(constraint), required })
+}
+
+/// The least gap of a motion, m, and the index of the constraint it is about.
 pub(super) fn nearest(constraints: &Constraints, from: &Point, to: &Point) -> Option<(f64, usize)> {
+    least(constraints, from, to, |_| 0.0)
+}
+
+/// The least gap of a motion after a deduction for each constraint, m, and the index of the constraint. Bodies whose boxes
+/// are further apart than the least found so far are not looked at.
+fn least(
+    constraints: &Constraints,
+    from: &Point,
+    to: &Point,
+    deducted: impl Fn(&Constraint) -> f64,
+) -> Option<(f64, usize)> {
     let mut best: Option<(f64, usize)> = None;
     for (index, constraint) in constraints.list.iter().enumerate() {
-        if best.is_some_and(|(least, _)| boxes_apart(constraints, constraint, from, to) >= least) {
+        let deducted = deducted(constraint);
+        if best.is_some_and(|(least, _)| boxes_apart(constraints, constraint, from, to) - deducted >= least) {
             continue;
         }
-        let gap = gap(constraints, constraint, from, to);
-        if let Some(gap) = gap.filter(|gap| best.is_none_or(|(least, _)| *gap < least)) {
-            best = Some((gap, index));
+        let room = gap(constraints, constraint, from, to).map(|gap| gap - deducted);
+        if let Some(room) = room.filter(|room| best.is_none_or(|(least, _)| *room < least)) {
+            best = Some((room, index));
         }
     }
     best

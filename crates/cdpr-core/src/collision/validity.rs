@@ -272,6 +272,11 @@ pub trait Validity<State = Point>: Sync {
     /// The nearest approach of a motion to anything it must keep away from; none where there is no such thing.
     fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
 
+    /// Whether one question may take many milliseconds. Planners then look at the clock before each, not now and then.
+    fn may_be_slow(&self) -> bool {
+        false
+    }
+
     /// The first condition that a motion breaks.
     fn explain(&self, from: &State, to: &State) -> Option<Violation> {
         self.violations(from, to).into_iter().next()

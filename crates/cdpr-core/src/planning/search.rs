@@ -11,7 +11,7 @@ use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// Motion checks, or samples, between two looks at the clock and the caller.
+/// Motion checks, or samples, between two looks at the clock and the caller, where they are fast.
 const POLL: usize = 64;
 
 /// What ends a search besides the time.
@@ -48,6 +48,7 @@ pub(super) struct Search<'a, S: StateSpace> {
     validity: &'a dyn Validity<S::State>,
     limits: &'a Limits,
     watch: &'a Watch<'a>,
+    poll: usize,
     motion_checks: usize,
     samples: usize,
     out_of_time: bool,
@@ -63,13 +64,15 @@ impl<'a, S: StateSpace> Search<'a, S> {
         watch: &'a Watch<'a>,
     ) -> Self {
         let (started, history) = (Instant::now(), Vec::new());
-        Search { problem, validity, limits, watch, motion_checks: 0, samples: 0, out_of_time: false, started, history }
+        let poll = if validity.may_be_slow() { 1 } else { POLL };
+        let (motion_checks, samples, out_of_time) = (0, 0, false);
+        Search { problem, validity, limits, watch, poll, motion_checks, samples, out_of_time, started, history }
     }
 
     /// `CollisionFree` of the paper; nothing is any more once the time is over.
     pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> Result<bool, Error> {
         self.motion_checks += 1;
-        self.out_of_time |= self.motion_checks.is_multiple_of(POLL) && self.watch.expired()?;
+        self.out_of_time |= self.motion_checks.is_multiple_of(self.poll) && self.watch.expired()?;
         Ok(!self.out_of_time && self.validity.motion_valid(from, to))
     }
 
@@ -124,7 +127,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
         if content || self.samples >= max_samples || nodes >= max_nodes || self.out_of_time {
             return Ok(true);
         }
-        self.out_of_time = self.samples.is_multiple_of(POLL) && self.watch.expired()?;
+        self.out_of_time = self.samples.is_multiple_of(self.poll) && self.watch.expired()?;
         Ok(self.out_of_time)
     }
 

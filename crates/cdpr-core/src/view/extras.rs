@@ -7,10 +7,11 @@ use serde_json::{Value, json};
 
 use super::region;
 use crate::collision::path_check::path_length;
-use crate::collision::{Constraints, GjkEngine, Interference, Validity, WrenchLimit};
+use crate::collision::{Clearance, Constraints, WrenchLimit, tightest};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
+use crate::numerics::TOUCH_DEPTH;
 use crate::planning::SearchTree;
 use crate::regions::{RegionOptions, Regions, regions_within};
 use crate::watch::Watch;
@@ -29,11 +30,13 @@ pub(super) struct Motion {
     s: Vec<f32>,
     /// For each cable its length, m.
     lengths: Vec<Vec<f32>>,
-    /// Nearest approach, m; empty where there is nothing to keep away from.
+    /// Gap of the pair with the least room beyond what is required of it, m; empty where there is nothing to keep away from.
     clearance: Vec<f32>,
-    /// Between whom, as indices into `pairs`.
-    nearest: Vec<usize>,
-    /// Names of those who come nearest somewhere.
+    /// What is required of that pair, m.
+    required: Vec<f32>,
+    /// Which pair, as indices into `pairs`.
+    tightest: Vec<usize>,
+    /// Names of the pairs that have the least room somewhere.
     pairs: Vec<Vec<String>>,
     /// For each cable its tension, N, none where the loads cannot be balanced; empty where the robot has no mass or no
     /// tension limits.
@@ -56,7 +59,7 @@ struct Margins {
 /// What a path is plotted by; none for a path that goes nowhere.
 ///
 /// # Errors
-/// As [`GjkEngine::new`]; a tension solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+/// As [`Constraints::within`]; a tension solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = path_length(waypoints);
     if !(length > 0.0) {
@@ -64,29 +67,29 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     }
     let places = even_steps(waypoints, length / STEPS)?;
     let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
-    let engine = GjkEngine::within(scene, Interference::Exact, watch)?;
+    let constraints = Constraints::within(scene, watch)?;
     let mut motion = Motion {
         s: places.iter().map(|place| place.s as f32).collect(),
         lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
         clearance: Vec::new(),
-        nearest: Vec::new(),
+        required: Vec::new(),
+        tightest: Vec::new(),
         pairs: Vec::new(),
         tensions: Vec::new(),
         tension_limits: Vec::new(),
         margins: margins(scene, &positions, watch)?,
     };
-    let nearest = |position: &Point| {
-        watch.check()?;
-        Ok(engine.clearance(position, position))
-    };
-    let nearest: Result<Vec<_>, Error> = positions.par_iter().map(nearest).collect();
-    let nearest: Option<Vec<_>> = nearest?.into_iter().collect();
-    for clearance in nearest.into_iter().flatten() {
-        let known = motion.pairs.iter().position(|pair| *pair == clearance.culprits);
-        motion.clearance.push(clearance.value as f32);
-        motion.nearest.push(known.unwrap_or(motion.pairs.len()));
+    let tightest: Result<Vec<_>, Error> =
+        positions.par_iter().map(|position| watch.check().map(|()| tightest(&constraints, position))).collect();
+    for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
+        let known = motion.pairs.iter().position(|pair| *pair == culprits);
+        // What is kept up to the tolerance of the engines must not look broken.
+        let kept = value >= required - TOUCH_DEPTH;
+        motion.clearance.push(if kept { value.max(required) } else { value } as f32);
+        motion.required.push(required as f32);
+        motion.tightest.push(known.unwrap_or(motion.pairs.len()));
         if known.is_none() {
-            motion.pairs.push(clearance.culprits);
+            motion.pairs.push(culprits);
         }
     }
     // A robot without mass or tension limits has no tensions.
@@ -254,10 +257,27 @@ mod tests {
             motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
         assert_eq!((found.s.len(), found.s[300]), (301, 1.0));
         assert_eq!((found.lengths.len(), found.lengths[0].len(), found.clearance.len()), (8, 301, 301));
-        assert!(found.nearest.iter().all(|&k| found.pairs[k].len() == 2));
+        assert!(found.tightest.iter().all(|&k| found.pairs[k].len() == 2));
+        assert!(found.required.iter().all(|&required| required == 0.0));
         let (first, end) = (Point::new(0.225, 0.925, 0.275), found.lengths[0][0]);
         assert!((f64::from(end) - first.coords.norm()).abs() < 1e-6);
         assert!(found.tensions.iter().all(|cable| cable.iter().flatten().all(|t| (9.9..1000.1).contains(t))));
+    }
+
+    #[test]
+    fn clearances_are_plotted_with_what_is_required_of_the_tightest_pair() {
+        use crate::model::{ClearancesSpec, PairClearanceSpec};
+        let mut spec = hard1().spec().clone();
+        spec.clearance = Some(0.02);
+        let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.08 };
+        spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
+        let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
+        let named = |k: usize| found.pairs[found.tightest[k]] == ["cable 3", "pillar"];
+        for k in 0..found.s.len() {
+            assert_eq!(found.required[k], if named(k) { 0.08 } else { 0.02 });
+        }
+        assert!((0..found.s.len()).any(named) && !(0..found.s.len()).all(named));
     }
 
     #[test]

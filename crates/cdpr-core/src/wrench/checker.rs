@@ -54,6 +54,11 @@ impl Validity for WrenchChecker {
         self.geometry.motion_valid(from, to) && self.wrench.keeps(from, to)
     }
 
+    /// Facets of the available wrenches grow with the fifth power of the number of cables.
+    fn may_be_slow(&self) -> bool {
+        true
+    }
+
     fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
         let mut violations = self.geometry.violations(from, to);
         violations.extend(self.wrench.violation(from, to));

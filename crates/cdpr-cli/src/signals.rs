@@ -1,0 +1,36 @@
+//! What asks the program to stop: Ctrl-C, SIGTERM and SIGHUP.
+
+/// Has `stop` called on each of these signals. A SIGHUP that is ignored from the start stays ignored: `nohup cdpr ... &` goes
+/// on when its terminal is closed.
+pub fn on_request_to_stop(stop: fn()) {
+    // Without a handler Ctrl-C would still end the program, but without the best answer so far.
+    let set = || drop(ctrlc::set_handler(stop));
+    #[cfg(unix)]
+    keeping_ignored_hangup(set);
+    #[cfg(not(unix))]
+    set();
+}
+
+/// Calls `set`, which handles SIGHUP with all the others, and puts its disposition back if it was to be ignored. A SIGHUP
+/// that comes meanwhile waits, so that it is not handled.
+#[cfg(unix)]
+#[allow(unsafe_code)]
+fn keeping_ignored_hangup(set: impl FnOnce()) {
+    use nix::libc;
+    use nix::sys::signal::{SigHandler, SigSet, Signal, signal};
+
+    let mut present = std::mem::MaybeUninit::<libc::sigaction>::zeroed();
+    // SAFETY: without a new action `sigaction` only writes the present one to where it is told; zeros are a valid one.
+    let ignored = unsafe {
+        libc::sigaction(libc::SIGHUP, std::ptr::null(), present.as_mut_ptr());
+        present.assume_init().sa_sigaction == libc::SIG_IGN
+    };
+    let hangup = SigSet::from(Signal::SIGHUP);
+    let _ = hangup.thread_block();
+    set();
+    if ignored {
+        // SAFETY: a signal that is ignored calls nothing.
+        let _ = unsafe { signal(Signal::SIGHUP, SigHandler::SigIgn) };
+    }
+    let _ = hangup.thread_unblock();
+}

@@ -1,0 +1,77 @@
+"""The story of docs/howto/stations.md: what an engineer has after it, and that there and back are ways of one length."""
+
+import csv
+import itertools
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT
+from sybil import Sybil
+from sybil.parsers.markdown import CodeBlockParser
+from test_docs import Page
+
+import cdpr
+
+CABLES = ["SW low", "SW high", "NW low", "NW high", "NE low", "NE high", "SE low", "SE high"]
+STATIONS = {
+    "conveyor": [2.0, 6.0, 0.8],
+    "mill": [7.5, 4.0, 0.9],
+    "rack": [10.5, 6.5, 0.3],
+    "pallet": [2.0, 2.0, 0.2],
+    "bench": [10.0, 2.0, 0.1],
+    "washer": [6.0, 1.5, 0.8],
+}
+PAIRS = list(itertools.permutations(STATIONS, 2))
+
+pytestmark = pytest.mark.filterwarnings("ignore::cdpr.CdprWarning")  # how the parts of the mill's mesh fill it
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The engineer's folder after the page has been followed to its end."""
+    folder = tmp_path_factory.mktemp("stations")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        page = Page(folder)
+        parsers = [CodeBlockParser(language, evaluator) for language, evaluator in page.evaluators().items()]
+        start = time.perf_counter()
+        for example in Sybil(parsers).parse(ROOT / "docs/howto/stations.md").examples():
+            example.evaluate()
+        assert time.perf_counter() - start < 60  # a third of it on a machine that does nothing else
+    return folder
+
+
+@pytest.fixture
+def hall(folder: Path) -> cdpr.Scene:
+    return cdpr.Scene.load(folder / "hall.toml")
+
+
+def test_every_ordered_pair_of_stations_has_a_valid_path(folder: Path, hall: cdpr.Scene) -> None:
+    assert {path.stem for path in (folder / "paths").iterdir()} == {f"{a}-{b}" for a, b in PAIRS}
+    for start, goal in PAIRS:
+        path = cdpr.load_path(folder / f"paths/{start}-{goal}.json")
+        assert path.waypoints[0].tolist() == STATIONS[start] and path.waypoints[-1].tolist() == STATIONS[goal]
+        report = cdpr.check(hall, path, strict=True)
+        assert report.valid, f"{start} to {goal}: {report}"
+        assert report.min_clearance_not_exempt is not None and report.min_wrench_margin is not None
+        assert report.min_clearance_not_exempt["value"] >= 0.05 - 1e-7
+        assert report.min_wrench_margin["value"] >= 0.0
+
+
+def test_the_table_has_the_lengths_of_every_cable_by_name_along_every_path(folder: Path, hall: cdpr.Scene) -> None:
+    with open(folder / "lengths.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert list(rows[0]) == ["from", "to", "s", "x", "y", "z", *CABLES]
+    assert {(row["from"], row["to"]) for row in rows} == set(PAIRS)
+    positions = np.array([[float(row[axis]) for axis in "xyz"] for row in rows])
+    lines = hall.robot.outlets - (positions[:, None] + hall.robot.attachments)
+    shown = np.array([[float(row[name]) for name in CABLES] for row in rows])
+    assert np.allclose(shown, np.linalg.norm(lines, axis=2), atol=2e-4)
+
+
+@pytest.mark.parametrize("pair", list(itertools.combinations(STATIONS, 2)), ids="-".join)
+def test_there_and_back_take_ways_of_one_length(folder: Path, pair: tuple[str, str]) -> None:
+    there, back = (cdpr.load_path(folder / f"paths/{a}-{b}.json").cost for a, b in (pair, pair[::-1]))
+    assert there == pytest.approx(back, rel=0.01)
