@@ -27,13 +27,15 @@ ifneq ($(shell command -v timeout),)
 LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbose $(TEST_SECONDS)'"
 endif
 
-# Unit, property and integration tests and the examples in the documentation.
+# Unit, property and integration tests and the examples in the documentation. The benchmarks have none; clippy compiles them.
+TESTED := --workspace --exclude cdpr-benches
+
 rust-test:
-	cargo test $(LIMITED) --workspace --locked
+	cargo test $(LIMITED) $(TESTED) --locked
 
 # What rests on the kernels once more by the portable ones, as on a machine without AVX2.
 portable-test:
-	CDPR_PORTABLE=1 cargo test $(LIMITED) --workspace --locked --test oracles
+	CDPR_PORTABLE=1 cargo test $(LIMITED) $(TESTED) --locked --test oracles
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
@@ -84,7 +86,7 @@ browser:
 
 # The program as the tests have it, target/debug/cdpr: nothing to do after them.
 program:
-	cargo test --workspace --locked --no-run --quiet
+	cargo test $(TESTED) --locked --no-run --quiet
 
 python-test: wheel browser program
 	$(BIN)/python -m mypy python/cdpr

@@ -254,7 +254,7 @@ class Robot(Immutable):
 
     @property
     def cable_names(self) -> tuple[str, ...]:
-        """Names of the cables, in order; "cable 0", "cable 1", ... where they have none of their own."""
+        """Names of the cables; those without one are "cable 0", "cable 1" and so on."""
         return tuple(cable.get("name") or f"cable {k}" for k, cable in enumerate(self._spec["cables"]))
 
     @property
@@ -266,11 +266,6 @@ class Robot(Immutable):
     def attachments(self) -> Floats:
         """Attachments, (m, 3), platform frame, m."""
         return np.array([cable["attachment"] for cable in self._spec["cables"]], dtype=np.float64)
-
-    @property
-    def cable_names(self) -> tuple[str, ...]:
-        """Names of the cables; those without one are "cable 0", "cable 1" and so on."""
-        return tuple(cable.get("name", f"cable {k}") for k, cable in enumerate(self._spec["cables"]))
 
     @property
     def tensions(self) -> Floats:
