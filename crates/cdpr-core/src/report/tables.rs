@@ -5,6 +5,7 @@ use super::study::{APART, Described, MethodSummary, Study};
 use crate::batch::spec::Measure;
 use crate::batch::{Origin, Rules};
 use crate::view::escaped;
+use crate::words::count;
 
 /// A table from its head and rows; cells are HTML.
 pub(super) fn table(head: &[&str], rows: &[Vec<String>]) -> String {
@@ -91,9 +92,9 @@ pub(super) fn statistics(study: &Study) -> String {
 pub(super) fn origins(study: &Study) -> String {
     let line = |origin: &Origin| {
         let Origin { program, version, cpu, architecture, os, cores, threads } = origin;
-        let threads = threads.map_or(String::new(), |threads| format!(", {threads} threads"));
+        let threads = threads.map_or(String::new(), |threads| format!(", {}", count(threads, "thread")));
         let cpu = cpu.as_deref().unwrap_or("unknown processor");
-        escaped(&format!("{program} {version} on {cpu} ({architecture}, {cores} cores), {os}{threads}"))
+        escaped(&format!("{program} {version} on {cpu} ({architecture}, {}), {os}{threads}", count(*cores, "core")))
     };
     study.summary.origins.iter().map(|origin| format!("<p>Run by {}.</p>\n", line(origin))).collect()
 }
