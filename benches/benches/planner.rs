@@ -39,7 +39,7 @@ fn planners(c: &mut Criterion) {
     group.sample_size(10).throughput(Throughput::Elements(SEEDS));
     for scene in [testing::hard1(), testing::hard3()] {
         let engine = compiled(&scene);
-        for planner in [Planner::RrtConnect, Planner::ModifiedRrt, Planner::Anytime] {
+        for planner in [Planner::TwoTrees, Planner::RrtConnect, Planner::ModifiedRrt, Planner::Anytime] {
             let planner = PlannerOptions::of(planner);
             group.bench_function(format!("{}, {}", scene.name(), planner.planner().name()), |b| {
                 b.iter(|| {

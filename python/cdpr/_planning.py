@@ -20,7 +20,7 @@ from ._scene import Scene
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, InputError
 
-Planner: TypeAlias = Literal["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
+Planner: TypeAlias = Literal["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
 Post: TypeAlias = Literal["both", "backward", "forward", "taut", "none"]
 
@@ -62,7 +62,7 @@ def plan(
     Parameters
     ----------
     scene : Scene
-    planner : {"anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
+    planner : {"anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
         The anytime planner (a first path at once, then shorter ones), RRT-Connect, the paper's Algorithm 3, plain RRT, or
         the paper's Algorithm 1.
     seed : int
@@ -74,7 +74,7 @@ def plan(
     post : {"both", "backward", "forward", "taut", "none"}, optional
         What is done to the planner's path: rewinding (Algorithms 4 and 5), by which direction comes first, "both" keeps
         the shorter of the two orders; or pulling it taut as :func:`refine` does. Default "none" for "anytime", whose
-        paths are taut, "taut" for "rrt-connect", and "both" for the planners of the paper.
+        paths are taut, "taut" for "two-trees" and "rrt-connect", and "both" for the planners of the paper.
     budget : float, optional
         Time after which the call ends, s, compiling of the scene included; "anytime" uses all of it, and without it stops
         by itself.

@@ -170,7 +170,7 @@ def test_every_key_of_a_turn_and_of_a_demand_is_taken(robot):
         assert list(scene.orientations) == ["turned"]
     demands = {
         "force": 1.0, "moment": 1.0, "vertices": np.ones((1, 6)), "load": np.ones(6), "margin": "capacity", "rule": "grid",
-        "grid": 0.5, "characteristic_length": 2.0,
+        "grid": 0.5, "membership": "nearest", "characteristic_length": 2.0,
     }  # fmt: skip
     assert set(demands) == keys(DEFINED["WrenchSpec"])
     for key, value in demands.items():

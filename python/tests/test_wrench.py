@@ -56,7 +56,9 @@ def test_projected_margins_agree_with_pycapacity(built, margin, part):
     for w, found in zip(cdpr.wrench_matrix(robot, positions), margin(robot, positions), strict=True):
         normals, offsets = hyper_plane_shift_method(w[part], low, high)
         slack = np.asarray(offsets).ravel() - np.asarray(normals) @ -weight(robot)[part]
-        assert found == pytest.approx((slack / np.linalg.norm(normals, axis=1)).min(), abs=1e-7 * high.max())
+        least, tolerance = (slack / np.linalg.norm(normals, axis=1)).min(), 1e-7 * high.max()
+        # Outside, pycapacity's facets give the largest excess over one of them; the distance is at least that.
+        assert found == pytest.approx(least, abs=tolerance) if least >= 0 else found <= least + tolerance
 
 
 def test_tensions_balance_the_loads_within_limits_and_cannot_be_nearer(built):

@@ -88,7 +88,7 @@ pub fn experiment(path: &Path) -> Result<Experiment, Error> {
 }
 
 fn is_standard_input(path: &Path) -> bool {
-    is_dash(path) || path == "/dev/stdin"
+    is_dash(path) || path.as_os_str() == "/dev/stdin"
 }
 
 /// Something to read that is no file.

@@ -497,7 +497,8 @@ fn every_planner_plans_and_refuses_what_it_does_not_have() {
         ("rrt", &["--goal-bias", "0.05"][..]),
         ("rrt-star", &["--near-radius", "0.3", "--extend-step", "0.2"]),
         ("modified-rrt", &["--keep-going", "--max-samples", "2000"]),
-        ("rrt-connect", &["--keep-going", "--max-samples", "2000"]),
+        ("two-trees", &["--keep-going", "--max-samples", "2000"]),
+        ("rrt-connect", &["--extend-step", "0.3", "--keep-going", "--max-samples", "2000"]),
         ("anytime", &["--gap", "0.3", "--target-cost", "2.5"]),
     ] {
         let arguments = ["plan", &hard1, "--planner", planner, "--format", "json"];

@@ -327,7 +327,7 @@ fn a_budget_holds_from_the_call_to_the_answer() {
     let _alone = alone();
     let place = Place::new();
     for (name, _) in SCENES {
-        for planner in ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"] {
+        for planner in ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"] {
             for budget in ["1", "5", "50"] {
                 let scene = Place::scene(name);
                 let arguments = ["plan", &scene, "--planner", planner, "--budget-ms", budget, "-v"];

@@ -1,15 +1,17 @@
 //! Experiments: scenarios × methods × trials, on all cores, with the same rows whatever the number of threads.
 
 pub mod experiment;
+pub mod origin;
 pub mod random_scene;
 pub mod run;
 pub mod spec;
 pub mod statistics;
 pub mod summary;
 
-pub use experiment::{Experiment, Layout, Swept};
+pub use experiment::{Experiment, Layout, Rules, Swept};
+pub use origin::Origin;
 pub use random_scene::{RandomScenes, RandomScenesSpec};
-pub use run::{Progress, Row, RunOptions, TrialStatus, run};
+pub use run::{Progress, Row, RunOptions, TrialStatus, run, threads_of};
 pub use spec::{ExperimentSpec, SceneSource};
 pub use statistics::{Comparison, Moments, TTest, t_test};
 pub use summary::Summary;

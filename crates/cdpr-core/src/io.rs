@@ -11,6 +11,7 @@ mod loader;
 mod mesh_bodies;
 pub mod mesh_file;
 pub mod mesh_reader;
+mod origin;
 pub mod output;
 pub mod path_file;
 pub mod report_file;
@@ -28,6 +29,7 @@ pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, r
 pub use loader::Loader;
 pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
+pub use origin::origin_here;
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
     LoadedPath, PathFile, SceneId, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_for,

@@ -52,7 +52,7 @@ impl Post {
     pub fn of(planner: Planner) -> Self {
         match planner {
             Planner::Anytime => Post::None,
-            Planner::RrtConnect => Post::Taut,
+            Planner::TwoTrees | Planner::RrtConnect => Post::Taut,
             Planner::ModifiedRrt | Planner::Rrt | Planner::RrtStar => Post::Both,
         }
     }

@@ -14,6 +14,7 @@ pub mod rrt_star;
 pub mod search;
 pub mod space;
 pub mod tree;
+pub mod two_trees;
 
 pub use anytime::{AnytimeOptions, Guide, Listener, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
@@ -26,3 +27,4 @@ pub use rrt_star::{RrtStarOptions, rrt_star};
 pub use search::{Limits, Until};
 pub use space::{Problem, StateSpace, TranslationSpace};
 pub use tree::SearchTree;
+pub use two_trees::{TwoTreesOptions, two_trees};

@@ -50,7 +50,7 @@ pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]
         pairs.map(|[a, b]| (engine.motion_valid(&a, &b), (b - a).norm(), [a, b])).collect();
     pairs.sort_by(|(free, length, _), (other_free, other, _)| free.cmp(other_free).then(other.total_cmp(length)));
     let settings = PlannerSettings { max_samples: Some(SAMPLES), ..PlannerSettings::default() };
-    let planner = PlannerOptions::new(Planner::RrtConnect, PlanOptions::default().step, &settings)?;
+    let planner = PlannerOptions::new(Planner::TwoTrees, PlanOptions::default().step, &settings)?;
     let mut best: Option<(f64, [Point; 2])> = None;
     for (_, straight, [start, goal]) in pairs.into_iter().take(TRIALS) {
         let options =

@@ -38,6 +38,8 @@ pub fn page(study: &Study) -> String {
     let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
     let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
     body += &format!(" Statistics are those of solved trials; {unsolved} rows are not solved and left out.</p>\n");
+    body += &tables::origins(study);
+    body += &tables::rules(study);
     if let Some((paper, printed)) = paper {
         let (note, citation) = (escaped(&printed.note), escaped(&paper.citation));
         body += &format!("<h2>Beside the paper</h2>\n<p>{note} Source: {citation}.</p>\n");

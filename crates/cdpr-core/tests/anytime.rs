@@ -1,8 +1,9 @@
-//! The anytime planner, RRT-Connect and taut paths: known optima, validity under both engines, a slow reference, odd scenes.
+//! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow reference, odd scenes.
 
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use cdpr_core::Choice;
 use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
 use cdpr_core::collision::forbidden::{forbidden, rounded};
 use cdpr_core::collision::path_check::path_length;
@@ -221,7 +222,7 @@ fn the_swept_rule_is_respected() {
 #[test]
 fn a_seed_and_a_number_of_samples_give_the_same_path() {
     let settings = PlannerSettings { max_samples: Some(700), ..Default::default() };
-    for planner in [Planner::Anytime, Planner::RrtConnect] {
+    for planner in [Planner::Anytime, Planner::TwoTrees, Planner::RrtConnect] {
         let planner = PlannerOptions::new(planner, 0.1, &settings).unwrap();
         let path = |seed| planned(&hard3(), &PlanOptions { planner: planner.clone(), ..seeded(seed) }).waypoints;
         assert_eq!(path(11), path(11));
@@ -230,9 +231,11 @@ fn a_seed_and_a_number_of_samples_give_the_same_path() {
 }
 
 #[test]
-fn rrt_connect_then_taut_is_valid_and_near_the_best() {
-    let planner = PlannerOptions::of(Planner::RrtConnect);
-    for seed in 0..30 {
+fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
+    for (planner, seed) in
+        [Planner::TwoTrees, Planner::RrtConnect].into_iter().flat_map(|p| (0..30).map(move |s| (p, s)))
+    {
+        let planner = PlannerOptions::of(planner);
         let found = planned(&hard1(), &PlanOptions { planner: planner.clone(), ..seeded(seed) });
         assert_eq!(
             (found.status, PlanOptions { planner: planner.clone(), ..seeded(0) }.post()),
@@ -519,7 +522,7 @@ fn every_planner_finds_its_way_on_a_plane_and_along_a_line() {
     };
     plane.name = Some("plane".to_string());
     for (scene, straight) in [(scene(plane), false), (scene(line), true)] {
-        for planner in [Planner::Anytime, Planner::RrtConnect, Planner::ModifiedRrt, Planner::Rrt, Planner::RrtStar] {
+        for (planner, ..) in Planner::ALL.iter().copied() {
             let found = planned(&scene, &PlanOptions { planner: PlannerOptions::of(planner), ..seeded(0) });
             assert_eq!(found.status, Status::Solved, "{} {planner:?}", scene.name());
             valid_by_both(&scene, &found.waypoints);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use cdpr_core::batch::{Experiment, Row, RunOptions};
+use cdpr_core::batch::{Comparison, Experiment, Row, RunOptions};
 use cdpr_core::io::text::Notation;
 use cdpr_core::io::{BatchFolder, BatchRows, experiment_from_text, load_experiment, merge};
 use cdpr_core::plan::{PlanOptions, Post, plan};
@@ -242,6 +242,66 @@ fn the_summary_counts_and_compares() {
     let test = &summary["t_tests"][0];
     assert_eq!((&test["group"], &test["measure"], &test["b"][0]), (&"A".into(), &"cost".into(), &"hard1".into()));
     assert!(test["p"].as_f64().unwrap() <= 1.0 && test["df"].as_f64().unwrap() <= 22.0);
+}
+
+#[test]
+fn run_and_summary_record_program_machine_and_rules() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = small(&folder);
+    let paths = ["first", "second", "both"].map(|name| folder.path().join(name));
+    let json = |path: &Path| -> Value { serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap() };
+    for (path, trials, threads) in [(&paths[0], 0..1, 1), (&paths[1], 1..2, 2)] {
+        let options = RunOptions { threads: Some(threads), interrupted: &|| false, progress: &mut |_| {} };
+        BatchFolder::open(path, &experiment, trials, false).unwrap().run(&experiment, options).unwrap();
+    }
+    for file in ["run.json", "summary.json"] {
+        let known = json(&paths[0].join(file));
+        let origin = &known["origins"][0];
+        assert_eq!((&origin["program"], &origin["threads"]), (&"cdpr".into(), &1.into()), "{file}");
+        assert_eq!(origin["version"], env!("CARGO_PKG_VERSION"));
+        assert!(origin["os"].as_str().unwrap().starts_with(std::env::consts::OS));
+        assert!(origin["cores"].as_u64() >= Some(1) && origin["architecture"] == std::env::consts::ARCH);
+        assert!(!cfg!(all(target_os = "linux", target_arch = "x86_64")) || origin["cpu"].as_str().unwrap().len() > 3);
+        let rules = known["rules"].as_array().unwrap();
+        let [sweep, rrt] = &rules[..] else { panic!("{rules:?}") };
+        let of = |rules: &Value, key: &str| rules[key].as_str().unwrap().to_string();
+        assert_eq!(
+            ["method", "planner", "engine", "interference"].map(|key| of(sweep, key)),
+            ["sweep", "modified-rrt", "cspace", "exact"]
+        );
+        assert_eq!(["method", "planner", "post"].map(|key| of(rrt, key)), ["rrt", "rrt", "forward"]);
+        assert_eq!((&rrt["options"]["goal_bias"], &sweep["sweep"]["repeats"][1]), (&0.05.into(), &10.into()));
+    }
+    // A complete run that is resumed ran nothing; a merged one ran wherever its parts did.
+    merge(&paths[..2], &paths[2]).unwrap();
+    let origins = json(&paths[2].join("summary.json"))["origins"].clone();
+    let threads: Vec<_> = origins.as_array().unwrap().iter().map(|origin| origin["threads"].clone()).collect();
+    assert_eq!(threads, [1, 2]);
+    let mut again = BatchFolder::open(&paths[0], &experiment, 0..1, true).unwrap();
+    let options = RunOptions { threads: Some(7), interrupted: &|| false, progress: &mut |_| {} };
+    again.run(&experiment, options).unwrap();
+    assert_eq!(json(&paths[0].join("run.json"))["origins"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn the_papers_table_is_repeated_by_the_papers_rules_and_the_fast_engine_gives_the_same_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(repository().join("experiments/table2_paper.toml")).unwrap();
+    let text = text.replace("../testdata/scenes", "SCENES");
+    let paper = experiment(folder.path(), &text).unwrap();
+    assert_eq!((paper.trials, paper.layout.t_tests.len()), (1000, 18));
+    for rules in paper.rules() {
+        assert_eq!((rules.engine.as_str(), rules.interference.as_str()), ("gjk", "swept"), "{}", rules.method);
+        let post = if rules.method.ends_with("post-processing") { "backward" } else { "none" };
+        assert_eq!((rules.post.as_str(), rules.step), (post, 0.1));
+    }
+    assert!(paper.layout.t_tests.iter().all(|test| test.variances == Comparison::Pooled));
+    let fast = experiment(folder.path(), &text.replace("engine = \"gjk\"", "engine = \"cspace\"")).unwrap();
+    let trials = |experiment: &Experiment| {
+        let options = RunOptions { threads: None, interrupted: &|| false, progress: &mut |_| {} };
+        BatchRows::run(experiment, 0..2, options).unwrap().tables().unwrap().trials
+    };
+    assert_eq!(trials(&paper), trials(&fast));
 }
 
 #[test]

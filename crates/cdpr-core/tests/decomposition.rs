@@ -75,7 +75,7 @@ fn ways_agree_with_planners_on_random_scenes() {
         for seed in 0..60 {
             let scene = scenes.draw(seed).unwrap();
             let engine = engine(&scene);
-            let options = PlanOptions { planner: PlannerOptions::of(Planner::RrtConnect), ..PlanOptions::default() };
+            let options = PlanOptions { planner: PlannerOptions::of(Planner::TwoTrees), ..PlanOptions::default() };
             match way(&scene, TASTE, MUCH / 10) {
                 Way::Path(path) => {
                     paths += 1;

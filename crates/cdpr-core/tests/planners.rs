@@ -156,7 +156,7 @@ fn the_search_tree_is_kept_and_holds_the_path() {
         let found = planned(&hard1(), &planner, 4);
         let tree = &found.tree;
         assert_eq!((tree.states.len(), tree.parents.len()), (found.stats.nodes, found.stats.nodes));
-        let two_trees = matches!(planner.planner(), Planner::Anytime | Planner::RrtConnect);
+        let two_trees = matches!(planner.planner(), Planner::Anytime | Planner::TwoTrees | Planner::RrtConnect);
         assert_eq!(tree.edges().count(), found.stats.nodes - if two_trees { 2 } else { 1 }); // all but the roots
         assert!(tree.edges().all(|[from, to]| engine.motion_valid(from, to)));
         if two_trees {

@@ -31,7 +31,7 @@ pub struct PlanArgs {
     pub seed: u64,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// What is done to the found path [default: none for anytime, taut for rrt-connect, both for the others].
+    /// What is done to the found path [default: none for anytime, taut for two-trees and rrt-connect, both for the others].
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
     /// Start instead of the scene's, m.

@@ -5,14 +5,14 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use super::random_scene::RandomScenes;
-use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, TTestSpec};
+use super::spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, SweepSpec, TTestSpec};
 use crate::choice::Choice;
 use crate::error::{Error, nearest_name};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use crate::plan::{PlanOptions, Post, Processing};
-use crate::planning::{Planner, PlannerOptions};
+use crate::planning::{Planner, PlannerOptions, PlannerSettings};
 use crate::postprocess::RewindOptions;
 use crate::watch::{TimeUnit, time_budget};
 
@@ -103,7 +103,40 @@ pub struct Swept {
     pub repeats: Option<usize>,
 }
 
+/// How a method plans and what it holds to, with defaults written out; recorded beside its rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Rules {
+    /// Name of the method.
+    pub method: String,
+    /// Name of the planner.
+    pub planner: String,
+    /// Its options.
+    pub options: PlannerSettings,
+    /// cspace or gjk.
+    pub engine: String,
+    /// exact or swept.
+    pub interference: String,
+    /// Step of rewinding, m.
+    pub step: f64,
+    /// What is done to the path, unless it is swept.
+    pub post: String,
+    /// How often rewinding runs, unless that is swept.
+    pub repeats: usize,
+    /// Time after which a trial ends, ms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub budget_ms: Option<f64>,
+    /// What is swept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepSpec>,
+}
+
 impl Experiment {
+    /// The rules of each method.
+    pub fn rules(&self) -> Vec<Rules> {
+        let methods = self.methods.iter().zip(&self.portable.methods);
+        methods.map(|(method, spec)| Rules::of(method, spec)).collect()
+    }
+
     /// Checks an experiment; `load` reads a scene that it names.
     ///
     /// # Errors
@@ -210,6 +243,32 @@ impl Scenario {
     }
 }
 
+impl Rules {
+    fn of(Method { name, options, .. }: &Method, spec: &MethodSpec) -> Self {
+        let planner = options.planner.planner();
+        Rules {
+            method: name.clone(),
+            planner: planner.name().into(),
+            options: options.planner.settings(),
+            engine: options.engine.name().into(),
+            interference: options.interference.name().into(),
+            step: options.step,
+            post: post_of(spec, planner),
+            repeats: repeats_of(spec),
+            budget_ms: spec.budget_ms,
+            sweep: spec.sweep.clone(),
+        }
+    }
+}
+
+fn post_of(spec: &MethodSpec, planner: Planner) -> String {
+    spec.post.clone().unwrap_or_else(|| Post::of(planner).name().to_string())
+}
+
+fn repeats_of(spec: &MethodSpec) -> usize {
+    spec.repeats.unwrap_or(RewindOptions::default().repeats)
+}
+
 impl Method {
     fn new(spec: &MethodSpec) -> Result<Self, Error> {
         body::name("name", &spec.name)?;
@@ -237,8 +296,7 @@ type Variant = ((String, Processing), Swept);
 
 /// All combinations of a sweep, or the one way of rewinding of a method without.
 fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
-    let post = spec.post.clone().unwrap_or_else(|| Post::of(planner).name().to_string());
-    let repeats = spec.repeats.unwrap_or(RewindOptions::default().repeats);
+    let (post, repeats) = (post_of(spec, planner), repeats_of(spec));
     let sweep = spec.sweep.clone().unwrap_or_default();
     if spec.sweep.is_some() && sweep.step.is_empty() && sweep.post.is_empty() && sweep.repeats.is_empty() {
         return Err(Error::invalid("sweep", "found nothing to sweep, expected step, post or repeats"));

@@ -132,6 +132,15 @@ struct Unit {
     trial: usize,
 }
 
+/// How many threads these options ask for.
+///
+/// # Errors
+/// Zero threads, or too many.
+pub fn threads_of(options: &RunOptions) -> Result<usize, Error> {
+    let threads = options.threads.map(thread_count).transpose()?;
+    Ok(threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)))
+}
+
 /// Runs all trials below `end` that are not done yet; `next[group]` is the first one of a group that is not.
 ///
 /// # Errors
@@ -143,8 +152,7 @@ pub fn run(
     options: RunOptions,
     sink: &mut Sink,
 ) -> Result<(), Error> {
-    let threads = options.threads.map(thread_count).transpose()?;
-    let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let threads = threads_of(&options)?;
     let total = next.iter().map(|first| end.saturating_sub(*first)).sum();
     let first = next.iter().copied().min().unwrap_or(end);
     let queue = Queue::new(Units { trial: first, group: 0, end, next });

@@ -12,10 +12,11 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::batch_tables::{RunFile, lines, write_tables};
+use super::origin::origin_here;
 use super::output::{Output, is_temporary, write_atomically};
 use super::text;
 use crate::batch::Experiment;
-use crate::batch::run::{Row, RunOptions, run};
+use crate::batch::run::{Row, RunOptions, run, threads_of};
 use crate::error::Error;
 
 /// The file that says which run a folder belongs to.
@@ -46,7 +47,7 @@ impl BatchFolder {
         BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
 
-    pub(super) fn with(path: &Path, run: RunFile, resume: bool) -> Result<Self, Error> {
+    pub(super) fn with(path: &Path, mut run: RunFile, resume: bool) -> Result<Self, Error> {
         fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be made: {e}")))?;
         match (!as_good_as_new(path)?, resume) {
             (true, false) => {
@@ -55,17 +56,21 @@ impl BatchFolder {
                     "found a folder that is not empty, expected a new one; with --resume a run in it goes on",
                 ));
             }
-            (true, true) => same_run(path, &run)?,
+            (true, true) => run.origins = same_run(path, &run)?.origins,
             (false, _) => {}
         }
         let rows = path.join(ROWS);
         fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be made: {e}")))?;
         let lock = locked(path, &rows.join(LOCK))?;
-        let json = serde_json::to_string_pretty(&run).expect("names and numbers");
-        write_atomically(&path.join(RUN_FILE), format!("{json}\n").as_bytes())?;
         let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new(), _lock: lock };
+        folder.write_run_file()?;
         folder.done = (0..folder.run.layout.groups.len()).map(|g| folder.recover(g)).collect::<Result<_, _>>()?;
         Ok(folder)
+    }
+
+    fn write_run_file(&self) -> Result<(), Error> {
+        let json = serde_json::to_string_pretty(&self.run).expect("names and numbers");
+        write_atomically(&self.path.join(RUN_FILE), format!("{json}\n").as_bytes())
     }
 
     /// Runs what is missing, then writes the tables; interrupted, it writes those of the rows that are there.
@@ -73,6 +78,10 @@ impl BatchFolder {
     /// # Errors
     /// As [`run`], and files that cannot be written.
     pub fn run(&mut self, experiment: &Experiment, options: RunOptions) -> Result<(), Error> {
+        if self.done() < self.run.trials().len() * self.run.layout.groups.len() {
+            self.run.ran_on(origin_here(Some(threads_of(&options)?)));
+            self.write_run_file()?;
+        }
         let next: Vec<usize> = self.done.iter().map(|done| self.run.first_trial + done).collect();
         let (rows, done) = (self.path.join(ROWS), &mut self.done);
         let ended = run(experiment, &next, self.run.end_trial, options, &mut |group, lines| {
@@ -178,7 +187,9 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
             return Err(Error::file(path, problem));
         }
     }
-    let mut whole = BatchFolder::with(output, RunFile { end_trial: end, ..first }, false)?;
+    let mut whole = RunFile { end_trial: end, ..first };
+    runs.into_iter().flat_map(|(run, _)| run.origins).for_each(|origin| whole.ran_on(origin));
+    let mut whole = BatchFolder::with(output, whole, false)?;
     for group in 0..whole.run.layout.groups.len() {
         let target = output.join(ROWS).join(file_name(group));
         for part in &parts {
@@ -230,8 +241,8 @@ fn holds_only(folder: &Path, known: impl Fn(&OsStr) -> bool) -> Result<bool, Err
     Ok(names.iter().all(|name| known(name)))
 }
 
-/// Refuses to go on with another run.
-fn same_run(path: &Path, wanted: &RunFile) -> Result<(), Error> {
+/// The run that is there, if it is the wanted one; refuses to go on with another.
+fn same_run(path: &Path, wanted: &RunFile) -> Result<RunFile, Error> {
     let found = run_file(path)?;
     if found.fingerprint != wanted.fingerprint || found.layout.groups != wanted.layout.groups {
         let problem = format!(
@@ -244,7 +255,7 @@ fn same_run(path: &Path, wanted: &RunFile) -> Result<(), Error> {
         let problem = format!("found a run from trial {}, expected one from {}", found.first_trial, wanted.first_trial);
         return Err(Error::file(path, problem));
     }
-    Ok(())
+    Ok(found)
 }
 
 /// Keeps other processes out: two that append to the same rows would spoil them.

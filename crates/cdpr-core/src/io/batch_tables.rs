@@ -5,13 +5,14 @@ use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::batch_folder::BatchFolder;
 use super::cell::cell;
+use super::origin::origin_here;
 use crate::batch::experiment::Group;
-use crate::batch::run::{Row, RunOptions, run};
-use crate::batch::{Experiment, Layout, Summary};
+use crate::batch::run::{Row, RunOptions, run, threads_of};
+use crate::batch::{Experiment, Layout, Origin, Rules, Summary};
 use crate::error::Error;
 use crate::model::spec::FORMAT_VERSION;
 use crate::numerics::MOST_TRIALS;
@@ -25,6 +26,12 @@ pub(super) struct RunFile {
     pub first_trial: usize,
     pub end_trial: usize,
     pub layout: Layout,
+    /// How its methods plan; empty in files of before 0.2.
+    #[serde(default)]
+    pub rules: Vec<Rules>,
+    /// What ran its trials, each once; several where it was resumed or merged from elsewhere.
+    #[serde(default)]
+    pub origins: Vec<Origin>,
 }
 
 impl RunFile {
@@ -41,6 +48,8 @@ impl RunFile {
             first_trial: trials.start,
             end_trial: trials.end,
             layout: experiment.layout.clone(),
+            rules: experiment.rules(),
+            origins: Vec::new(),
         })
     }
 
@@ -60,6 +69,13 @@ impl RunFile {
 
     pub fn trials(&self) -> Range<usize> {
         self.first_trial..self.end_trial
+    }
+
+    /// Notes what ran trials.
+    pub fn ran_on(&mut self, origin: Origin) {
+        if !self.origins.contains(&origin) {
+            self.origins.push(origin);
+        }
     }
 }
 
@@ -109,7 +125,8 @@ impl BatchRows {
     /// # Errors
     /// As [`run`]; no trials.
     pub fn run(experiment: &Experiment, trials: Range<usize>, options: RunOptions) -> Result<Self, Error> {
-        let about = RunFile::of(experiment, &trials)?;
+        let mut about = RunFile::of(experiment, &trials)?;
+        about.ran_on(origin_here(Some(threads_of(&options)?)));
         let mut groups = vec![Vec::new(); about.layout.groups.len()];
         run(experiment, &vec![trials.start; groups.len()], trials.end, options, &mut |group, rows| {
             groups[group].extend(lines(rows)?);
@@ -123,7 +140,8 @@ impl BatchRows {
     /// # Errors
     /// Another number of groups, or of rows in one of them; no trials.
     pub fn new(experiment: &Experiment, trials: Range<usize>, groups: Vec<Vec<u8>>) -> Result<Self, Error> {
-        let run = RunFile::of(experiment, &trials)?;
+        let mut run = RunFile::of(experiment, &trials)?;
+        run.ran_on(origin_here(None));
         let expected: Vec<usize> = run.layout.groups.iter().map(|g| g.methods.len() * trials.len()).collect();
         let found: Vec<usize> =
             groups.iter().map(|lines| lines.iter().filter(|byte| **byte == b'\n').count()).collect();
@@ -207,7 +225,10 @@ pub(super) fn write_tables<'a>(
     trials.finish()?;
     timings.finish()?;
     history.map_or(Ok(()), Table::finish)?;
-    Ok(summary.json(&run.layout, &run.experiment, &run.fingerprint))
+    let mut summary = summary.json(&run.layout, &run.experiment, &run.fingerprint);
+    summary["rules"] = json!(run.rules);
+    summary["origins"] = json!(run.origins);
+    Ok(summary)
 }
 
 /// Reads the rows of one variant of a group, up to the last trial of the run.

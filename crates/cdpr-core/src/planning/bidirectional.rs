@@ -1,4 +1,4 @@
-//! Two trees, one from the start and one from the goal, that meet in samples.
+//! Two trees, one from the start and one from the goal, that meet in samples: how the anytime planner searches.
 
 use rand::{Rng, RngExt};
 
@@ -31,20 +31,15 @@ pub(super) struct Halves<'p, S: StateSpace> {
     halves: [Half<S>; 2],
 }
 
-struct Half<S: StateSpace> {
-    tree: Tree<S>,
+/// One tree, and which of its nodes are near a place.
+pub(super) struct Half<S: StateSpace> {
+    pub tree: Tree<S>,
     neighbours: Neighbours,
 }
 
 impl<'p, S: StateSpace> Halves<'p, S> {
     pub fn new(problem: &'p Problem<S>) -> Self {
-        let Problem { space, start, goal } = problem;
-        let rooted = |root: &S::State| {
-            let mut neighbours = Neighbours::default();
-            neighbours.push(space.place(root));
-            Half { tree: Tree::rooted_at(*root), neighbours }
-        };
-        Halves { space, halves: [rooted(start), rooted(goal)] }
+        Halves { space: &problem.space, halves: Half::of_both_ends(problem) }
     }
 
     /// Nodes of both trees.
@@ -80,24 +75,53 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         if nodes[smaller].is_some() || self.halves[larger].tree.len() < LOPSIDED * self.halves[smaller].tree.len() {
             nodes[larger] = self.halves[larger].append(self.space, search, state, parent)?;
         }
-        let [from_start, from_goal] = &self.halves;
         let [Some(first), Some(second)] = nodes else { return Ok(None) };
-        let mut path = from_start.tree.path_to(first);
-        path.extend(from_goal.tree.path_to(second).into_iter().rev().skip(1));
-        Ok(Some(path))
+        Ok(Some(path_through(&self.halves, [first, second])))
     }
 
     /// Both trees, that of the start first.
     pub fn into_search_tree(self) -> SearchTree<S::State> {
-        let [mut all, second] = self.halves.map(|half| SearchTree::from(half.tree));
-        let count = all.states.len();
-        all.states.extend(second.states);
-        all.parents.extend(second.parents.into_iter().map(|parent| parent + count));
-        all
+        into_search_tree(self.halves)
     }
 }
 
+/// The path from the root of the first tree to that of the second, through a node of each in the same state.
+pub(super) fn path_through<S: StateSpace>(halves: &[Half<S>; 2], nodes: [usize; 2]) -> Vec<S::State> {
+    let mut path = halves[0].tree.path_to(nodes[0]);
+    path.extend(halves[1].tree.path_to(nodes[1]).into_iter().rev().skip(1));
+    path
+}
+
+/// Both trees, one after the other.
+pub(super) fn into_search_tree<S: StateSpace>(halves: [Half<S>; 2]) -> SearchTree<S::State> {
+    let [mut all, second] = halves.map(|half| SearchTree::from(half.tree));
+    let count = all.states.len();
+    all.states.extend(second.states);
+    all.parents.extend(second.parents.into_iter().map(|parent| parent + count));
+    all
+}
+
 impl<S: StateSpace> Half<S> {
+    /// A tree from the start and one from the goal, nothing but their roots.
+    pub fn of_both_ends(Problem { space, start, goal }: &Problem<S>) -> [Self; 2] {
+        [start, goal].map(|root| {
+            let mut neighbours = Neighbours::default();
+            neighbours.push(space.place(root));
+            Half { tree: Tree::rooted_at(*root), neighbours }
+        })
+    }
+
+    /// The node nearest to a state.
+    pub fn nearest(&mut self, space: &S, state: &S::State) -> Option<usize> {
+        self.neighbours.nearest_to(space, &self.tree, state)
+    }
+
+    /// Appends a state to a node; the new node.
+    pub fn push(&mut self, space: &S, parent: usize, state: S::State) -> usize {
+        self.neighbours.push(space.place(&state));
+        self.tree.append(space, parent, state)
+    }
+
     /// Appends a state to one of its nearest nodes from which it can be reached; the new node.
     fn append(
         &mut self,
@@ -117,8 +141,7 @@ impl<S: StateSpace> Half<S> {
         }
         for (k, (_, node)) in through.iter().enumerate() {
             if search.collision_free(self.tree.state(*node), state)? {
-                self.neighbours.push(space.place(state));
-                let new = self.tree.append(space, *node, *state);
+                let new = self.push(space, *node, *state);
                 if parent == Parent::Cheapest {
                     self.rewire(space, search, new, &through[k + 1..])?;
                 }
@@ -146,8 +169,7 @@ impl<S: StateSpace> Half<S> {
     {
         let mut last = 0;
         for state in states {
-            self.neighbours.push(space.place(state));
-            last = self.tree.append(space, last, *state);
+            last = self.push(space, last, *state);
         }
     }
 }

@@ -12,6 +12,7 @@ use super::rrt_connect::{RrtConnectOptions, rrt_connect};
 use super::rrt_star::{RrtStarOptions, rrt_star};
 use super::search::{Limits, Until};
 use super::space::{Problem, StateSpace};
+use super::two_trees::{TwoTreesOptions, two_trees};
 use crate::choice::{Choice, choices};
 use crate::collision::Validity;
 use crate::error::Error;
@@ -23,7 +24,9 @@ pub enum Planner {
     /// A first path at once, then shorter ones.
     #[default]
     Anytime,
-    /// Two trees that grow towards each other.
+    /// Samples are connected straight to a tree from the start and one from the goal.
+    TwoTrees,
+    /// Two trees that grow towards each other in steps.
     RrtConnect,
     /// Algorithm 3 of the paper.
     ModifiedRrt,
@@ -35,7 +38,8 @@ pub enum Planner {
 
 choices!(Planner, "planner", [
     Anytime = "anytime": "A first path at once, then shorter ones, pulled taut around the exact obstacles in the space of positions",
-    RrtConnect = "rrt-connect": "Two trees that grow towards each other: the fastest first path",
+    TwoTrees = "two-trees": "Samples are connected straight to a tree from the start and one from the goal: the fastest first path",
+    RrtConnect = "rrt-connect": "Two trees that grow towards each other in steps (Kuffner and LaValle)",
     ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
     Rrt = "rrt": "Steps towards random samples",
     RrtStar = "rrt-star": "RRT that rewires to cheaper parents (the paper, Algorithm 1)",
@@ -46,6 +50,8 @@ choices!(Planner, "planner", [
 pub enum PlannerOptions {
     /// The anytime planner.
     Anytime(AnytimeOptions),
+    /// Two trees with direct connections.
+    TwoTrees(TwoTreesOptions),
     /// RRT-Connect.
     RrtConnect(RrtConnectOptions),
     /// Modified RRT.
@@ -60,10 +66,10 @@ pub enum PlannerOptions {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlannerSettings {
-    /// Random samples after which the search ends; default 20 000, with rrt-star 500 000, with anytime no limit.
+    /// Random samples after which the search ends; default 20 000, with rrt-star and rrt-connect 500 000, with anytime no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_samples: Option<usize>,
-    /// Nodes after which the search ends; default no limit.
+    /// Nodes after which the search ends; default no limit, with rrt-connect 1 000 000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_nodes: Option<usize>,
     /// Go on after the first path, until samples, nodes or time are spent.
@@ -75,7 +81,8 @@ pub struct PlannerSettings {
     /// Go on, with anytime, until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
-    /// Longest edge by which rrt and rrt-star grow, m; default the step of rewinding, as in the paper.
+    /// Longest edge by which rrt, rrt-star and rrt-connect grow, m; default the step of rewinding, as in the paper, and
+    /// with rrt-connect a fifth of the diagonal of the box of positions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extend_step: Option<f64>,
     /// Probability of taking the goal for a sample, of rrt and rrt-star; default 0.
@@ -97,6 +104,7 @@ impl PlannerOptions {
     pub fn of(planner: Planner) -> Self {
         match planner {
             Planner::Anytime => PlannerOptions::Anytime(AnytimeOptions::default()),
+            Planner::TwoTrees => PlannerOptions::TwoTrees(TwoTreesOptions::default()),
             Planner::RrtConnect => PlannerOptions::RrtConnect(RrtConnectOptions::default()),
             Planner::ModifiedRrt => PlannerOptions::ModifiedRrt(ModifiedRrtOptions::default()),
             Planner::Rrt => PlannerOptions::Rrt(RrtOptions::default()),
@@ -125,7 +133,8 @@ impl PlannerOptions {
         let goal_bias = probability("goal_bias", settings.goal_bias)?.unwrap_or(0.0);
         match &mut options {
             PlannerOptions::Anytime(anytime) => anytime.gap = positive("gap", settings.gap, "of the cost")?,
-            PlannerOptions::RrtConnect(_) | PlannerOptions::ModifiedRrt(_) => {}
+            PlannerOptions::RrtConnect(connect) => connect.step = settings.extend_step,
+            PlannerOptions::TwoTrees(_) | PlannerOptions::ModifiedRrt(_) => {}
             PlannerOptions::Rrt(rrt) => (rrt.step, rrt.goal_bias) = (extend_step, goal_bias),
             PlannerOptions::RrtStar(star) => {
                 (star.step, star.goal_bias) = (extend_step, goal_bias);
@@ -139,6 +148,7 @@ impl PlannerOptions {
     pub fn planner(&self) -> Planner {
         match self {
             PlannerOptions::Anytime(_) => Planner::Anytime,
+            PlannerOptions::TwoTrees(_) => Planner::TwoTrees,
             PlannerOptions::RrtConnect(_) => Planner::RrtConnect,
             PlannerOptions::ModifiedRrt(_) => Planner::ModifiedRrt,
             PlannerOptions::Rrt(_) => Planner::Rrt,
@@ -150,6 +160,7 @@ impl PlannerOptions {
     pub fn limits(&self) -> &Limits {
         match self {
             PlannerOptions::Anytime(options) => &options.limits,
+            PlannerOptions::TwoTrees(options) => &options.limits,
             PlannerOptions::RrtConnect(options) => &options.limits,
             PlannerOptions::ModifiedRrt(options) => &options.limits,
             PlannerOptions::Rrt(options) => &options.limits,
@@ -161,6 +172,7 @@ impl PlannerOptions {
     pub fn limits_mut(&mut self) -> &mut Limits {
         match self {
             PlannerOptions::Anytime(options) => &mut options.limits,
+            PlannerOptions::TwoTrees(options) => &mut options.limits,
             PlannerOptions::RrtConnect(options) => &mut options.limits,
             PlannerOptions::ModifiedRrt(options) => &mut options.limits,
             PlannerOptions::Rrt(options) => &mut options.limits,
@@ -172,6 +184,7 @@ impl PlannerOptions {
     pub fn settings(&self) -> PlannerSettings {
         let limits = self.limits();
         let (step, bias, near_radius) = match self {
+            PlannerOptions::RrtConnect(connect) => (connect.step, None, None),
             PlannerOptions::Rrt(rrt) => (Some(rrt.step), Some(rrt.goal_bias), None),
             PlannerOptions::RrtStar(star) => (Some(star.step), Some(star.goal_bias), star.near_radius),
             _ => (None, None, None),
@@ -207,6 +220,7 @@ impl PlannerOptions {
             PlannerOptions::Anytime(options) => {
                 anytime(problem, validity, aids.guide, options, aids.listener, rng, watch)
             }
+            PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, rng, watch),
             PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
             PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
             PlannerOptions::Rrt(options) => rrt(problem, validity, options, rng, watch),
@@ -238,12 +252,13 @@ impl PlannerSettings {
 
     /// A setting that the planner does not have would be ignored: refused instead.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
-        let steps: &[Planner] = &[Planner::Rrt, Planner::RrtStar];
+        let steps: &[Planner] = &[Planner::Rrt, Planner::RrtStar, Planner::RrtConnect];
+        let (biased, near) = (&steps[..2], &steps[1..2]);
         for (key, found, owners) in [
             ("gap", self.gap, &[Planner::Anytime][..]),
             ("extend_step", self.extend_step, steps),
-            ("goal_bias", self.goal_bias, steps),
-            ("near_radius", self.near_radius, &steps[1..]),
+            ("goal_bias", self.goal_bias, biased),
+            ("near_radius", self.near_radius, near),
         ] {
             if let Some(found) = found.filter(|_| !owners.contains(&planner)) {
                 let verb = if owners.len() > 1 { "have" } else { "has" };

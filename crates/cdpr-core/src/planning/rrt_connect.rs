@@ -1,12 +1,13 @@
-//! RRT-Connect with the direct connections of the paper's Modified RRT: two trees grow towards each other (J. J. Kuffner
-//! and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning", ICRA 2000).
+//! RRT-Connect: two trees take turns; one extends by a step towards a random sample, the other connects to the new node,
+//! step after step (J. J. Kuffner and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning",
+//! ICRA 2000).
 
 use rand::Rng;
 
-use super::bidirectional::{Halves, Parent};
+use super::bidirectional::{Half, into_search_tree, path_through};
 use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, path_length};
-use super::space::{Problem, StateSpace};
+use super::space::{Problem, StateSpace, steer};
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
@@ -14,20 +15,37 @@ use crate::watch::Watch;
 /// Options of [`rrt_connect`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RrtConnectOptions {
-    /// What ends the search: the first path, or 20 000 samples.
+    /// Longest edge of the trees, m; by default [`STEP_SHARE`] of the largest distance in the space.
+    pub step: Option<f64>,
+    /// What ends the search: the first path, 500 000 samples, or a million nodes.
     pub limits: Limits,
 }
 
 impl Default for RrtConnectOptions {
     fn default() -> Self {
-        RrtConnectOptions { limits: Limits::samples(20_000) }
+        let limits = Limits { max_nodes: 1_000_000, ..Limits::samples(500_000) };
+        RrtConnectOptions { step: None, limits }
     }
+}
+
+/// Longest edge as a share of the largest distance in the space, unless the options give one.
+pub const STEP_SHARE: f64 = 0.2;
+
+/// How a step of a tree towards a state ended; the names are those of the paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Step {
+    /// The motion is not free: no new node.
+    Trapped,
+    /// A new node, one step nearer.
+    Advanced(usize),
+    /// A new node in the state itself.
+    Reached(usize),
 }
 
 /// Searches a path by RRT-Connect; stops at the first path, or goes on as the limits say and keeps the shortest.
 ///
-/// There is no step: since engines answer for a motion of any length at once, a valid sample is connected straight to
-/// either tree, to the nearest of its nodes that sees it. A sample that both trees reach joins them.
+/// The straight line from start to goal is tried first, as by the other planners. A new state is first tested as a state,
+/// which is no motion check; samples are not, since any of them may pull a tree along.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch says so.
@@ -55,19 +73,191 @@ pub fn rrt_connect<S: StateSpace>(
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
+    let step = options.step.unwrap_or(STEP_SHARE * space.largest_distance());
     let mut search = Search::new(problem, validity, &options.limits, watch);
-    let mut halves = Halves::new(problem);
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
     let mut best = path_length(space, &path);
-    while !search.over(halves.len(), best)? {
-        let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
-        if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
-            let length = path_length(space, &found);
-            if length < best {
-                (path, best) = (found, length);
+    let mut trees = Half::of_both_ends(problem);
+    let mut turn = 0;
+    while !search.over(nodes(&trees), best)? {
+        let Some(x_rand) = search.random_sample(rng) else { continue };
+        let other = 1 - turn;
+        if let Step::Advanced(x_new) | Step::Reached(x_new) = extend(&mut search, &mut trees[turn], &x_rand, step)? {
+            let target = *trees[turn].tree.state(x_new);
+            if let Step::Reached(x_met) = connect(&mut search, &mut trees, other, &target, step)? {
+                let met = if turn == 0 { [x_new, x_met] } else { [x_met, x_new] };
+                let found = path_through(&trees, met);
+                let length = path_length(space, &found);
+                if length < best {
+                    (path, best) = (found, length);
+                }
             }
         }
+        turn = other; // SWAP
     }
     let status = if path.is_empty() { Status::BudgetSpent } else { Status::Solved };
-    Ok(search.ended(status, path, halves.into_search_tree()))
+    Ok(search.ended(status, path, into_search_tree(trees)))
+}
+
+/// `EXTEND(T, x)`: one step from the nearest node towards a state.
+fn extend<S: StateSpace>(search: &mut Search<S>, half: &mut Half<S>, x: &S::State, step: f64) -> Result<Step, Error> {
+    match half.nearest(&search.problem.space, x) {
+        Some(nearest) => advance(search, half, nearest, x, step),
+        None => Ok(Step::Trapped),
+    }
+}
+
+/// `CONNECT(T, x)`: steps towards a state until it is reached, or nothing is free. After a step the new node is the
+/// nearest one, so the tree is searched once.
+fn connect<S: StateSpace>(
+    search: &mut Search<S>,
+    trees: &mut [Half<S>; 2],
+    of: usize,
+    x: &S::State,
+    step: f64,
+) -> Result<Step, Error> {
+    let Some(mut node) = trees[of].nearest(&search.problem.space, x) else { return Ok(Step::Trapped) };
+    while search.has_room(nodes(trees)) {
+        match advance(search, &mut trees[of], node, x, step)? {
+            Step::Advanced(next) => node = next,
+            ended => return Ok(ended),
+        }
+    }
+    Ok(Step::Trapped)
+}
+
+/// One step from a node towards a state.
+fn advance<S: StateSpace>(
+    search: &mut Search<S>,
+    half: &mut Half<S>,
+    node: usize,
+    x: &S::State,
+    step: f64,
+) -> Result<Step, Error> {
+    let space = &search.problem.space;
+    let from = *half.tree.state(node);
+    let x_new = steer(space, &from, x, step);
+    if x_new == from && x_new != *x {
+        return Ok(Step::Trapped); // a step below rounding
+    }
+    if !(search.valid(&x_new) && search.collision_free(&from, &x_new)?) {
+        return Ok(Step::Trapped);
+    }
+    let new = half.push(space, node, x_new);
+    Ok(if x_new == *x { Step::Reached(new) } else { Step::Advanced(new) })
+}
+
+/// Nodes of both trees.
+fn nodes<S: StateSpace>(trees: &[Half<S>; 2]) -> usize {
+    trees.iter().map(|half| half.tree.len()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::{Clearance, Violation};
+    use crate::geometry::Point;
+    use crate::planning::TranslationSpace;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+
+    /// Positions beyond a wall at x = `at` are reached over its top only, at z > 1.
+    struct Wall {
+        at: f64,
+    }
+
+    impl Validity<Point> for Wall {
+        fn state_valid(&self, p: &Point) -> bool {
+            p.x != self.at || p.z > 1.0
+        }
+
+        fn motion_valid(&self, p: &Point, q: &Point) -> bool {
+            let crosses = (p.x - self.at) * (q.x - self.at) <= 0.0 && p.x != q.x;
+            let height = p.z + (q.z - p.z) * (self.at - p.x) / (q.x - p.x);
+            !crosses || height > 1.0
+        }
+
+        fn violations(&self, _: &Point, _: &Point) -> Vec<Violation> {
+            Vec::new()
+        }
+
+        fn clearance(&self, _: &Point, _: &Point) -> Option<Clearance> {
+            None
+        }
+    }
+
+    fn problem(start: [f64; 3], goal: [f64; 3]) -> Problem<TranslationSpace> {
+        let space = TranslationSpace { min: Point::origin(), max: Point::new(2.0, 2.0, 2.0) };
+        Problem { space, start: start.into(), goal: goal.into() }
+    }
+
+    /// A tree of one root, and a search among the walls.
+    fn with_search<T>(
+        wall: &Wall,
+        test: impl FnOnce(&mut Search<TranslationSpace>, &mut [Half<TranslationSpace>; 2]) -> T,
+    ) -> T {
+        let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
+        let limits = RrtConnectOptions::default().limits;
+        let mut search = Search::new(&problem, wall, &limits, &Watch::NONE);
+        test(&mut search, &mut Half::of_both_ends(&problem))
+    }
+
+    #[test]
+    fn extend_takes_one_step_and_connect_goes_all_the_way() {
+        let far = Wall { at: 1.95 };
+        with_search(&far, |search, trees| {
+            let target = Point::new(0.5, 1.0, 1.25);
+            assert_eq!(extend(search, &mut trees[0], &target, 0.2).unwrap(), Step::Advanced(1));
+            assert!((trees[0].tree.state(1) - Point::new(0.5, 1.0, 0.7)).norm() < 1e-12);
+            assert_eq!(connect(search, trees, 0, &target, 0.2).unwrap(), Step::Reached(4)); // 0.9, 1.1, 1.25
+            assert_eq!(*trees[0].tree.state(4), target);
+            assert_eq!(trees[0].tree.path_to(4).len(), 5);
+        });
+    }
+
+    #[test]
+    fn connect_stops_before_the_wall_and_keeps_the_steps_up_to_it() {
+        with_search(&Wall { at: 1.0 }, |search, trees| {
+            let target = Point::new(1.5, 1.0, 0.6);
+            assert_eq!(connect(search, trees, 0, &target, 0.2).unwrap(), Step::Trapped);
+            let xs: Vec<f64> = (0..trees[0].tree.len()).map(|node| trees[0].tree.state(node).x).collect();
+            assert_eq!(xs.len(), 3, "{xs:?}"); // 0.5, 0.7, 0.9
+            assert!(xs.iter().all(|x| *x < 1.0));
+            assert_eq!(extend(search, &mut trees[0], &target, 0.2).unwrap(), Step::Trapped);
+        });
+    }
+
+    #[test]
+    fn a_step_below_rounding_ends_and_so_does_a_full_tree() {
+        with_search(&Wall { at: 1.95 }, |search, trees| {
+            let target = Point::new(0.5, 1.0, 1.25);
+            assert_eq!(connect(search, trees, 0, &target, 1e-300).unwrap(), Step::Trapped);
+        });
+        let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
+        let limits = Limits { max_nodes: 50, ..RrtConnectOptions::default().limits };
+        let options = RrtConnectOptions { step: Some(1e-3), limits };
+        let wall = Wall { at: 1.0 };
+        let found = rrt_connect(&problem, &wall, &options, &mut ChaCha8Rng::seed_from_u64(1), &Watch::NONE).unwrap();
+        assert_eq!((found.status, found.tree.states.len()), (Status::BudgetSpent, 50));
+    }
+
+    #[test]
+    fn the_path_leads_over_the_wall_in_edges_of_one_step_at_most() {
+        let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
+        let wall = Wall { at: 1.0 };
+        for seed in 0..50 {
+            let options = RrtConnectOptions { step: Some(0.15), ..RrtConnectOptions::default() };
+            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+            let found = rrt_connect(&problem, &wall, &options, &mut rng, &Watch::NONE).unwrap();
+            assert_eq!((found.status, found.history.len()), (Status::Solved, 1));
+            let path = &found.waypoints;
+            assert_eq!((path[0], path[path.len() - 1]), (problem.start, problem.goal));
+            assert!(path.windows(2).all(|pair| wall.motion_valid(&pair[0], &pair[1])));
+            let edges = found.tree.edges().map(|[from, to]| (to - from).norm());
+            assert!(
+                edges.chain(path.windows(2).map(|pair| (pair[1] - pair[0]).norm())).all(|edge| edge < 0.15 + 1e-12)
+            );
+            assert!(path.iter().any(|p| p.z > 1.0));
+        }
+    }
 }

@@ -114,6 +114,11 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.validity.state_valid(state)
     }
 
+    /// Whether the trees may have more nodes than these.
+    pub fn has_room(&self, nodes: usize) -> bool {
+        nodes < self.limits.max_nodes
+    }
+
     /// Whether the search is over: content with the best path so far (infinite: none), or nothing left to spend.
     pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
         if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {

@@ -30,6 +30,9 @@ pub trait StateSpace: Sync {
     /// Length of the straight line between two states.
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
+    /// The largest distance between two states, m; 0 where the space is empty.
+    fn largest_distance(&self) -> f64;
+
     /// The state at fraction `t` of the straight line from `a` to `b`.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
 
@@ -37,8 +40,9 @@ pub trait StateSpace: Sync {
     fn place(&self, state: &Self::State) -> Point;
 
     /// γ (ln n / n)^(1/d), m, with γ = (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space and the volume ζ
-    /// of the unit ball: with a ball of this radius around the n-th node RRT* tends to the optimum (S. Karaman and E.
-    /// Frazzoli, 2011).
+    /// of the unit ball: the radius with which S. Karaman and E. Frazzoli (2011) conclude that RRT* tends to the optimum. Their
+    /// proof has a gap, closed for the exponent 1/(d + 1) and a larger γ, a larger ball in the end (K. Solovey, L. Janson,
+    /// E. Schmerling, E. Frazzoli and M. Pavone, "Revisiting the asymptotic optimality of RRT*", ICRA 2020).
     fn near_radius(&self, nodes: usize) -> f64;
 }
 
@@ -104,6 +108,10 @@ impl StateSpace for TranslationSpace {
 
     fn distance(&self, a: &Point, b: &Point) -> f64 {
         (b - a).norm()
+    }
+
+    fn largest_distance(&self) -> f64 {
+        self.size().map(|side| side.max(0.0)).norm()
     }
 
     fn interpolate(&self, a: &Point, b: &Point, t: f64) -> Point {

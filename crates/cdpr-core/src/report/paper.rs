@@ -19,7 +19,8 @@ pub(super) struct Paper {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Printed {
-    name: String,
+    /// Experiments that repeat it.
+    names: Vec<String>,
     pub note: String,
     #[serde(default)]
     pub means: Vec<Means>,
@@ -60,7 +61,11 @@ static PAPER: LazyLock<Paper> =
 /// What the paper prints about the experiment of this name.
 pub(super) fn printed(experiment: &str) -> Option<(&'static Paper, &'static Printed)> {
     let paper = &*PAPER;
-    paper.experiments.iter().find(|printed| printed.name == experiment).map(|printed| (paper, printed))
+    paper
+        .experiments
+        .iter()
+        .find(|printed| printed.names.iter().any(|name| name == experiment))
+        .map(|printed| (paper, printed))
 }
 
 #[cfg(test)]
@@ -81,6 +86,7 @@ mod tests {
             let percent = 100.0 * if claim.less { 1.0 - share } else { share };
             assert!((percent - claim.percent).abs() < 0.02, "{}: {percent}", claim.says); // the table is rounded
         }
+        assert!(std::ptr::eq(printed("table2_paper").unwrap().1, table2));
         assert!(printed("another").is_none() && printed("fig8").unwrap().1.order_gap == Some(0.66));
     }
 }

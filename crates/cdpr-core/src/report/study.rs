@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use crate::batch::Swept;
 use crate::batch::spec::Measure;
+use crate::batch::{Origin, Rules, Swept};
 
 /// What `summary.json` and `trials.csv` say.
 #[derive(Debug, Clone)]
@@ -50,6 +50,12 @@ pub struct SummaryFile {
     pub methods: Vec<MethodSummary>,
     /// Comparisons.
     pub t_tests: Vec<TestSummary>,
+    /// How the methods plan; empty in files of before 0.2.
+    #[serde(default)]
+    pub rules: Vec<Rules>,
+    /// What ran the trials.
+    #[serde(default)]
+    pub origins: Vec<Origin>,
 }
 
 /// Statistics of a method in a scenario.

@@ -3,7 +3,9 @@
 use super::paper::{Claim, Printed};
 use super::study::{APART, Described, MethodSummary, Study};
 use crate::batch::spec::Measure;
+use crate::batch::{Origin, Rules};
 use crate::view::escaped;
+use crate::words::count;
 
 /// A table from its head and rows; cells are HTML.
 pub(super) fn table(head: &[&str], rows: &[Vec<String>]) -> String {
@@ -84,6 +86,40 @@ pub(super) fn statistics(study: &Study) -> String {
         format!("<details{open}><summary>{}</summary>\n{}</details>\n", column.0, table(&head, &rows))
     };
     MEASURES.iter().map(one).collect()
+}
+
+/// What ran the trials, a paragraph each.
+pub(super) fn origins(study: &Study) -> String {
+    let line = |origin: &Origin| {
+        let Origin { program, version, cpu, architecture, os, cores, threads } = origin;
+        let threads = threads.map_or(String::new(), |threads| format!(", {}", count(threads, "thread")));
+        let cpu = cpu.as_deref().unwrap_or("unknown processor");
+        escaped(&format!("{program} {version} on {cpu} ({architecture}, {}), {os}{threads}", count(*cores, "core")))
+    };
+    study.summary.origins.iter().map(|origin| format!("<p>Run by {}.</p>\n", line(origin))).collect()
+}
+
+/// How each method plans.
+pub(super) fn rules(study: &Study) -> String {
+    let row = |rules: &Rules| {
+        let Rules { method, planner, engine, interference, step, post, repeats, sweep, .. } = rules;
+        let swept = |key: &str, is: bool| if is { format!("{key}, swept") } else { key.to_string() };
+        let sweep = sweep.as_ref();
+        vec![
+            escaped(method),
+            escaped(planner),
+            escaped(engine),
+            escaped(interference),
+            swept(&four(*step), sweep.is_some_and(|sweep| !sweep.step.is_empty())),
+            escaped(&swept(post, sweep.is_some_and(|sweep| !sweep.post.is_empty()))),
+            swept(&repeats.to_string(), sweep.is_some_and(|sweep| !sweep.repeats.is_empty())),
+        ]
+    };
+    let rows: Vec<Vec<String>> = study.summary.rules.iter().map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&["method", "planner", "engine", "interference", "step, m", "post-processing", "repeats"], &rows)
 }
 
 /// The t-tests, with the paper's p-values if it prints any.

@@ -1,0 +1,73 @@
+//! Two trees, one from the start and one from the goal, with the direct connections of the paper's Modified RRT: every sample is
+//! offered to both. It has the two trees of RRT-Connect, but neither its steps nor its CONNECT.
+
+use rand::Rng;
+
+use super::bidirectional::{Halves, Parent};
+use super::outcome::{Outcome, Status};
+use super::search::{Limits, Search, path_length};
+use super::space::{Problem, StateSpace};
+use crate::collision::Validity;
+use crate::error::Error;
+use crate::watch::Watch;
+
+/// Options of [`two_trees`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct TwoTreesOptions {
+    /// What ends the search: the first path, or 20 000 samples.
+    pub limits: Limits,
+}
+
+impl Default for TwoTreesOptions {
+    fn default() -> Self {
+        TwoTreesOptions { limits: Limits::samples(20_000) }
+    }
+}
+
+/// Searches a path with two trees; stops at the first path, or goes on as the limits say and keeps the shortest.
+///
+/// There is no step: since engines answer for a motion of any length at once, a valid sample is connected straight to
+/// either tree, to the nearest of its nodes that sees it. A sample that both trees reach joins them.
+///
+/// # Errors
+/// [`Error::interrupted`] if the watch says so.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
+/// use cdpr_core::planning::{Problem, TwoTreesOptions, Status, TranslationSpace, two_trees};
+/// use cdpr_core::watch::Watch;
+/// use rand::SeedableRng;
+/// let scene = cdpr_core::testing::hard1();
+/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+/// let space = TranslationSpace::of(engine.constraints());
+/// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
+/// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
+/// let outcome = two_trees(&problem, &engine, &TwoTreesOptions::default(), &mut rng, &Watch::NONE)?;
+/// assert_eq!(outcome.status, Status::Solved);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn two_trees<S: StateSpace>(
+    problem: &Problem<S>,
+    validity: &dyn Validity<S::State>,
+    options: &TwoTreesOptions,
+    rng: &mut impl Rng,
+    watch: &Watch,
+) -> Result<Outcome<S::State>, Error> {
+    let Problem { space, start, goal } = problem;
+    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut halves = Halves::new(problem);
+    let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
+    let mut best = path_length(space, &path);
+    while !search.over(halves.len(), best)? {
+        let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
+        if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
+            let length = path_length(space, &found);
+            if length < best {
+                (path, best) = (found, length);
+            }
+        }
+    }
+    let status = if path.is_empty() { Status::BudgetSpent } else { Status::Solved };
+    Ok(search.ended(status, path, halves.into_search_tree()))
+}
