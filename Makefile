@@ -6,13 +6,13 @@ WHEELS := target/wheels
 
 SITE := target/site
 
-.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel python-test package-test reference docs workflows packages \
-	deny demo figures bench viewer browser clean
+.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel release-wheel python-test wheel-test \
+	package-test reference docs workflows packages deny demo figures bench viewer browser clean
 
 test: lint rust-test python-test docs workflows
 
 # What takes too long to wait for, after `make test`.
-long-test: portable-test release-test
+long-test: portable-test release-test wheel-test
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -71,8 +71,14 @@ $(VENV)/ready: requirements-dev.txt requirements-docs.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -r requirements-docs.txt
 	touch $@
 
-# The wheel as people install it, in an environment of its own.
+# A wheel of the tests' own profile, with every check of a debug build, in an environment of its own.
 wheel: $(VENV)/ready
+	rm -rf $(WHEELS)
+	$(BIN)/maturin build --profile dev --locked --out $(WHEELS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
+
+# The wheel as people install it.
+release-wheel: $(VENV)/ready
 	rm -rf $(WHEELS)
 	$(BIN)/maturin build --release --locked --out $(WHEELS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
@@ -94,9 +100,13 @@ python-test: wheel browser program
 	$(BIN)/python -m pytest python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
 
+# The Python tests once more with the wheel as people install it.
+wheel-test: release-wheel browser program
+	$(BIN)/python -m pytest python/tests
+
 # Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned;
 # the source archive is built there from nothing, which takes some minutes.
-package-test: wheel
+package-test: release-wheel
 	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
 
 # The pages of docs/reference that are made from help, schemas and docstrings; they are under version control.
@@ -128,7 +138,7 @@ demo:
 
 # Every picture of the documentation, drawn by cdpr.figures; the experiments behind them take some minutes.
 # `make figures FIGURES="fig3 fig5"` draws some of them.
-figures: wheel browser
+figures: release-wheel browser
 	$(BIN)/python docs/figures/make.py $(FIGURES)
 
 bench:

@@ -63,8 +63,8 @@ def plan(
     ----------
     scene : Scene
     planner : {"anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
-        The anytime planner (a first path at once, then shorter ones), RRT-Connect, the paper's Algorithm 3, plain RRT, or
-        the paper's Algorithm 1.
+        The anytime planner (a first path at once, then shorter ones), its search for a first path alone (two trees that connect to
+        samples directly), RRT-Connect, the paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
     seed : int
         Everything random flows from it: the same seed gives the same path.
     start, goal : array_like (3,), optional
@@ -81,7 +81,7 @@ def plan(
     repeats : int
         How often rewinding runs.
     max_samples : int, optional
-        Random samples after which the search ends; default 20 000, with "rrt-star" 500 000.
+        Random samples after which the search ends; default 20 000, with "rrt-star" and "rrt-connect" 500 000.
     max_nodes : int, optional
         Nodes of the tree after which it ends.
     keep_going : bool
@@ -91,7 +91,8 @@ def plan(
     gap : float, optional
         With "anytime": go on until the path is at most this share longer than a lower bound of all paths.
     extend_step : float, optional
-        Longest edge by which "rrt" and "rrt-star" grow, m; default ``step``, as in the paper.
+        Longest edge by which "rrt", "rrt-star" and "rrt-connect" grow, m; default ``step``, as in the paper, and with "rrt-connect"
+        a fifth of the diagonal of the positions.
     goal_bias : float, optional
         Probability with which "rrt" and "rrt-star" take the goal for a sample; default 0.
     near_radius : float, optional

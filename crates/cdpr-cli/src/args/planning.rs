@@ -51,7 +51,7 @@ pub struct PlanArgs {
 /// Options of the planner; those that it does not have are refused.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PlannerArgs {
-    /// Stop after this many random samples [default: 20000; rrt-star: 500000; anytime: no limit].
+    /// Stop after this many random samples [default: 20000; rrt-star and rrt-connect: 500000; anytime: no limit].
     #[arg(long, value_name = "N")]
     pub max_samples: Option<usize>,
     /// Stop after this many nodes.
@@ -66,7 +66,8 @@ pub struct PlannerArgs {
     /// With anytime, go on until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
     #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
     pub gap: Option<f64>,
-    /// Longest edge by which rrt and rrt-star grow, m [default: --step, as in the paper].
+    /// Longest edge by which rrt, rrt-star and rrt-connect grow, m [default: --step, as in the paper; rrt-connect: a fifth of the
+    /// positions' diagonal].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub extend_step: Option<f64>,
     /// Probability with which rrt and rrt-star take the goal for a sample [default: 0].
