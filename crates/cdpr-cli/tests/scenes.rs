@@ -1,0 +1,188 @@
+//! Scenes made, imported and drawn: `new`, `import`, `shadows`, and the orientations of a scene.
+
+mod support;
+
+use std::fs;
+
+use support::*;
+
+#[test]
+fn a_new_scene_plans_and_is_not_overwritten() {
+    let folder = folder();
+    for name in ["hall.toml", "hall.json"] {
+        assert_eq!(status(&cdpr_in(folder.path(), &["new", name])), 0);
+        let planned = cdpr_in(folder.path(), &["plan", name]);
+        assert_eq!(status(&planned), 0, "{}{}", stdout(&planned), stderr(&planned));
+        let again = cdpr_in(folder.path(), &["new", name]);
+        assert_eq!(status(&again), 2);
+        assert!(stderr(&again).contains("--force"));
+        assert_eq!(status(&cdpr_in(folder.path(), &["new", name, "--force"])), 0);
+    }
+    assert!(stdout(&cdpr(&["new"])).starts_with("# A scene for cdpr"));
+}
+
+#[test]
+fn shadows_have_a_mesh_for_each_cable_and_obstacle_in_every_format() {
+    let folder = folder();
+    let hard3 = testdata("scenes/hard3.toml");
+    let written = |name: &str, arguments: &[&str]| {
+        let output = cdpr_in(folder.path(), &[&["shadows", &hard3, "-o", name], arguments].concat());
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        assert!(stderr(&output).contains(&format!("wrote {name}")));
+        (fs::read(folder.path().join(name)).unwrap(), stdout(&output))
+    };
+    let (obj, text) = written("s.obj", &[]);
+    let obj = String::from_utf8(obj).unwrap();
+    assert!(text.contains("24 regions in the space of attachments") && text.contains("largest: cable "), "{text}");
+    assert_eq!(obj.lines().filter(|line| line.starts_with("o ")).count(), 24);
+    assert!(obj.contains("\n# cable 3 / south\no cable_3_south\nv "));
+    let faces = obj.lines().filter(|line| line.starts_with("f ")).count();
+    let (ply, _) = written("s.ply", &[]);
+    assert!(String::from_utf8(ply).unwrap().contains(&format!("element face {faces}\n")));
+    let (stl, _) = written("s.stl", &["--cable", "cable 3", "--obstacle", "south", "west"]);
+    let triangles = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
+    assert_eq!(stl.len(), 84 + 50 * triangles);
+    let (page, _) = written("s.html", &["--space", "position"]);
+    assert!(String::from_utf8(page).unwrap().contains("\"space\":\"position\""));
+    let (_, all) = written("all.obj", &["--all", "--format", "json"]);
+    let all: Value = serde_json::from_str(&all).unwrap();
+    assert_eq!((&all["space"], all["meshes"].as_array().unwrap().len()), (&"position".into(), 27));
+    let first = &all["meshes"][0];
+    assert_eq!((&first["name"], &first["kind"]), (&"platform / west".into(), &"platform-obstacle".into()));
+    // The Minkowski sum of two boxes, cut where the platform stands on the floor: (0.2 + 0.15)² × 1.2 m³.
+    assert!((first["volume"].as_f64().unwrap() - 0.35 * 0.35 * 1.2).abs() < 1e-12, "{first}");
+}
+
+#[test]
+fn shadows_say_what_they_leave_out_and_refuse_what_is_not_there() {
+    let folder = folder();
+    let clearance = testdata("cases/clearance.toml");
+    let output = cdpr_in(folder.path(), &["shadows", &clearance, "-o", "s.obj"]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    assert!(stderr(&output).contains("note: clearance and cable diameters are not part of the meshes"));
+    let none = cdpr_in(folder.path(), &["shadows", &testdata("scenes/empty.toml"), "-o", "none.stl"]);
+    assert_eq!((status(&none), fs::read(folder.path().join("none.stl")).unwrap().len()), (0, 84));
+    assert!(stdout(&none).contains("0 regions"));
+    let hard1 = testdata("scenes/hard1.toml");
+    for (arguments, words) in [
+        (vec!["-o", "out.step"], vec!["out.step", ".step", ".obj, .ply, .stl or .html"]),
+        (vec!["-o", "out.obj", "--cable", "cabel 3"], vec!["hard1.toml", "cabel 3", "did you mean \"cable 3\"?"]),
+        (vec!["-o", "out.obj", "--obstacle", "column"], vec!["obstacle", "column", "expected one of pillar"]),
+        (vec!["-o", "out.obj", "--all", "--space", "attachment"], vec!["space", "attachment", "expected \"position\""]),
+        (vec!["-o", "out.obj", "--space", "joint"], vec!["joint", "attachment", "position"]),
+        (vec!["-o", "nofolder/out.obj"], vec!["nofolder", "cannot be written"]),
+    ] {
+        let output = cdpr_in(folder.path(), &[&["shadows", &hard1], &arguments[..]].concat());
+        assert_eq!(status(&output), 2, "{arguments:?}: {}", stderr(&output));
+        for word in words {
+            assert!(stderr(&output).contains(word), "{arguments:?}: no \"{word}\" in {}", stderr(&output));
+        }
+        assert!(stdout(&output).is_empty());
+    }
+    let unread = cdpr_in(folder.path(), &["shadows", "nowhere.toml", "-o", "out.step"]);
+    assert!(stderr(&unread).contains("out.step"), "the name is judged before the scene is read");
+    let left = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    assert!(left.into_iter().all(|name| !name.starts_with("out") && !name.starts_with('.')));
+}
+
+#[test]
+fn an_imported_robot_is_planned_around_an_obstacle_from_a_mesh() {
+    let folder = folder();
+    let imported = cdpr_in(folder.path(), &["import", &testdata("caspr/CoGiRo"), "-o", "cogiro.toml"]);
+    assert_eq!(status(&imported), 0, "{}", stderr(&imported));
+    assert!(stdout(&imported).starts_with("CoGiRo: 8 cables, 91.058 kg\nnot carried over:\n"), "{}", stdout(&imported));
+    let angle = "v -0.2 -0.2 0\nv 0.8 -0.2 0\nv 0.8 0.2 0\nv -0.2 0.2 0\nv -0.2 -0.2 1\nv 0.8 -0.2 1\nv 0.8 0.2 1\n\
+        v -0.2 0.2 1\nv 0.2 -0.2 1\nv 0.2 0.2 1\nv -0.2 -0.2 3\nv 0.2 -0.2 3\nv 0.2 0.2 3\nv -0.2 0.2 3\n\
+        f 1 4 3 2\nf 1 2 6 9 5\nf 5 9 12 11\nf 2 3 7 6\nf 3 4 8 10 7\nf 8 14 13 10\nf 4 1 5 11 14 8\nf 9 6 7 10\n\
+        f 9 10 13 12\nf 11 12 13 14\n";
+    fs::write(folder.path().join("angle.obj"), angle).unwrap();
+    let scene = "version = 1\nrobot = \"cogiro.toml\"\n[workspace]\nmin = [-7.0, -5.0, 0.0]\nmax = [7.0, 5.0, 6.0]\n\
+        [[obstacles]]\nname = \"angle\"\nmesh = \"angle.obj\"\nposition = [2.0, 0.0, 0.0]\n\
+        [query]\nstart = [0.0, 2.0, 1.0]\ngoal = [2.0, -2.0, 1.0]\n";
+    fs::write(folder.path().join("hall.toml"), scene).unwrap();
+    let planned = cdpr_in(folder.path(), &["plan", "hall.toml", "-o", "path.json"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    assert!(stderr(&planned).contains("in 2 convex parts, which fill it exactly"), "{}", stderr(&planned));
+    assert_eq!(status(&cdpr_in(folder.path(), &["check", "hall.toml", "path.json"])), 0);
+    let wrong = cdpr_in(folder.path(), &["import", &testdata("caspr/CAROCA"), "--cable-set", "gazebo", "-o", "a.toml"]);
+    assert_eq!(status(&wrong), 2);
+    assert!(stderr(&wrong).contains("original, with_rotating_pulleys, gazebo_sim"), "{}", stderr(&wrong));
+}
+
+/// A table with a wall on it, in millimetres.
+const MACHINE: &str = "\
+v -1500 -2000 0\nv 1500 -2000 0\nv 1500 2000 0\nv -1500 2000 0\n\
+v -1500 -2000 400\nv 1500 -2000 400\nv 1500 2000 400\nv -1500 2000 400\n\
+f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n\
+v 600 -1500 400\nv 1200 -1500 400\nv 1200 1500 400\nv 600 1500 400\n\
+v 600 -1500 2600\nv 1200 -1500 2600\nv 1200 1500 2600\nv 600 1500 2600\n\
+f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+
+#[test]
+fn a_new_scene_around_ones_own_robot_and_mesh_plans() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("parts")).unwrap();
+    std::fs::write(folder.path().join("parts/machine.obj"), MACHINE).unwrap();
+    let import = ["import", &testdata("caspr/CoGiRo"), "-o", "parts/cogiro.toml"];
+    assert_eq!(status(&cdpr_in(folder.path(), &import)), 0);
+    let files = ["--robot", "parts/cogiro.toml", "--obstacle", "parts/machine.obj", "--units", "mm"];
+    let made = cdpr_in(folder.path(), &[&["new", "hall.toml"], &files[..]].concat());
+    assert_eq!(status(&made), 0, "{}", stderr(&made));
+    let text = std::fs::read_to_string(folder.path().join("hall.toml")).unwrap();
+    for line in ["robot = \"parts/cogiro.toml\"", "mesh = \"parts/machine.obj\"", "units = \"mm\"", "[wrench]"] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    let found = json(&cdpr_in(folder.path(), &["plan", "hall.toml", "--format", "json", "-o", "path.json"]));
+    assert_eq!(found["status"], "solved");
+    assert!(found["waypoints"].as_array().unwrap().len() > 2, "something is in the way");
+    let checked = json(&cdpr_in(folder.path(), &["check", "hall.toml", "path.json", "--format", "json"]));
+    assert_eq!(checked["valid"], true);
+
+    let end = ["--start", "-4", "0", "1"];
+    let made = cdpr_in(folder.path(), &[&["new", "--format", "json"], &files[..], &end].concat());
+    assert_eq!(json(&made)["query"]["start"], serde_json::json!([-4.0, 0.0, 1.0]));
+    let made = cdpr_in(folder.path(), &["new", "--obstacle", "parts/machine.obj"]);
+    assert!(status(&made) == 2 && stderr(&made).contains("--robot"), "{}", stderr(&made));
+    let made = cdpr_in(folder.path(), &["new", "x.toml", "--robot", "nowhere.toml"]);
+    assert!(status(&made) == 2 && stderr(&made).contains("nowhere.toml") && !folder.path().join("x.toml").exists());
+}
+
+#[test]
+fn every_command_takes_an_orientation_and_plan_chooses_one() {
+    let folder = folder();
+    std::fs::copy(testdata("scenes/plank.toml"), folder.path().join("slot.toml")).unwrap();
+    let run = |arguments: &[&str]| cdpr_in(folder.path(), arguments);
+    let found = run(&["plan", "slot.toml", "-o", "path.json", "--html", "view.html"]);
+    assert!(stdout(&found).contains("at \"along\"") && stdout(&found).contains("solved: 1.1 m"), "{}", stdout(&found));
+    let path = std::fs::read_to_string(folder.path().join("path.json")).unwrap();
+    assert!(path.contains("\"orientation_name\": \"along\""), "{path}");
+    assert!(std::fs::read_to_string(folder.path().join("view.html")).unwrap().contains("\"orientation\":[1.0,"));
+    // Without a word the path's orientation counts, otherwise the one that was told.
+    assert_eq!(status(&run(&["check", "slot.toml", "path.json"])), 0);
+    let refused = run(&["check", "slot.toml", "path.json", "--orientation", "across"]);
+    assert!(
+        status(&refused) == 2 && stderr(&refused).contains("path.json: orientation: found a path at [1.0"),
+        "{}",
+        stderr(&refused)
+    );
+    std::fs::write(folder.path().join("path.csv"), "x,y,z\n0.45,1,0.5\n1.55,1,0.5\n").unwrap();
+    let refused = run(&["check", "slot.toml", "path.csv"]);
+    assert!(status(&refused) == 2 && stderr(&refused).contains("choose one: --orientation"), "{}", stderr(&refused));
+    for (orientation, expected) in [("across", 1), ("along", 0), ("1,0,0,0", 0), ("-0.707106781,0,0,-0.707106781", 1)] {
+        let checked = run(&["check", "slot.toml", "path.csv", "--orientation", orientation]);
+        assert_eq!(status(&checked), expected, "{orientation}: {}", stderr(&checked));
+    }
+    let unknown = run(&["plan", "slot.toml", "--orientation", "acros"]);
+    assert!(status(&unknown) == 2 && stderr(&unknown).contains("did you mean \"across\"?"), "{}", stderr(&unknown));
+
+    let info = json(&run(&["info", "slot.toml", "--orientation", "along", "--format", "json"]));
+    assert_eq!((&info["orientation_name"], &info["orientations"][1]), (&"along".into(), &"along".into()));
+    let size = |orientation: &str| {
+        let arguments =
+            ["shadows", "slot.toml", "-o", "s.obj", "--all", "--format", "json", "--orientation", orientation];
+        let regions = json(&run(&arguments));
+        let meshes = regions["meshes"].as_array().unwrap().clone();
+        meshes.iter().find(|mesh| mesh["kind"] == "platform-obstacle").unwrap()["volume"].as_f64().unwrap()
+    };
+    assert!(size("across") != size("along"));
+}
