@@ -219,3 +219,6 @@ def test_the_examples_run(tmp_path):
     winding = [sys.executable, ROOT / "python/examples/winding.py", tmp_path / "table2"]
     run = subprocess.run(winding, capture_output=True, text=True, check=True)
     assert len(run.stdout.splitlines()) == 8 and "hard3, modified RRT: " in run.stdout
+    order = [sys.executable, ROOT / "python/examples/rewinding_order.py", "300"]
+    run = subprocess.run(order, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert len(run.stdout.splitlines()) == 7 and "running both orders gains " in run.stdout
