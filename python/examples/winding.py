@@ -4,6 +4,7 @@ Plans the first trials of a saved run again, each with the seed of its row; give
 """
 
 import csv
+import json
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -27,12 +28,13 @@ def main(folder: Path) -> None:
     """Print mean and standard deviation of waypoints and turning for every scenario and method."""
     found = defaultdict(list)
     scenes = {name: cdpr.Scene.load(SCENES / f"{name}.toml") for name in ("hard1", "hard3")}
+    rules = {rule["method"]: rule for rule in json.loads((folder / "run.json").read_text())["rules"]}
     with open(folder / "trials.csv", newline="") as file:
         for row in csv.DictReader(file):
             if int(row["trial"]) < TRIALS and row["status"] == "solved":
-                planner = "rrt-star" if row["method"].startswith("RRT*") else "modified-rrt"
-                post = "both" if row["method"].endswith("post-processing") else "none"
-                result = cdpr.plan(scenes[row["scenario"]], planner, seed=int(row["seed"]), post=post)
+                rule = rules[row["method"]]
+                options = {"post": rule["post"], "interference": rule["interference"]}  # both engines give the same paths
+                result = cdpr.plan(scenes[row["scenario"]], rule["planner"], seed=int(row["seed"]), **options)
                 if abs(result.cost - float(row["cost"])) > 1e-12:
                     raise SystemExit(f"trial {row['trial']} of {row['method']} came out differently")
                 found[row["scenario"], row["method"]].append((len(result.waypoints), turning(result.waypoints)))
