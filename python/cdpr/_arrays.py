@@ -27,7 +27,7 @@ def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
 
 
 def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
-    """A (..., 3) array as rows (n, 3), not copied if it is C-contiguous float64, and the shape of what is asked for each."""
+    """Return a (..., 3) array as rows (n, 3), not copied if it is C-contiguous float64, and the leading shape (...)."""
     array = as_numbers(name, values)
     if array.ndim == 0 or array.shape[-1] != 3:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (..., 3)")
@@ -36,7 +36,7 @@ def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
 
 
 def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
-    """Answers, one for each of the rows that `flat_points` made, in its shape; one answer is a NumPy scalar."""
+    """Give answers, one for each row of `flat_points`, the shape of its points; a single answer is a NumPy scalar."""
     whole: NDArray[_Entry] = answers.reshape(shape + answers.shape[1:])[()]
     return whole
 
@@ -64,7 +64,7 @@ def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[f
 
 
 def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]:
-    """What holds for all of so many, or one entry for each: a list of so many entries of the shape `entry`."""
+    """Broadcast one entry of shape `entry`, or `count` of them, to a list of `count` entries."""
     array = as_numbers(name, values)
     if array.shape not in (entry, (count, *entry)):
         one = str(entry) if entry else "a number"
@@ -76,7 +76,7 @@ def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]
 
 
 def number(name: str, value: Any) -> float:
-    """One number, whose range the core checks; texts and truth values are none, even where they can be read as one."""
+    """One number, whose range the core checks. Strings and booleans are refused, even where Python would convert them."""
     found = as_numbers(name, value)
     if found.ndim:
         raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")
@@ -112,7 +112,7 @@ def thread_count(threads: int | None) -> int | None:
 
 
 def shown(value: Any) -> str:
-    """A value in a message: short ones as they are, of others the type."""
+    """Describe a value in a message: short values as they are, others by their type."""
     if value is None or isinstance(value, (bool, float, np.generic)):
         return str(value)
     if isinstance(value, int):
@@ -153,7 +153,7 @@ def _many(values: Any) -> bool:
 
 
 def _no_number(values: Any, depth: int = 0) -> str | None:
-    """What there is in an array or in lists that NumPy would take for a number, or leave out, without a word."""
+    """Describe the first entry that NumPy would silently convert or drop; None if all are numbers."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
         return "masked entries"
     if isinstance(values, (list, tuple)):
@@ -176,6 +176,6 @@ def _in_reach(name: str, array: Floats) -> None:
 
 
 def one_for_each(name: str, values: Sequence[Any], count: int, of: str) -> None:
-    """Check that there are so many."""
+    """Check that there are `count` values."""
     if len(values) != count:
         raise InputError(f"{name}: found {len(values)}, expected {count}, one for each {of}")

@@ -1,4 +1,4 @@
-"""What is given that is no array: names, flags, files, tables, scenes and robots; whatever else comes is named."""
+"""Checks of arguments that are not arrays: names, flags, files, tables, scenes and robots."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _Kind = TypeVar("_Kind")
 
 
 def text(name: str, value: Any) -> str:
-    """A text of whole characters, as files can hold it."""
+    """A string without lone surrogates, so that files can hold it."""
     if not isinstance(value, str):
         raise InputError(f"{name}: found {shown(value)}, expected a text")
     try:
@@ -32,7 +32,7 @@ def texts(name: str, values: Any) -> list[str]:
 
 
 def several(name: str, values: Any, expected: str) -> list[Any]:
-    """Whatever stands in a sequence; a text is none."""
+    """The entries of a sequence; a string does not count as one."""
     try:
         if isinstance(values, (str, bytes)):
             raise TypeError
@@ -81,12 +81,12 @@ def table(name: str, value: Any) -> Mapping[str, Any]:
     return value
 
 
-# Deeper tables are in no file; a table that holds itself is one.
+# Limit of nesting, also for a table that contains itself.
 _DEEPEST = 32
 
 
 def plain(place: str, value: Any, depth: int = 0, known: Callable[[Any], Any] = lambda value: value) -> Any:
-    """A value as a file holds it, arrays as lists; `place` is its key path. What else is known stands for something."""
+    """Convert a value to what a file can hold, arrays to lists. `place` is its key path; `known` converts further types first."""
     value = known(value)
     if depth > _DEEPEST:
         raise InputError(f"{place[:200]}: found tables within tables more than {_DEEPEST} deep, expected fewer")

@@ -1,4 +1,4 @@
-"""What is asked of a scene: validity, clearance, and what is in the way. Methods of `Scene`, which takes them over."""
+"""Queries of a scene: validity, clearance, violations. `Scene` takes these functions as its methods."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Interference: TypeAlias = Literal["exact", "swept"]
 
 
 def judges(engine: Engine, interference: Interference) -> tuple[Engine, Interference]:
-    """Engine and rule, which are texts; the core knows which there are."""
+    """Check that engine and interference rule are strings; the core checks their values."""
     text("engine", engine), text("interference", interference)
     return engine, interference
 
@@ -123,8 +123,8 @@ def clearance(self: Scene, points: ArrayLike, *, threads: int | None = None) -> 
     Returns
     -------
     ndarray of float (...)
-        Metres, a NumPy scalar for a single position: minus a penetration depth where bodies overlap, 0 where cables cross; infinite where there is nothing
-        to keep away from. Pairs that may touch, or can never be as far apart as demanded, count too. Cables and what
+        Metres, a NumPy scalar for a single position: minus the penetration depth where bodies overlap, 0 where cables cross,
+        infinite where there is nothing to keep away from. Pairs that may touch, or can never be as far apart as demanded, count too. Cables and what
         they end on are left out, and so are ignored pairs and the workspace.
 
     Examples
@@ -146,7 +146,7 @@ def violations(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> tuple[Violation, ...]:
-    """All that is wrong with a position, or with a straight motion; `cdpr.check` looks at a whole path.
+    """Every violation at a position or along a straight motion; `cdpr.check` checks a whole path.
 
     Parameters
     ----------

@@ -69,7 +69,7 @@ fn without_control_characters(error: clap::Error) -> clap::Error {
     Cli::try_parse_from(arguments).err().unwrap_or(error)
 }
 
-/// Prints the place of a panic; [`caught`] tells the rest. Whoever wants a backtrace gets Rust's own message.
+/// Prints only where a panic happened, since [`caught`] prints its message. With `RUST_BACKTRACE` set, Rust's own output stays.
 fn say_where_panics_are() {
     if std::env::var_os("RUST_BACKTRACE").is_none() {
         panic::set_hook(Box::new(|bug| {

@@ -11,8 +11,8 @@ pub fn on_request_to_stop(stop: fn()) {
     set();
 }
 
-/// Calls `set`, which handles SIGHUP with all the others, and puts its disposition back if it was to be ignored. A SIGHUP
-/// that comes meanwhile waits, so that it is not handled.
+/// Calls `set`, which installs handlers for all signals, and restores SIGHUP's disposition if it was ignored before. SIGHUP is
+/// blocked meanwhile, so that the handler cannot run in between.
 #[cfg(unix)]
 #[allow(unsafe_code)]
 fn keeping_ignored_hangup(set: impl FnOnce()) {
@@ -20,7 +20,8 @@ fn keeping_ignored_hangup(set: impl FnOnce()) {
     use nix::sys::signal::{SigHandler, SigSet, Signal, signal};
 
     let mut present = std::mem::MaybeUninit::<libc::sigaction>::zeroed();
-    // SAFETY: without a new action `sigaction` only writes the present one to where it is told; zeros are a valid one.
+    // SAFETY: with a null new action, `sigaction` only writes the current action to the given pointer, and all zeros are a valid
+    // `sigaction`.
     let ignored = unsafe {
         libc::sigaction(libc::SIGHUP, std::ptr::null(), present.as_mut_ptr());
         present.assume_init().sa_sigaction == libc::SIG_IGN
@@ -29,7 +30,7 @@ fn keeping_ignored_hangup(set: impl FnOnce()) {
     let _ = hangup.thread_block();
     set();
     if ignored {
-        // SAFETY: a signal that is ignored calls nothing.
+        // SAFETY: `SigIgn` installs no handler that could run.
         let _ = unsafe { signal(Signal::SIGHUP, SigHandler::SigIgn) };
     }
     let _ = hangup.thread_unblock();

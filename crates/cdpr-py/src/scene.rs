@@ -1,4 +1,4 @@
-//! Scenes, and what is asked of them.
+//! The class `Scene`: validity, clearance, checks, tensions and planning.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -51,7 +51,7 @@ fn known_engine(scene: &Scene, wanted: (Engine, Interference)) -> Option<Arc<dyn
     known.iter().find(|(key, _)| *key == wanted).map(|(_, engine)| engine.clone())
 }
 
-/// The engine for a scene, within a watch. Two threads may compile it at the same time: none waits for the other.
+/// The engine for a scene, compiled within a watch. Two threads may compile it at the same time; neither waits for the other.
 fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
     if let Some(engine) = known_engine(scene, wanted) {
         return Ok(engine);
@@ -117,7 +117,7 @@ impl Scene {
         Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
     }
 
-    /// Those of the notes that tell of nothing to worry about.
+    /// Notes that are good news, such as a mesh that is filled exactly.
     fn good_notes(&self) -> Vec<String> {
         self.0.good_notes().to_vec()
     }

@@ -43,7 +43,7 @@ fn possible<T: Choice>() -> Vec<PossibleValue> {
     T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help)).collect()
 }
 
-/// The names of [`Post`] but for that of doing nothing.
+/// Accepts the names of [`Post`] except `none`.
 pub fn something() -> impl TypedValueParser<Value = Post> {
     let names = possible::<Post>().into_iter().filter(|name| !name.matches(Post::None.name(), false));
     PossibleValuesParser::new(names.collect::<Vec<_>>())

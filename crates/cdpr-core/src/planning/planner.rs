@@ -252,13 +252,11 @@ impl PlannerSettings {
 
     /// A setting that the planner does not have would be ignored: refused instead.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
-        let steps: &[Planner] = &[Planner::Rrt, Planner::RrtStar, Planner::RrtConnect];
-        let (biased, near) = (&steps[..2], &steps[1..2]);
         for (key, found, owners) in [
             ("gap", self.gap, &[Planner::Anytime][..]),
-            ("extend_step", self.extend_step, steps),
-            ("goal_bias", self.goal_bias, biased),
-            ("near_radius", self.near_radius, near),
+            ("extend_step", self.extend_step, &[Planner::Rrt, Planner::RrtStar, Planner::RrtConnect]),
+            ("goal_bias", self.goal_bias, &[Planner::Rrt, Planner::RrtStar]),
+            ("near_radius", self.near_radius, &[Planner::RrtStar]),
         ] {
             if let Some(found) = found.filter(|_| !owners.contains(&planner)) {
                 let verb = if owners.len() > 1 { "have" } else { "has" };
