@@ -34,8 +34,8 @@ pub trait Guide<State>: Sync {
         self.shortened(path, f64::INFINITY, watch)
     }
 
-    /// A valid path found by other means than sampling, a different one each time; none if that takes more effort than
-    /// so many samples do, and the next call goes on from there, or if it finds no more.
+    /// A valid path found by other means than sampling, in general another one each time; none if that takes more effort
+    /// than so many samples do, and the next call goes on from there, or if it finds no more.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -108,6 +108,10 @@ const UNGUIDED: usize = 500;
 /// Samples before the guide is asked for a way, and between two such questions.
 const FIRST_WAY: usize = 100;
 const NEXT_WAY: usize = 100;
+/// Ways in a row that led to no shorter path, after which the guide is not asked for more; one more for each so many things
+/// that paths may bend around.
+const FRUITLESS_WAYS: usize = 2;
+const THINGS_PER_WAY: usize = 100;
 /// Ways longer than the best path by more than this factor are not made taut.
 const DETOUR: f64 = 1.4;
 /// A path is polished at once if it is better than the last polished one by this factor, otherwise in the end.
@@ -143,6 +147,8 @@ pub fn anytime<S: StateSpace>(
         halves: Halves::new(problem),
         past: 0,
         next_way: FIRST_WAY,
+        last_way: Vec::new(),
+        fruitless_ways: 0,
         best: Vec::new(),
         cost: f64::INFINITY,
         polished: f64::INFINITY,
@@ -205,6 +211,10 @@ struct Run<'r, S: StateSpace> {
     past: usize,
     /// Samples from which on the guide is asked for a way.
     next_way: usize,
+    /// The last way from the guide.
+    last_way: Vec<S::State>,
+    /// Ways in a row that led to no shorter path.
+    fruitless_ways: usize,
     best: Vec<S::State>,
     cost: f64,
     /// Length of the best path that was polished, m.
@@ -253,16 +263,22 @@ impl<S: StateSpace> Run<'_, S> {
     fn ask_for_a_way(&mut self) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
         let samples = self.search.samples();
-        if samples < self.next_way {
+        let enough = FRUITLESS_WAYS + self.guide.complexity() / THINGS_PER_WAY;
+        if samples < self.next_way || self.fruitless_ways >= enough {
             return Ok(());
         }
         self.next_way = samples + NEXT_WAY;
         let Some(way) = self.guide.way(start, goal, NEXT_WAY, self.watch)? else { return Ok(()) };
-        if self.best.is_empty() {
-            self.take(way.clone()); // an answer in case that time ends here
+        let before = self.cost;
+        if way != self.last_way {
+            if self.best.is_empty() {
+                self.take(way.clone()); // an answer in case that time ends here
+            }
+            let taut = self.guide.shortened(&way, before, self.watch)?;
+            self.take(taut);
+            self.last_way = way;
         }
-        let taut = self.guide.shortened(&way, self.cost, self.watch)?;
-        self.take(taut);
+        self.fruitless_ways = if self.cost < (1.0 - BETTER) * before { 0 } else { self.fruitless_ways + 1 };
         self.polish_if_much_better()
     }
 

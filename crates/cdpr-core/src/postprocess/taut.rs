@@ -73,7 +73,6 @@ struct Ways {
     cells: Decomposition,
     /// Tastes that were tried.
     tried: usize,
-    last: Vec<Point>,
 }
 
 /// In what order ways through cells are searched: wide detours are found at once, short ways come close to the shortest.
@@ -123,17 +122,15 @@ impl Guide<Point> for Taut<'_> {
         if ways.is_none() {
             let Some(pieces) = in_time(self.engine.pieces(watch))? else { return Ok(None) };
             let cells = Decomposition::new(pieces, self.low, self.high);
-            *ways = Some(Ways { cells, tried: 0, last: Vec::new() });
+            *ways = Some(Ways { cells, tried: 0 });
         }
-        let Some(Ways { cells, tried, last }) = ways.as_mut() else { return Ok(None) };
+        let Some(Ways { cells, tried }) = ways.as_mut() else { return Ok(None) };
         let Some(taste) = TASTES.get(*tried) else { return Ok(None) };
         let free = |from: &Point, to: &Point| self.engine.motion_valid(from, to);
         let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // so much dearer is a sample
         let Way::Path(path) = cells.way([start, goal], &free, *taste, effort, watch)? else { return Ok(None) };
         *tried += 1;
-        let another = path != *last;
-        last.clone_from(&path);
-        Ok(another.then_some(path))
+        Ok(Some(path))
     }
 
     fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
