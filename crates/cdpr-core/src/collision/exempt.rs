@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::choice::choices;
+use crate::choices;
 use crate::model::Member;
 use crate::words::small_length;
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::constraint::{Constraint, Constraints};
 use super::explain;
-use crate::choice::choices;
+use crate::choices;
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point};
 use crate::watch::Watch;
