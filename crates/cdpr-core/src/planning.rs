@@ -16,11 +16,11 @@ pub mod space;
 pub mod tree;
 pub mod two_trees;
 
-pub use anytime::{AnytimeOptions, Guide, Listener, anytime};
+pub use anytime::{AnytimeOptions, Guide, Improved, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
 pub use outcome::{Milestone, Outcome, Status};
-pub use planner::{Aids, Planner, PlannerOptions, PlannerSettings};
+pub use planner::{Planner, PlannerOptions, PlannerSettings};
 pub use rrt::{RrtOptions, rrt};
 pub use rrt_connect::{RrtConnectOptions, rrt_connect};
 pub use rrt_star::{RrtStarOptions, rrt_star};

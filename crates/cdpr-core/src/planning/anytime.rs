@@ -71,8 +71,8 @@ pub trait Guide<State>: Sync {
     ) -> Result<Option<State>, Error>;
 }
 
-/// Somebody who wants to know of every better path: seconds since the start, its length in m, the path.
-pub type Listener<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
+/// Called with every better path: seconds since the start, its length in m, the path.
+pub type Improved<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
 
 /// Options of [`anytime`].
 #[derive(Debug, Clone, PartialEq)]
@@ -131,7 +131,7 @@ pub fn anytime<S: StateSpace>(
     validity: &dyn Validity<S::State>,
     guide: &dyn Guide<S::State>,
     options: &AnytimeOptions,
-    listener: &Listener<S::State>,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
@@ -142,7 +142,7 @@ pub fn anytime<S: StateSpace>(
     let mut run = Run {
         guide,
         watch,
-        listener,
+        improved,
         search: Search::new(problem, validity, &limits, watch),
         halves: Halves::new(problem),
         past: 0,
@@ -204,7 +204,7 @@ impl Patience {
 struct Run<'r, S: StateSpace> {
     guide: &'r dyn Guide<S::State>,
     watch: &'r Watch<'r>,
-    listener: &'r Listener<'r, S::State>,
+    improved: &'r Improved<'r, S::State>,
     search: Search<'r, S>,
     halves: Halves<'r, S>,
     /// Nodes of trees that were given up.
@@ -362,7 +362,7 @@ impl<S: StateSpace> Run<'_, S> {
                 patience.take(cost);
             }
             let seconds = self.search.improved(cost);
-            (self.listener)(seconds, cost, &self.best);
+            (self.improved)(seconds, cost, &self.best);
         }
     }
 }

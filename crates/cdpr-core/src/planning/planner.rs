@@ -5,7 +5,7 @@ use rand::Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::anytime::{AnytimeOptions, Guide, Listener, anytime};
+use super::anytime::{AnytimeOptions, Guide, Improved, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
 use super::outcome::Outcome;
 use super::rrt::{RrtOptions, rrt};
@@ -215,14 +215,13 @@ impl PlannerOptions {
         &self,
         problem: &Problem<S>,
         validity: &dyn Validity<S::State>,
-        aids: &Aids<S::State>,
+        guide: &dyn Guide<S::State>,
+        improved: &Improved<S::State>,
         rng: &mut impl Rng,
         watch: &Watch,
     ) -> Result<Outcome<S::State>, Error> {
         match self {
-            PlannerOptions::Anytime(options) => {
-                anytime(problem, validity, aids.guide, options, aids.listener, rng, watch)
-            }
+            PlannerOptions::Anytime(options) => anytime(problem, validity, guide, options, improved, rng, watch),
             PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, rng, watch),
             PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
             PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
@@ -230,15 +229,6 @@ impl PlannerOptions {
             PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, rng, watch),
         }
     }
-}
-
-/// Who helps a search, and who wants to hear of it; only the anytime planner knows them.
-#[derive(Clone, Copy)]
-pub struct Aids<'a, State> {
-    /// Knows the geometry.
-    pub guide: &'a dyn Guide<State>,
-    /// Is told of every better path.
-    pub listener: &'a Listener<'a, State>,
 }
 
 impl PlannerSettings {
