@@ -1,6 +1,6 @@
 //! The anytime planner: a first path quickly, then shorter ones until a limit is reached or further search no longer pays off.
 //!
-//! Two trees grow as in [`super::two_trees`]. Whenever they meet, a [`Guide`], which knows the geometry, turns the resulting path
+//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`Guide`], which knows the geometry, turns the resulting path
 //! into a locally shortest one; the shortest of these is kept. Once there is a path, or after a while without one, half of the
 //! samples also come from the guide, from places where shortest paths can bend: in narrow passages few other samples are useful.
 //! Samples through which no shorter path can lead are skipped (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*",
