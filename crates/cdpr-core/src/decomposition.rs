@@ -31,8 +31,8 @@ pub enum Way {
 /// How a search trades path length against the width of passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taste {
-    /// Distance through an open cell of this level costs twice as much as through a free one; the factor of two changes by 1.7 per
-    /// level. A low level prefers wide detours, a high one short paths through narrow passages.
+    /// Distance through an open cell of level l costs 1 + 1.7^(l - `level`) times as much as through a free one. A low `level` prefers
+    /// wide detours, a high one short paths through narrow passages.
     pub level: i32,
     /// Weight of the remaining distance in the A* ordering; at least 1. The larger it is, the fewer cells are visited, and the longer
     /// the chains.
