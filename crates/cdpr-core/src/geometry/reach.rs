@@ -36,7 +36,7 @@ const LOOK_STEPS: usize = 1000;
 pub(super) struct Until {
     /// A bound that is low enough, m.
     pub enough: f64,
-    /// Whether a point farther than this plus [`UNDECIDED`] also ends the search: the body extends too far.
+    /// Whether a point farther than [`UNDECIDED`] times that also ends the search: the body extends too far.
     pub or_beyond: bool,
     /// Maximum number of steps.
     pub steps: usize,

@@ -37,7 +37,7 @@ enum Feature {
 pub struct SignedDistance {
     corners: Vec<[Point; 3]>,
     nodes: Vec<Node>,
-    /// Normals of each triangle, of its edges and of its corners; `None` if the surface encloses nothing.
+    /// Normals of each triangle, of its edges and of its corners; empty if the surface encloses nothing.
     normals: Vec<[Vector; 7]>,
 }
 

@@ -26,7 +26,7 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// The defects as a sentence for the user; `None` if the mesh is sound.
+    /// The defects as sentences for the user; empty if the mesh is sound.
     pub fn notes(&self) -> Vec<String> {
         let count = |number: usize, one: &str, many: &str| {
             (number > 0).then(|| format!("{number} {}", if number == 1 { one } else { many }))
