@@ -146,7 +146,7 @@ fn advance<S: StateSpace>(
     Ok(if x_new == *x { Step::Reached(new) } else { Step::Advanced(new) })
 }
 
-    /// Number of nodes of both trees.
+/// Number of nodes of both trees.
 fn nodes<S: StateSpace>(trees: &[Half<S>; 2]) -> usize {
     trees.iter().map(|half| half.tree.len()).sum()
 }
