@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn more_nodes_never_cost_more_and_come_near_the_optimum() {
-        // 2.4352 m is the best path known; a longer run of the same seed goes on where the shorter one stopped.
+        // 2.4352 m is the best known length; a longer run with the same seed continues where the shorter one stopped.
         let costs = [1000, 4000, 16_000].map(|nodes| {
             let path = grown(&hard1(), 5, nodes).0.waypoints;
             path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()

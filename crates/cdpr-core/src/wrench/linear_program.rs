@@ -211,7 +211,7 @@ impl ScaleLp {
     /// units. If a corner is in a direction that no tensions balance, the result is 0.
     ///
     /// # Errors
-    /// Those of [`FeasibilityLp::solve`], and no corner at all.
+    /// Those of [`FeasibilityLp::solve`], and an empty list of corners.
     pub fn solve(
         &mut self,
         wrench_matrix: &Matrix6xX<f64>,

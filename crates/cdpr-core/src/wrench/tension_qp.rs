@@ -62,7 +62,7 @@ impl TensionQp {
     ///
     /// `wrench_matrix`, `limits` and `wrench` are those of
     /// [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve). `reference` is one tension for each
-    /// cable, N, within limits or not; the middle of the limits if none is given.
+    /// cable, N, within limits or not; the default is the middle of the limits.
     ///
     /// # Errors
     /// Those of [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve), and the same for `reference`.
