@@ -21,7 +21,7 @@ use crate::watch::Watch;
 /// All planners.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planner {
-    /// A first path within milliseconds, then shorter ones.
+    /// A first path quickly, then shorter ones.
     #[default]
     Anytime,
     /// Connects samples directly to a tree from the start and one from the goal.
