@@ -1,6 +1,6 @@
-//! Sampling planners: functions of problem, validity, options and generator, returning an outcome.
+//! Sampling-based planners: functions of problem, validity, options and random generator that return an outcome.
 //!
-//! They know the trait [`crate::collision::Validity`], not the engine behind it, and a [`StateSpace`], not its geometry.
+//! They depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a geometry.
 
 pub mod anytime;
 mod bidirectional;
