@@ -55,7 +55,7 @@ def test_clearances_go_in_and_out(hard1: cdpr.Scene, tmp_path) -> None:
         ({"touch": ["platform"]}, r"touch\[0\]: found 'platform', expected two names"),
         ({"touch": [("platform", "pilar")]}, r'touch\[0\].*did you mean "pillar"'),
         ({"ignore": [("platform", 5)]}, r"ignore\[0\].*expected two names"),
-        ({"ignore": [("cable 1", "pillar")], "touch": [("pillar", "cable 1")]}, r"touch\[0\].*stands in ignore already"),
+        ({"ignore": [("cable 1", "pillar")], "touch": [("pillar", "cable 1")]}, r"touch\[0\].*is listed in ignore already"),
     ],
 )
 def test_slips_are_told(hard1: cdpr.Scene, given, words) -> None:

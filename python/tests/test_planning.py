@@ -165,7 +165,7 @@ def test_paths_that_are_none_are_refused(hard1, waypoints):
 
 
 def test_rewinding_a_path_in_collision_says_where(hard1):
-    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment from here is not valid: .* pillar"):
+    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment that starts here is not valid: .* pillar"):
         cdpr.rewind(hard1, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
 
 
@@ -400,7 +400,7 @@ def test_refining_makes_a_path_taut_and_never_longer(hard1):
             assert cdpr.refine(hard1, taut.waypoints).cost <= taut.cost
             assert (cdpr.plan(hard1, planner, seed=seed, post="taut").waypoints == taut.waypoints).all()
     assert taut.cost < cdpr.rewind(hard1, raw, step=0.1).cost - 1e-3
-    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment from here is not valid: .* pillar"):
+    with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: the segment that starts here is not valid: .* pillar"):
         cdpr.refine(hard1, [[0.3, 1, 0.3], [1.7, 1, 1.7]])
 
 

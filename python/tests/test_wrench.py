@@ -117,7 +117,7 @@ def test_a_point_mass_has_forces_alone():
     robot = cdpr.Robot(outlets, np.zeros((4, 3)), [[[0, 0, 0]]], tensions=[1, 200], mass=5)
     assert cdpr.capacity_margin(robot, [[2, 2, 1]]) == cdpr.force_margin(robot, [[2, 2, 1]])
     assert np.isnan(cdpr.moment_margin(robot, [[2, 2, 1]])).all()
-    with pytest.raises(cdpr.InputError, match="all attachments are one point"):
+    with pytest.raises(cdpr.InputError, match="all attachments coincide"):
         cdpr.capacity_margin(robot, [[2, 2, 1]], moment=1)
 
 
@@ -202,7 +202,7 @@ def test_available_sets_reach_as_far_as_the_tensions_allow(empty):
         support = np.where(pull > 0, 1000, 10) @ pull  # every cable at the limit that reaches farthest
         assert (found.vertices @ direction).max() == pytest.approx(support)
     ball = cdpr.Robot([[0, 0, 1], [1, 0, 1]], [[0, 0, 0]] * 2, [[[0, 0, 0]]], mass=1, tensions=[1, 9])
-    with pytest.raises(cdpr.InputError, match="attachments are one point"):
+    with pytest.raises(cdpr.InputError, match="attachments coincide"):
         cdpr.moment_set(ball, [0, 0, 0])
     with pytest.raises(cdpr.InputError, match=r"position: found an array of shape \(2,\)"):
         cdpr.force_set(ball, [0, 0])

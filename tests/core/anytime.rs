@@ -379,7 +379,7 @@ fn limits_and_settings_end_it() {
     let wide = ask(PlannerSettings { gap: Some(0.5), ..none() });
     assert!(wide.cost <= 1.5 * (hard1().goal().unwrap() - hard1().start().unwrap()).norm());
     let error = PlannerOptions::new(Planner::Rrt, 0.1, &PlannerSettings { gap: Some(0.1), ..none() }).unwrap_err();
-    assert_eq!(error.to_string(), "gap: found 0.1, but the planner rrt has no such setting; anytime has");
+    assert_eq!(error.to_string(), "gap: found 0.1, but the planner rrt has no such setting; only anytime has it");
     let mut limited = PlannerOptions::of(Planner::Anytime);
     *limited.limits_mut() = Limits { max_nodes: 30, ..Limits::samples(1_000_000) };
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);

@@ -259,7 +259,7 @@ fn tables_of_clearances_are_read_and_slips_are_told() {
         ("touch = [[\"platform\", \"piller\"]]".to_string(), vec!["touch[0]", "did you mean \"pillar\""]),
         (
             "touch = [[\"platform\", \"pillar\"]]\nignore = [[\"pillar\", \"platform\"]]".to_string(),
-            vec!["touch[0]", "stands in ignore already"],
+            vec!["touch[0]", "is listed in ignore already"],
         ),
     ] {
         let told = text(&more).unwrap_err().to_string();

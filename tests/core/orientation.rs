@@ -168,7 +168,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     // Bare positions say none, and a scene that leaves it open is no answer.
     let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
     let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
-    assert!(refused.contains("which names across, along, askew; choose one"), "{refused}");
+    assert!(refused.contains("selects none of across, along, askew; select one"), "{refused}");
     assert!(scene_of_path(&across, &bare, true).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
     assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
     // An edited scene gets an answer and a warning, or an error.
@@ -183,11 +183,13 @@ fn a_path_is_checked_at_its_own_orientation() {
     other.orientations.retain(|orientation| orientation.name != "along");
     let without = Scene::new(other).unwrap();
     let refused = scene_of_path(&without, &loaded, false).unwrap_err().to_string();
-    assert!(refused.contains("none of the scene's orientations (across, askew)"), "{refused}");
+    assert!(refused.contains("not one of the scene's orientations (across, askew)"), "{refused}");
     let bare =
         Scene::new(SceneSpec { orientations: vec![named("across", 1.0), named("askew", 0.3)], ..plank() }).unwrap();
     assert_eq!(bare.turned([1.0, 0.0, 0.0, 0.0].into()).unwrap().fingerprint(), along.fingerprint());
-    assert!(scene_of_path(&bare, &loaded, false).unwrap_err().to_string().contains("none of the scene's orientations"));
+    assert!(
+        scene_of_path(&bare, &loaded, false).unwrap_err().to_string().contains("not one of the scene's orientations")
+    );
     // A path that was planned for just this scene at an orientation without a name is checked at that.
     let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();
     let json = plan_json(&aside, &PlanOptions::default(), &planned.result, &Nearest::default(), None);

@@ -104,7 +104,7 @@ fn what_can_never_be_free_is_given_up_with_a_reason() {
     let told = scenes.draw(0).unwrap_err().to_string();
     assert!(told.contains("found no free scene in 20 draws") && told.contains("the start is not valid"), "{told}");
     let straight = self::scenes(empty(), "count = 0\nredraw_straight = true\nattempts = 5").draw(0).unwrap_err();
-    assert!(straight.to_string().contains("the straight line solves it"));
+    assert!(straight.to_string().contains("the straight line from start to goal is free"));
 }
 
 #[test]

@@ -228,7 +228,7 @@ fn what_a_scene_lacks_for_wrench_work_is_named() {
     let load = wrench(|w| w.load = Some([0.0, 0.0, f64::INFINITY, 0.0, 0.0, 0.0]));
     assert!(load.starts_with("wrench.load: found fz = inf"), "{load}");
     assert!(wrench(|w| w.characteristic_length = Some(0.0)).starts_with("wrench.characteristic_length: found 0"));
-    assert!(wrench(|w| w.vertices = Some(vec![[0.0; 6]])).starts_with("wrench.vertices: found beside force"));
+    assert!(wrench(|w| w.vertices = Some(vec![[0.0; 6]])).starts_with("wrench.vertices: found together with force"));
     let fine = wrench(|w| (w.rule, w.grid) = (Some(RuleSpec::Grid), Some(1e-3)));
     assert!(fine.starts_with("wrench.grid: found 0.001 m, which makes"), "{fine}");
 }

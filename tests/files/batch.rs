@@ -343,7 +343,7 @@ fn folders_that_are_not_ours_are_refused() {
         BatchFolder::open(folder.path(), &experiment, 0..12, true).unwrap_err().to_string().contains("no run.json")
     );
     let file = folder.path().join("experiment.toml").join("out");
-    assert!(BatchFolder::open(&file, &experiment, 0..12, false).unwrap_err().to_string().contains("cannot be made"));
+    assert!(BatchFolder::open(&file, &experiment, 0..12, false).unwrap_err().to_string().contains("cannot be created"));
 }
 
 #[test]
@@ -416,7 +416,7 @@ fn two_runs_do_not_share_a_folder() {
     let path = folder.path().join("run");
     let first = BatchFolder::open(&path, &experiment, 0..2, false).unwrap();
     let second = BatchFolder::open(&path, &experiment, 0..2, true).unwrap_err().to_string();
-    assert!(second.contains("run: found another process at work in this folder"), "{second}");
+    assert!(second.contains("run: found another process working in this folder"), "{second}");
     drop(first);
     BatchFolder::open(&path, &experiment, 0..2, true).unwrap();
 }

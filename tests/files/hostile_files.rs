@@ -73,11 +73,11 @@ fn pipes_devices_and_loops_are_refused_by_every_reader() {
     use std::os::unix::fs::symlink;
     let pipe = |path: &Path| assert!(std::process::Command::new("mkfifo").arg(path).status().unwrap().success());
     for (name, message) in refusals(pipe) {
-        assert!(message.contains("no ordinary file") || message.contains("found no"), "{name}: {message}");
+        assert!(message.contains("not a regular file") || message.contains("found no"), "{name}: {message}");
     }
     for device in ["/dev/zero", "/dev/random", "/dev/tty"].into_iter().filter(|device| Path::new(device).exists()) {
         for (name, message) in refusals(|path| symlink(device, path).unwrap()) {
-            assert!(message.contains("no ordinary file") || message.contains("found no"), "{name}: {message}");
+            assert!(message.contains("not a regular file") || message.contains("found no"), "{name}: {message}");
         }
     }
     refusals(|path| symlink(path, path).unwrap());
@@ -91,8 +91,8 @@ fn a_scene_that_names_a_device_is_refused() {
     std::os::unix::fs::symlink("/dev/zero", folder.path().join("zero.toml")).unwrap();
     let scene = folder.path().join("scene.toml");
     for (robot, mesh, expected) in [
-        ("zero.toml", "zero.obj", "zero.toml: is no ordinary file"),
-        ("PAPER", "zero.obj", "zero.obj: is no ordinary file"),
+        ("zero.toml", "zero.obj", "zero.toml: is not a regular file"),
+        ("PAPER", "zero.obj", "zero.obj: is not a regular file"),
         ("PAPER", "/dev/zero", "found the extension (none)"),
         ("PAPER", "../../../../../../../../dev/zero", "found the extension (none)"),
     ] {

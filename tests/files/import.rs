@@ -94,7 +94,7 @@ fn one_file_finds_the_other_and_bodies_may_stand_elsewhere() {
     let alone = apart.path().join("CoGiRo_cables.xml");
     fs::copy(&cables, &alone).unwrap();
     let error = import_robot(&alone, &ImportOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("CoGiRo_cables.xml") && error.contains("--bodies"), "{error}");
+    assert!(error.contains("CoGiRo_cables.xml") && error.contains("name of the bodies file"), "{error}");
     let options = ImportOptions { bodies: Some(folder.join("CoGiRo_bodies.xml")), ..ImportOptions::default() };
     assert_eq!(import_robot(&alone, &options).unwrap().robot, whole.robot);
 }
@@ -150,7 +150,7 @@ fn models_that_make_no_sense_are_refused_with_element_and_line() {
         (vec![("\"joint\"", "\"elsewhere\"")], vec![], "expected joint or com"),
         (vec![("<link>1</link>", "<link>2</link>")], vec![], "<link>: found link 2"),
         (vec![("id=\"original\"", "id=\"orignal\"")], vec![], "did you mean \"orignal\""),
-        (vec![("</cable_ideal>", "")], vec![], "is no sound XML"),
+        (vec![("</cable_ideal>", "")], vec![], "is not valid XML"),
         (vec![], vec![("SPATIAL_EULER_XYZ", "R_Z")], "expected a platform that moves freely"),
         (vec![], vec![("</link_rigid>", second)], "found a second link"),
         (vec![], vec![("<mass>1.0</mass>", "")], "found no <mass>"),
@@ -189,12 +189,12 @@ fn hostile_xml_is_refused_in_bounded_time_and_memory() {
     assert!(refusal(external.as_bytes()).contains("not expanded"));
     let nested = "<a>".repeat(1_000_000);
     assert!(refusal(nested.as_bytes()).contains("larger than 1 MB"));
-    assert!(refusal(&nested.as_bytes()[..900_000]).contains("is no sound XML"));
+    assert!(refusal(&nested.as_bytes()[..900_000]).contains("is not valid XML"));
     assert!(refusal(&vec![b' '; 100_000_000]).contains("larger than 1 MB"));
     let attributes: String = (0..90_000).map(|k| format!(" a{k}=\"\"")).collect();
-    assert!(refusal(format!("<cables{attributes}").as_bytes()).contains("is no sound XML"));
+    assert!(refusal(format!("<cables{attributes}").as_bytes()).contains("is not valid XML"));
     assert!(refusal(b"\xff\xfe<\0c\0").contains("UTF-8"));
-    assert!(refusal(b"").contains("is no sound XML"));
+    assert!(refusal(b"").contains("is not valid XML"));
 }
 
 #[test]

@@ -365,14 +365,14 @@ fn files_that_are_no_meshes_are_refused() {
     };
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_string();
     let cases: Vec<(&str, Vec<u8>, &str)> = vec![
-        ("a.stl", Vec::new(), "is no sound STL"),
+        ("a.stl", Vec::new(), "is not a valid STL"),
         ("a.stl", stl[..stl.len() - 10].to_vec(), "ends after 19 of 20 triangles"),
         ("a.stl", counting(u32::MAX), "found 4294967295 triangles, expected at most 500000"),
         ("a.stl", counting(400_000), "ends after 20 of 400000"),
         ("a.obj", b"v 0 0 0\n".repeat(2_100_000), "found 8400000 words, expected at most 8000000"),
-        ("a.obj", scattered(5001), "found 5001 pieces that do not hang together"),
+        ("a.obj", scattered(5001), "found 5001 disconnected pieces"),
         ("a.stl", not_finite, "not finite"),
-        ("a.stl", b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0".to_vec(), "is no sound STL"),
+        ("a.stl", b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0".to_vec(), "is not a valid STL"),
         ("a.stl", b"solid\nendsolid".to_vec(), "no triangles"),
         ("a.obj", Vec::new(), "no triangles"),
         ("a.obj", (obj.clone() + "f 1 2 9\n").into_bytes(), "a.obj"),
@@ -394,7 +394,7 @@ fn files_that_are_no_meshes_are_refused() {
     }
     let keys = [
         ("mesh = \"good.stl\"\nbox = [1.0, 1.0, 1.0]", "found several shapes"),
-        ("box = [0.1, 0.1, 0.1]\nscale = 2.0", "obstacles[0].scale: found it without a mesh"),
+        ("box = [0.1, 0.1, 0.1]\nscale = 2.0", "obstacles[0].scale: found without a mesh"),
         ("mesh = \"good.stl\"\nscale = 0.0", "obstacles[0].scale"),
         ("mesh = \"good.stl\"\ntolerance = -1.0", "obstacles[0].tolerance"),
         ("mesh = \"good.stl\"\nunits = \"ell\"", "units"),

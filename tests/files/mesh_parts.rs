@@ -225,7 +225,7 @@ fn triangles_without_a_shape_are_refused_with_what_to_do() {
     assert_eq!(error.class(), cdpr_core::ErrorClass::Input);
     let message = error.to_string();
     for said in
-        ["soup.obj: found a piece of 20000 triangles, open", "where 12.0 mm was asked", "25 % of its largest side"]
+        ["soup.obj: found a piece of 20000 triangles, open", "where 12.0 mm was requested", "25 % of its largest side"]
     {
         assert!(message.contains(said), "\"{said}\" in: {message}");
     }

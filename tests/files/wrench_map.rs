@@ -204,9 +204,11 @@ fn a_file_cut_short_or_altered_anywhere_is_refused() {
     save_wrench_map(&path, &extreme_map()).unwrap();
     let whole = std::fs::read(&path).unwrap();
     for end in (0..whole.len()).step_by(97) {
-        assert!(refusal(folder.path(), &whole[..end]).contains("found no whole .npz file"));
+        assert!(refusal(folder.path(), &whole[..end]).contains("found an incomplete or invalid .npz file"));
     }
-    assert!(refusal(folder.path(), b"PK, but no zip file").contains("broken.npz: found no whole .npz file"));
+    assert!(
+        refusal(folder.path(), b"PK, but no zip file").contains("broken.npz: found an incomplete or invalid .npz file")
+    );
     let (mut refused, mut tried) = (0, 0);
     for at in (0..whole.len()).step_by(7) {
         let mut altered = whole.clone();
@@ -270,7 +272,7 @@ fn arrays_that_are_no_map_are_named() {
         ("margin", header("<f8", "(3, 20)"), "margin: found shape [3, 20]"),
         ("margin", header("<f4", "(3, 4, 5)"), "margin: "),
         ("margin", header("<f8", "(3, 4, 6)"), "margin: "), // shorter than its shape
-        ("margin", header("<f8", "(3, 4, 4)"), "margin: found more numbers than its shape says"),
+        ("margin", header("<f8", "(3, 4, 4)"), "margin: found more numbers than its shape allows"),
         ("margin", header("<f8", "(0, 4, 5)"), "margin: found"),
         ("margin", header("<f8", "(9223372036854775807, 9223372036854775807, 4)"), "margin: found shape"),
         ("force_margin", header("<f8", "(5, 4, 3)"), "force_margin: found shape [5, 4, 3]"),
@@ -404,7 +406,7 @@ fn sets_of_symmetric_flat_and_pointlike_robots_are_what_they_look_like() {
     assert_eq!((set.rank, set.mesh.vertices.len(), set.ball()), (2, 6, None));
     assert!(set.mesh.is_watertight());
     let error = moment_set(&planar, &Point::origin()).unwrap_err().to_string();
-    assert!(error.contains("attachments are one point"));
+    assert!(error.contains("attachments coincide"));
     let error = force_set(&planar, &Point::new(1.0, 0.0, 1.0)).unwrap_err().to_string();
     assert_eq!(error, "position: found [1, 0, 1], where cable 0 has no direction");
 }

@@ -20,13 +20,12 @@ pub use shared::{Format, PathArgs, SceneArgs, Strict};
 
 use crate::output::{Talk, is_standard_output};
 
-/// Plan, check and look at paths of cable-driven parallel robots among obstacles.
+/// Plan, check and view paths of cable-driven parallel robots among obstacles.
 ///
-/// Exit status: 0 yes, 1 no (no path, start or goal invalid, in collision), 2 bad input, 70 a bug in cdpr (please report
-/// it with its message), 130 interrupted.
-/// Results go to standard output, everything else to standard error, in colours only on a terminal. `-` in the place of a
-/// file is standard input or output, and pipes that the shell has opened are read and written as well; where a file goes to
-/// standard output, results go to standard error.
+/// Exit status: 0 for yes, 1 for no (no path, start or goal invalid, in collision), 2 for bad input, 70 for a bug in
+/// cdpr (please report it with its message), 130 if interrupted. Results go to standard output and everything else to
+/// standard error, in colour only on a terminal. `-` in place of a file name means standard input or output, and pipes
+/// opened by the shell work as well. If a file is written to standard output, results go to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "cdpr", version, arg_required_else_help = true)]
 pub struct Cli {
@@ -38,13 +37,13 @@ pub struct Cli {
     pub command: Command,
 }
 
-/// How much is said.
+/// How much is printed.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct TalkArgs {
     /// Print results and errors only.
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Also say what was read, and how a search got on.
+    /// Also print what was read and how the search progresses.
     #[arg(short, long, global = true)]
     verbose: bool,
 }
@@ -70,36 +69,39 @@ pub enum Command {
   cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(PlanArgs),
-    /// Check a path: every violation with culprits, place and margin, and the nearest approach.
+    /// Check a path: report every violation (the bodies involved, where, by how much) and the nearest approach.
     #[command(after_help = "Examples:
   cdpr check hall.toml path.json
   cdpr plan hall.toml -o - | cdpr check hall.toml -")]
     Check(PathArgs),
-    /// Describe a scene: sizes, ranks, special pairs of cables, how much of the workspace is free.
+    /// Describe a scene: sizes, ranks of the wrench matrix, special pairs of cables, and how much of the workspace is
+    /// free.
     #[command(after_help = "Example:
   cdpr info hall.toml")]
     Info(SceneArgs),
-    /// Shorten anyone's path by rewinding.
+    /// Shorten a path from any source, by rewinding or string pulling.
     #[command(after_help = "Examples:
   cdpr post hall.toml waypoints.csv -o shorter.json
   cdpr post hall.toml waypoints.csv --post taut -o taut.json
   cdpr post hall.toml path.json --step 0.02 --repeats 5 -o shorter.csv")]
     Post(PostArgs),
-    /// Write a commented scene that plans: a small one to start from, or one around your own robot and meshes.
+    /// Write a commented scene that can be planned at once: a small example, or one built around your own robot and
+    /// meshes.
     ///
-    /// With --robot the box is that of outlets and meshes, down to the floor; start and goal are found where none are given:
-    /// far apart, with something in the way. If the robot has a mass and tension limits, its cables must be able to
-    /// hold it all along.
+    /// With --robot, the workspace is the box around outlets and meshes, extended down to the floor. If start or goal
+    /// is not given, cdpr looks for positions that are far apart with something in the way. If the robot has a mass and
+    /// tension limits, the scene requires that the cables can hold the platform along the whole path.
     #[command(after_help = "Examples:
   cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html
   cdpr new hall.toml --robot cogiro.toml --obstacle machine.stl
   cdpr new hall.toml --robot cogiro.toml --obstacle press.obj rack.stl --units mm --start -4 0 1")]
     New(NewArgs),
-    /// Make a robot file from a robot of another program.
+    /// Convert a robot of another program to a robot file.
     ///
-    /// CASPR: one of the two XML files of a model, or their folder; --cable-set chooses one of its sets of cables. Gazebo
-    /// (oKermorgant/cdpr on GitHub): its YAML file. What is not carried over is listed. Where the source says
-    /// nothing of the platform's shape, it is the hull of the attachments, unless --platform gives a mesh.
+    /// CASPR: give one of the two XML files of a model, or their folder; --cable-set selects one of its cable sets.
+    /// Gazebo (oKermorgant/cdpr on GitHub): give its YAML file. Everything that is not carried over is listed. If the
+    /// source does not define the platform's shape, the hull of the attachments is used, unless --platform gives a
+    /// mesh.
     #[command(after_help = "Examples:
   cdpr import CoGiRo_cables.xml -o cogiro.toml
   cdpr import models/CAROCA --cable-set gazebo_sim -o caroca.toml
@@ -115,26 +117,27 @@ pub enum Command {
     View(ViewArgs),
     /// Write the shadows of obstacles, or all forbidden regions, as closed triangle meshes or as a page.
     ///
-    /// The shadow of an obstacle is where the end of a cable cannot be, because the cable would pass through the
-    /// obstacle; it starts at the obstacle, as seen from the outlet. One mesh for each cable and obstacle, cut at the
-    /// workspace; the parts of a concave obstacle are closed pieces of one mesh. Clearance and cable diameters are not
-    /// part of it.
+    /// The shadow of an obstacle is the region where the end of a cable cannot be, because the cable would pass through
+    /// the obstacle; seen from the outlet, it begins at the obstacle. There is one mesh for each cable and obstacle,
+    /// clipped to the workspace; the parts of a concave obstacle are closed pieces of one mesh. Clearances and cable
+    /// diameters are not included.
     ///
-    /// By extension: .obj has an object for each region; .ply numbers the faces by region; .stl has no names and is in
-    /// single precision (about seven digits); .html is a page that shows the regions in the scene.
+    /// The extension selects the format: .obj has one object per region; .ply numbers the faces by region; .stl has no
+    /// names and is in single precision (about seven digits); .html is a page that shows the regions in the scene.
     #[command(after_help = "Examples:
   cdpr shadows hall.toml -o shadows.html
   cdpr shadows hall.toml -o shadows.obj --cable \"cable 3\" --obstacle pillar
   cdpr shadows hall.toml -o regions.stl --all")]
     Shadows(ShadowsArgs),
-    /// What the cables can balance: at a position, on a grid, or along a path.
+    /// Compute what the cables can balance: at a position, on a grid, or along a path.
     ///
-    /// At a position: rank of the wrench matrix and what the cables hold, margins, the cables that limit them, and the
-    /// tensions nearest to the middle of their limits. What planning with the same demand would refuse is not feasible.
-    /// On a grid: capacity margins at all positions inside the workspace, with share, volume and extent of the feasible ones.
-    /// Along a path: position, length and tension of every cable, by its name, and the margins at even steps, as CSV;
-    /// lengths alone if the robot has no mass or tension limits. Required balls are those of the scene's `[wrench]`
-    /// unless given here. Exit status 1 where the loads (with --at: all that is required) cannot be balanced.
+    /// At a position: the rank of the wrench matrix and which motions the cables resist, the margins and the cables
+    /// that limit them, and the tensions nearest to the middle of their limits. A position is feasible if planning with
+    /// the same requirements would accept it. On a grid: capacity margins at all positions inside the workspace, with
+    /// the share, volume and extent of the feasible ones. Along a path: the position, the length and tension of every
+    /// cable by name, and the margins, at even steps, as CSV; only the lengths if the robot has no mass or tension
+    /// limits. The required force and moment balls are those of the scene's `[wrench]` unless given here. The exit
+    /// status is 1 if the loads (with --at: everything required) cannot be balanced.
     #[command(after_help = "Examples:
   cdpr wrench hall.toml --at 0 0 2
   cdpr wrench hall.toml --at 0 0 2 --force 50 --moment 5 --format json
@@ -143,26 +146,26 @@ pub enum Command {
     Wrench(WrenchArgs),
     /// Run an experiment: scenarios × methods × trials, on all cores.
     ///
-    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json, and history.csv (when
-    /// each path got better) if the experiment says `history = true`. Ctrl-C leaves complete rows behind; after it, or
-    /// after any other end, --resume goes on.
+    /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json, and history.csv
+    /// (when each path improved) if the experiment sets `history = true`. After Ctrl-C, or if the run ends in any other
+    /// way, the rows are complete and --resume continues the run.
     #[command(after_help = "Examples:
   cdpr batch experiments/table2.toml -o table2
   cdpr batch experiments/table2.toml -o table2 --resume
   cdpr batch experiments/table2.toml -o part3 --trials 200..300")]
     Batch(BatchArgs),
-    /// Put runs of ranges of trials of one experiment together.
+    /// Merge runs of several ranges of trials of one experiment.
     #[command(after_help = "Example:
   cdpr merge part1 part2 part3 -o table2")]
     Merge(MergeArgs),
-    /// Show a run as one page: tables, plots, and the paper's numbers beside ours where it prints any.
+    /// Show a run as one page: tables, plots, and the paper's numbers beside ours where the paper prints any.
     ///
     /// The page is self-contained and opens offline. --plots also writes each plot as SVG and PNG.
     #[command(after_help = "Examples:
   cdpr report table2
   cdpr report table2 -o table2.html --plots figures")]
     Report(ReportArgs),
-    /// Write manual pages, one for each command.
+    /// Write manual pages, one per command.
     #[command(after_help = "Example:
   cdpr man -o ~/.local/share/man/man1 && man cdpr-plan")]
     Man(ManArgs),
@@ -172,14 +175,14 @@ pub enum Command {
     Completions(CompletionsArgs),
 }
 
-/// What a command is going to write.
+/// A file or folder that a command will write.
 pub enum Target<'a> {
     File(&'a Path),
     Folder(&'a Path),
 }
 
 impl Target<'_> {
-    /// Checks that it can be written, before any work is done for it.
+    /// Checks that it can be written, before any work is done.
     pub fn check(&self) -> Result<(), Error> {
         match self {
             Target::File(path) if is_standard_output(path) => Ok(()),
@@ -190,7 +193,7 @@ impl Target<'_> {
 }
 
 impl Command {
-    /// All that this command is going to write.
+    /// Everything that this command will write.
     pub fn targets(&self) -> Vec<Target<'_>> {
         fn file(path: &Option<PathBuf>) -> Option<Target<'_>> {
             path.as_deref().map(Target::File)

@@ -8,7 +8,7 @@ use std::time::Instant;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{LoadedPath, Loader, scene_of_path, waypoints_from_text};
+use cdpr_files::{LoadedPath, Loader, PathFile, scene_of_path, waypoints_from_text};
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
@@ -53,7 +53,7 @@ pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPa
 }
 
 fn only_one() -> Error {
-    Error::invalid("", "found - for both scene and path, but there is one standard input only")
+    Error::invalid("", "found - for both scene and path; only one of them can be standard input")
 }
 
 /// A path of a scene, and the scene at the orientation of the path. Warns of a path that was planned for another scene.
@@ -68,7 +68,11 @@ pub fn path(
         return Err(only_one());
     }
     let in_scene = |loaded: LoadedPath| {
-        let (scene, warning) = scene_of_path(scene, &loaded, strict)?;
+        let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
+        let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
+        let hint = open.then(|| "use --orientation NAME".to_string());
+        let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
+        let (scene, warning) = found?;
         warning.iter().for_each(|warning| out.warning(warning));
         Ok((scene, loaded))
     };

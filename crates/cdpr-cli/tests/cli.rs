@@ -14,7 +14,7 @@ fn plan_writes_a_path_that_check_accepts_and_a_page() {
     let hard1 = testdata("scenes/hard1.toml");
     let planned = cdpr_in(folder.path(), &["plan", &hard1, "-o", "path.json", "--html", "view.html"]);
     assert_eq!(status(&planned), 0, "{}", stderr(&planned));
-    for word in ["hard1", "8 cables, 1 obstacle", "solved", "as the crow flies", "nearest approach"] {
+    for word in ["hard1", "8 cables, 1 obstacle", "solved", "in a straight line", "nearest approach"] {
         assert!(stdout(&planned).contains(word), "no \"{word}\" in {}", stdout(&planned));
     }
     assert!(stderr(&planned).contains("wrote path.json") && stderr(&planned).contains("next: cdpr check"));
@@ -436,7 +436,8 @@ fn every_planner_plans_and_refuses_what_it_does_not_have() {
     let refused = cdpr(&["plan", &hard1, "--planner", "modified-rrt", "--gap", "0.01"]);
     assert_eq!(status(&refused), 2);
     assert!(
-        stderr(&refused).contains("gap: found 0.01, but the planner modified-rrt has no such setting; anytime has"),
+        stderr(&refused)
+            .contains("gap: found 0.01, but the planner modified-rrt has no such setting; only anytime has it"),
         "{}",
         stderr(&refused)
     );

@@ -60,7 +60,7 @@ fn shadows_say_what_they_leave_out_and_refuse_what_is_not_there() {
     let clearance = testdata("cases/clearance.toml");
     let output = cdpr_in(folder.path(), &["shadows", &clearance, "-o", "s.obj"]);
     assert_eq!(status(&output), 0, "{}", stderr(&output));
-    assert!(stderr(&output).contains("note: clearance and cable diameters are not part of the meshes"));
+    assert!(stderr(&output).contains("note: the meshes do not include clearances and cable diameters"));
     let none = cdpr_in(folder.path(), &["shadows", &testdata("scenes/empty.toml"), "-o", "none.stl"]);
     assert_eq!((status(&none), fs::read(folder.path().join("none.stl")).unwrap().len()), (0, 84));
     assert!(stdout(&none).contains("0 regions"));
@@ -168,7 +168,11 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
     );
     std::fs::write(folder.path().join("path.csv"), "x,y,z\n0.45,1,0.5\n1.55,1,0.5\n").unwrap();
     let refused = run(&["check", "slot.toml", "path.csv"]);
-    assert!(status(&refused) == 2 && stderr(&refused).contains("choose one: --orientation"), "{}", stderr(&refused));
+    assert!(
+        status(&refused) == 2 && stderr(&refused).contains("select one; use --orientation NAME"),
+        "{}",
+        stderr(&refused)
+    );
     for (orientation, expected) in [("across", 1), ("along", 0), ("1,0,0,0", 0), ("-0.707106781,0,0,-0.707106781", 1)] {
         let checked = run(&["check", "slot.toml", "path.csv", "--orientation", orientation]);
         assert_eq!(status(&checked), expected, "{orientation}: {}", stderr(&checked));

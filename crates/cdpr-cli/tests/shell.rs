@@ -25,10 +25,10 @@ fn a_dash_is_standard_input_or_output() {
     assert!(stdout(&page).starts_with("<!doctype html>") || stdout(&page).starts_with("<!DOCTYPE html>"));
 
     for (arguments, text, expected) in [
-        (vec!["check", "-", "-"], "", "one standard input only"),
+        (vec!["check", "-", "-"], "", "only one of them can be standard input"),
         (vec!["info", "-"], "version = 2", "standard input: missing field"),
         (vec!["check", "hard1.toml", "-"], "x,y\n1,2\n", "standard input: header: found \"x,y\""),
-        (vec!["plan", "hard1.toml", "-o", "-", "--html", "-"], "", "one standard output only"),
+        (vec!["plan", "hard1.toml", "-o", "-", "--html", "-"], "", "only one of them can be standard output"),
     ] {
         let refused = cdpr_fed(&folder, &arguments, text);
         assert!(status(&refused) == 2 && stderr(&refused).contains(expected), "{arguments:?}: {}", stderr(&refused));

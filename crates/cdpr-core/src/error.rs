@@ -115,11 +115,11 @@ impl fmt::Display for Error {
             Kind::Invalid { place, problem } => write!(f, "{}: {}", printable(place), printable(problem)),
             Kind::File { problem } => f.write_str(&printable(problem)),
             Kind::Interrupted => f.write_str("interrupted"),
-            Kind::OutOfTime => f.write_str("the time budget ended before there was an answer"),
+            Kind::OutOfTime => f.write_str("the time budget ran out before there was a result"),
             Kind::Internal { problem } => {
                 let version = env!("CARGO_PKG_VERSION");
                 write!(f, "internal error: {}; this is a bug in cdpr, not in your files: ", printable(problem))?;
-                write!(f, "please report it with this message, what was asked, and the version, {version}")
+                write!(f, "please report it with this message, the command or call, and the version, {version}")
             }
         }
     }

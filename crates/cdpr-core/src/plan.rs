@@ -43,11 +43,11 @@ pub enum Post {
 }
 
 choices!(Post, "post", [
-    Both = "both": "Rewinding in both orders; the shorter result is kept (the paper)",
-    Backward = "backward": "Backward rewinding, then forward",
-    Forward = "forward": "Forward rewinding, then backward",
-    Taut = "taut": "Pulled taut around the exact obstacles: a shortest path of its kind",
-    None = "none": "The planner's path as it is",
+    Both = "both": "Rewind in both orders and keep the shorter result (the paper)",
+    Backward = "backward": "Rewind backward, then forward",
+    Forward = "forward": "Rewind forward, then backward",
+    Taut = "taut": "String pulling: a locally shortest path around the exact forbidden regions",
+    None = "none": "Leave the planner's path as it is",
 ]);
 
 impl Post {
@@ -405,7 +405,7 @@ pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Wa
     Taut::new(engine).lower_bound(start, goal, watch)
 }
 
-/// A result with its raw path processed anew, and every segment checked once more.
+/// A result with its raw path processed anew, and every segment rechecked.
 ///
 /// # Errors
 /// Bad options, [`Error::interrupted`].
@@ -495,5 +495,5 @@ fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error
     let Some(segment) = first_invalid_segment(engine, waypoints) else { return Ok(()) };
     let reason = engine.explain(&waypoints[segment], &waypoints[segment + 1]);
     let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
-    Err(Error::invalid(format!("waypoints[{segment}]"), format!("the segment from here is not valid{why}")))
+    Err(Error::invalid(format!("waypoints[{segment}]"), format!("the segment that starts here is not valid{why}")))
 }

@@ -29,7 +29,7 @@ pub enum Space {
 }
 
 choices!(Space, "space", [
-    Attachment = "attachment": "Where the cable's end cannot be; the shadow starts at the obstacle",
+    Attachment = "attachment": "Where the cable's end cannot be; seen from the outlet, the shadow begins at the obstacle",
     Position = "position": "Where the platform's origin cannot be",
 ]);
 
@@ -156,7 +156,7 @@ impl RegionOptions {
         match (self.space, self.all) {
             (Some(Space::Attachment), true) => Err(Error::invalid(
                 "space",
-                "found \"attachment\" with all regions, expected \"position\": each cable has an attachment of its \
+                "found \"attachment\" with all regions, expected \"position\": each cable has its own \
                  own, and the platform none",
             )),
             (None, true) => Ok(Space::Position),

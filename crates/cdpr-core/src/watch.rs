@@ -42,7 +42,7 @@ pub fn time_budget(place: &str, number: f64, unit: TimeUnit) -> Result<Duration,
     // What is too short for the clock rounds to nothing.
     let budget = possible.map(|number| Duration::from_secs_f64(number / per_second)).filter(|b| !b.is_zero());
     budget.ok_or_else(|| {
-        let expected = format!("expected a positive number of at most {most:e}; leave it out to set no limit");
+        let expected = format!("expected a positive number of at most {most:e}; omit it for no limit");
         Error::invalid(place, format!("found {number} {name}, {expected}"))
     })
 }

@@ -71,8 +71,8 @@ fn files(path: &Path, bodies: Option<&Path>) -> Result<(PathBuf, PathBuf), Error
         Error::file(
             path,
             format!(
-                "found no {BODIES}.xml beside it, expected NAME{CABLES}.xml and \
-        NAME{BODIES}.xml; name the other with --bodies (bodies=)"
+                "found no {BODIES}.xml beside it, expected NAME{CABLES}.xml and NAME{BODIES}.xml, or the name of the \
+                 bodies file"
             ),
         )
     };
@@ -180,7 +180,7 @@ fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, 
     }
     let others: Vec<String> = sets.iter().map(|(name, _)| name.to_string()).filter(|name| name != id).collect();
     if !others.is_empty() {
-        notes.push(format!("other cable sets: {} (choose one with --cable-set, cable_set=)", others.join(", ")));
+        notes.push(format!("other cable sets: {}", others.join(", ")));
     }
     Ok(CableSet { id: id.to_string(), others, cables, notes })
 }
@@ -204,7 +204,7 @@ fn cable(node: Node, link: &Link, unread: &mut BTreeSet<String>) -> Result<Cable
     let others = children(properties).filter(|n| !known.contains(&n.tag_name().name()));
     unread.extend(others.map(|n| format!("{} of cables", n.tag_name().name())));
     if !node.has_tag_name("cable_ideal") {
-        unread.insert(format!("{}: taken as an ideal cable", node.tag_name().name()));
+        unread.insert(format!("{}: treated as an ideal cable", node.tag_name().name()));
     }
     let ends: Vec<Node> = children(child(node, "attachments")?).collect();
     let [base, platform] = ends[..] else {
@@ -246,7 +246,7 @@ fn outlet(base: Node, unread: &mut BTreeSet<String>) -> Result<[f64; 3], Error> 
     }
     let [radius] = numbers::<1>(child(base, "pulley_radius")?)?;
     unread.insert(format!(
-        "rotating pulleys of radius {radius} m: cables leave from fixed_location, up to {} m off",
+        "rotating pulleys of radius {radius} m: cables start at fixed_location, which is up to {} m off",
         2.0 * radius
     ));
     numbers(child(base, "fixed_location")?)

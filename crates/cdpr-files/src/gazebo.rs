@@ -65,7 +65,7 @@ pub(super) fn import(path: &Path) -> Result<Source, Error> {
     let model = serde_saphyr::with_deserializer_from_str(&text, |yaml| Model::deserialize(FixedLength(yaml)));
     let model = model.map_err(|e| {
         let problem = e.to_string();
-        Error::invalid("", problem.lines().next().unwrap_or("is no sound YAML")).in_file(path)
+        Error::invalid("", problem.lines().next().unwrap_or("is not valid YAML")).in_file(path)
     })?;
     let tension = model.joints.as_ref().map(|j| [j.actuated.min.unwrap_or(0.0), j.actuated.effort]);
     let diameter = model.cable.as_ref().and_then(|c| c.radius).map(|radius| 2.0 * radius);
@@ -94,14 +94,14 @@ fn notes(model: &Model) -> Vec<String> {
     let mut notes = Vec::new();
     if let Some(Pose { xyz, rpy }) = &model.platform.position {
         notes.push(format!(
-            "initial position {xyz:?}, rpy {rpy:?}: start and orientation stand in the query of a scene"
+            "initial position {xyz:?}, rpy {rpy:?}: start and orientation belong in the query of a scene"
         ));
     }
     if platform(&model.platform).is_none() {
-        notes.push("the platform has no box with a size: it is the hull of the attachments".to_string());
+        notes.push("the platform has no box with a size: the hull of the attachments is used".to_string());
     }
     notes.extend(model.platform.inertia.map(|_| "inertia".to_string()));
-    notes.extend(model.frame.map(|_| "frame: its bars are no obstacles".to_string()));
+    notes.extend(model.frame.map(|_| "frame: its bars are not imported as obstacles".to_string()));
     notes.push("speeds and damping of joints, masses of cables, colours".to_string());
     notes
 }

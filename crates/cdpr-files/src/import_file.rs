@@ -99,7 +99,7 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
     match Polytope::from_vertices(&points) {
         Err(PolytopeError::InsideHull { index, depth }) => {
             let found = format!("attachment {index} lies {} inside the hull of the others", small_length(depth));
-            let expected = "which can then not be the platform; give its shape as a mesh with --platform (platform=)";
+            let expected = "expected a platform that is the hull of its attachments, or a mesh of the platform";
             Err(Error::invalid("platform", format!("{found}, {expected}")))
         }
         _ => Ok(()),

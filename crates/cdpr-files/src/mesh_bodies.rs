@@ -142,9 +142,11 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: 
         return Err(Error::invalid("", "found no triangle with an area, expected at least one"));
     }
     if pieces.len() > MOST_PIECES {
-        let problem =
-            format!("found {} pieces that do not hang together, expected at most {MOST_PIECES}", pieces.len());
-        return Err(Error::invalid("", format!("{problem}; join equal corners of neighbours, or take fewer pieces")));
+        let problem = format!("found {} disconnected pieces, expected at most {MOST_PIECES}", pieces.len());
+        return Err(Error::invalid(
+            "",
+            format!("{problem}; merge coincident vertices of neighbours, or use fewer pieces"),
+        ));
     }
     let whole = largest_side(&scaled.vertices);
     let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
@@ -203,19 +205,19 @@ fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faul
     let useless = (0..pieces.len()).filter(|k| parts[*k].reach > asked[*k] && share(*k) > USELESS_REACH);
     let worst = useless.max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
     let what = match (pieces[worst].volume, faults.notes().is_empty()) {
-        (Some(_), _) => "closed, so it probably cuts itself".to_string(),
+        (Some(_), _) => "closed, so it probably intersects itself".to_string(),
         (None, true) => "open".to_string(),
         (None, false) => format!("open ({})", faults.notes().join("; ")),
     };
     let found = format!(
-        "found a piece of {}, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was asked",
+        "found a piece of {}, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was requested",
         count(pieces[worst].triangles.len(), "triangle"),
         1e3 * parts[worst].reach,
         1e3 * asked[worst],
     );
     let most = 1e3 * USELESS_REACH * extent(&pieces[worst]);
     let expected = format!("expected at most {most:.1} mm, {:.0} % of its largest side", 100.0 * USELESS_REACH);
-    Some(format!("{found}; {expected}: mend the mesh so that it neither crosses itself nor has holes, or replace it"))
+    Some(format!("{found}; {expected}: repair the mesh (no self-intersections, no holes) or replace it"))
 }
 
 /// Where parts reach farther than asked, by how much; nothing where none do.
@@ -229,13 +231,15 @@ fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
     let worst = missed.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))?;
     let pieces = count(missed.len(), "piece");
     let by = format!(
-        "by up to {:.1} mm (asked {:.1} mm, reached {:.1} mm)",
+        "by up to {:.1} mm (requested {:.1} mm, reached {:.1} mm)",
         1e3 * (worst.1 - worst.0),
         1e3 * worst.0,
         1e3 * worst.1
     );
-    let why = format!("a piece may have {most} parts and limited time");
-    Some(format!("the tolerance is missed in {pieces}, {by}: {why}; mend or thin the mesh, or ask for less"))
+    let why = format!("each piece is limited to {most} parts and some computing time");
+    Some(format!(
+        "the tolerance is missed in {pieces}, {by}: {why}; repair or simplify the mesh, or set a larger tolerance"
+    ))
 }
 
 /// What the file of kept parts holds. The sum tells whether it is whole.

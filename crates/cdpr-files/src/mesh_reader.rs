@@ -89,7 +89,7 @@ fn checked(mesh: TriangleMesh) -> Result<TriangleMesh, Error> {
 }
 
 fn too_many(triangles: usize) -> Error {
-    Error::invalid("", format!("found {triangles} triangles, expected at most {MOST_TRIANGLES}; thin the mesh out"))
+    Error::invalid("", format!("found {triangles} triangles, expected at most {MOST_TRIANGLES}; simplify the mesh"))
 }
 
 /// Bytes of a binary STL file before its triangles, and of each triangle.
@@ -110,10 +110,10 @@ fn stl(bytes: &[u8]) -> Result<TriangleMesh, Error> {
         bytes.insert(5, b' '); // "solid" alone in a line is a name left out
     } else if let Some(told) = told {
         let problem = format!("ends after {} of {told} triangles", (bytes.len() - STL_HEADER) / STL_TRIANGLE);
-        return Err(Error::invalid("", format!("{problem}, or is no STL file")));
+        return Err(Error::invalid("", format!("{problem}, or is not an STL file")));
     }
     let found = stl_io::read_stl(&mut Cursor::new(bytes))
-        .map_err(|e| Error::invalid("", format!("is no sound STL file: {e}")))?;
+        .map_err(|e| Error::invalid("", format!("is not a valid STL file: {e}")))?;
     let vertices = found.vertices.iter().map(|v| Point::from(<[f32; 3]>::from(*v).map(f64::from))).collect();
     Ok(TriangleMesh { vertices, triangles: found.faces.iter().map(|f| f.vertices).collect() })
 }
@@ -122,12 +122,12 @@ fn obj(bytes: &[u8]) -> Result<TriangleMesh, Error> {
     let words = bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count();
     if words > WORDS_PER_TRIANGLE * MOST_TRIANGLES {
         let problem = format!("found {words} words, expected at most {}", WORDS_PER_TRIANGLE * MOST_TRIANGLES);
-        return Err(Error::invalid("", format!("{problem} ({MOST_TRIANGLES} triangles); thin the mesh out")));
+        return Err(Error::invalid("", format!("{problem} ({MOST_TRIANGLES} triangles); simplify the mesh")));
     }
     let options = tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
     let no_materials = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
     let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
-        .map_err(|e| Error::invalid("", format!("is no sound OBJ file: {e}")))?;
+        .map_err(|e| Error::invalid("", format!("is not a valid OBJ file: {e}")))?;
     let mut whole = TriangleMesh::default();
     for tobj::Model { mesh, .. } in models {
         let vertices: Vec<Point> = mesh.positions.chunks_exact(3).map(Point::from_slice).collect();

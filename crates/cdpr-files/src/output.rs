@@ -104,7 +104,7 @@ fn end_of_links(path: &Path) -> Result<PathBuf, Error> {
             Err(_) => return Ok(end),
         }
     }
-    Err(Error::file(path, "cannot be written: its links lead in a circle"))
+    Err(Error::file(path, "cannot be written: its symbolic links form a loop"))
 }
 
 fn named_or_here(folder: &Path) -> PathBuf {
@@ -117,7 +117,7 @@ fn check_parent(path: &Path, folder: &Path) -> Result<(), Error> {
     let problem = match fs::metadata(folder) {
         Err(e) if e.kind() == ErrorKind::NotFound => format!("there is no folder {name}"),
         Err(e) => e.kind().to_string(),
-        Ok(found) if !found.is_dir() => format!("{name} is no folder"),
+        Ok(found) if !found.is_dir() => format!("{name} is not a folder"),
         Ok(_) => match writable(folder) {
             Ok(()) => return Ok(()),
             Err(problem) => format!("the folder {name} cannot be written ({problem})"),

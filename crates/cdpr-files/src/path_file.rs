@@ -18,7 +18,7 @@ use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::plan::{PlanOptions, PlanResult};
 use cdpr_core::wrench::PathWrench;
 
-/// What a path file must hold; more keys may stand beside these, and planning writes more.
+/// The keys of a path file. Other keys are allowed, and planning writes more.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(title = "cdpr path")]
 pub struct PathFile {
@@ -27,10 +27,10 @@ pub struct PathFile {
     pub version: Option<u32>,
     /// Positions of the platform's origin, world, m.
     pub waypoints: Vec<[f64; 3]>,
-    /// How the platform is turned all the way, world-from-platform, as a unit quaternion w x y z; none is as in the scene.
+    /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; if omitted, the scene's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<[f64; 4]>,
-    /// Its name in the scene; without a quaternion it says which one holds.
+    /// Name of the orientation in the scene; selects it if `orientation` is omitted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation_name: Option<String>,
     /// The scene that the path was planned for.
@@ -42,18 +42,18 @@ pub struct PathFile {
     /// Length of the path, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cost: Option<f64>,
-    /// The planner's path before rewinding.
+    /// The planner's path before post-processing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub raw_waypoints: Vec<[f64; 3]>,
     /// Its length, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub raw_cost: Option<f64>,
-    /// The planner.
+    /// Name of the planner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
 }
 
-/// Which scene a path belongs to.
+/// Identifies the scene of a path.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SceneId {
     /// Name of the scene.
@@ -62,8 +62,8 @@ pub struct SceneId {
     pub fingerprint: String,
 }
 
-/// The JSON of a planning result, its nearest approach, what is exempt, and, where the scene asks for it, its wrenches; costs
-/// of unsolved ones are null.
+/// The JSON of a planning result: with its nearest approach, the exempt pairs and, if the scene requires wrench
+/// feasibility, its wrenches. Costs of unsolved results are null.
 pub fn plan_json(
     scene: &Scene,
     options: &PlanOptions,
@@ -98,7 +98,7 @@ pub fn plan_json(
     value
 }
 
-/// All options that a path depends on; those of the planner beside those of rewinding.
+/// All options on which a path depends, of the planner and of post-processing.
 fn options_json(options: &PlanOptions) -> Value {
     let mut all = json!({
         "step": options.step,
@@ -112,7 +112,7 @@ fn options_json(options: &PlanOptions) -> Value {
     all
 }
 
-/// The JSON of a bare path of a scene.
+/// The JSON of a path of a scene without a planning result.
 pub fn path_json(scene: &Scene, waypoints: &[Point]) -> Value {
     let cost = cdpr_core::collision::path_check::path_length(waypoints);
     json!({
@@ -141,7 +141,7 @@ fn rows(points: &[Point]) -> Vec<[f64; 3]> {
     points.iter().map(|p| [p.x, p.y, p.z]).collect()
 }
 
-/// Writes a path: JSON as given, or its waypoints as CSV, by the extension.
+/// Writes a path in the format given by the extension: the given JSON, or the waypoints as CSV.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
@@ -152,7 +152,7 @@ pub fn save_path(path: &Path, json: &Value) -> Result<(), Error> {
     }
 }
 
-/// Checks that a path can be written under this name, before the work is done.
+/// Checks that a path can be written under this name, before any work is done.
 ///
 /// # Errors
 /// An extension that is neither .json nor .csv.
@@ -180,12 +180,12 @@ fn csv_bytes(json: &Value) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|e| Error::invalid("", e.to_string()))
 }
 
-/// A path file that was read and checked.
+/// A path file that has been read and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedPath {
     /// At least two positions, m.
     pub waypoints: Vec<Point>,
-    /// All that the file says, if it is JSON.
+    /// The whole contents of the file, if it is JSON.
     pub file: Option<PathFile>,
 }
 
@@ -198,7 +198,7 @@ pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
     waypoints_from_text(&text::read(path)?, json).map_err(|e| e.in_file(path))
 }
 
-/// A path of at least two waypoints from text, JSON or else CSV.
+/// Parses a path of at least two waypoints from text, JSON or CSV.
 ///
 /// # Errors
 /// Names the key or line, what was found and what was expected.
@@ -206,8 +206,8 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
     if json { from_json(text) } else { from_csv(text).map(|waypoints| LoadedPath { waypoints, file: None }) }
 }
 
-/// The scene at the orientation of a path: the scene's own, or, where the scene leaves it open, the one that the path's file
-/// says; and a warning if the path was planned for another scene.
+/// The scene at the orientation of a path, and a warning if the path was planned for another scene. The orientation is
+/// the one that the scene selects, or else the one in the path file.
 ///
 /// # Errors
 /// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
@@ -218,8 +218,8 @@ pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(
     scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
 }
 
-/// As [`scene_of_path`], for a path that holds at this orientation, which had that name, and was planned for that scene, as
-/// far as it is known.
+/// As [`scene_of_path`], given the orientation of the path, its name, and the scene that it was planned for, as far as
+/// these are known.
 ///
 /// # Errors
 /// As [`scene_of_path`].
@@ -232,12 +232,12 @@ pub fn scene_for(
 ) -> Result<(Scene, Option<String>), Error> {
     let own = scene.for_path_at(orientation)?;
     let another = planned_for.filter(|id| id.fingerprint != own.fingerprint());
-    // A path may have been planned for just this scene at a turn that was asked for and has no name.
+    // The path may have been planned for this very scene at an explicitly given orientation without a name.
     if (another.is_some() || orientation_name.is_some()) && !scene.has_orientation_of(&own) {
         let names: Vec<&str> = scene.orientations().iter().map(|(name, _)| name.as_str()).collect();
         let names = if names.is_empty() { "no turn".to_string() } else { names.join(", ") };
         let turn = quaternion(own.orientation());
-        let problem = format!("found a path at {turn:?}, which is none of the scene's orientations ({names})");
+        let problem = format!("found a path at {turn:?}, which is not one of the scene's orientations ({names})");
         return Err(Error::invalid("orientation", problem));
     }
     let Some(id) = another else { return Ok((own, None)) };
@@ -246,7 +246,7 @@ pub fn scene_for(
     if strict {
         return Err(Error::invalid("scene", format!("found a path planned for {other}, expected one for {this}")));
     }
-    Ok((own, Some(format!("the path was planned for {other}; the answer is about {this}"))))
+    Ok((own, Some(format!("the path was planned for {other}; the results are for {this}"))))
 }
 
 fn from_json(text: &str) -> Result<LoadedPath, Error> {

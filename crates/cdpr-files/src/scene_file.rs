@@ -115,7 +115,7 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
         RobotSource::Inline(robot) if robot.version.is_some() => {
             return Err(Error::invalid(
                 "robot.version",
-                "found one in a scene; only a robot file of its own has a version",
+                "found one in a scene; only a separate robot file has a version",
             ));
         }
         RobotSource::Inline(robot) => {

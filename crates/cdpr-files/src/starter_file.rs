@@ -136,7 +136,7 @@ const COMMENTS: &[(&str, &str)] = &[
     ),
     (
         "[wrench]",
-        "# The cables must be able to hold the platform all along; optional on top of it: force (N), moment (N m), \
+        "# The cables must be able to hold the platform along the whole path; optional, in addition: force (N), moment (N m), \
          load.\n",
     ),
     ("[query]", "# Positions of the platform's origin.\n"),

@@ -48,7 +48,7 @@ pub fn other_extension(path: &Path, expected: &str) -> Error {
 /// The whole file as text, up to [`MOST_TEXT_BYTES`].
 ///
 /// # Errors
-/// A file that cannot be read, is larger, no ordinary file, or no text in UTF-8.
+/// A file that cannot be read, is larger, not a regular file, or no text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }
@@ -101,7 +101,7 @@ fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error>
 
 /// Bytes as text; the mark that some editors put before it is dropped.
 fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
-    let text = String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))?;
+    let text = String::from_utf8(bytes).map_err(|_| Error::file(name, "is not text in UTF-8"))?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
 }
 
@@ -113,7 +113,7 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
         return Err(Error::file(path, "is a folder, expected a file"));
     }
     if !kind.is_file() {
-        return Err(Error::file(path, "is no ordinary file (a pipe or a device), expected one"));
+        return Err(Error::file(path, "is not a regular file (it is a pipe or a device), expected one"));
     }
     File::open(path).map_err(|e| unreadable(path, &e))
 }
@@ -234,7 +234,7 @@ fn with_suggestion(message: &str) -> String {
 /// A file as another file names it, relative to its folder.
 pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
     let absolute =
-        |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("no such place: {e}")));
+        |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("cannot be found: {e}")));
     let (file, output) = (absolute(file)?, absolute(output)?);
     let near = output.parent().and_then(|folder| pathdiff::diff_paths(&file, folder)).unwrap_or(file);
     Ok(near.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/"))

@@ -182,7 +182,8 @@ fn unsound(name: &str, problem: impl std::fmt::Display) -> Error {
 }
 
 fn read_npz(file: impl Read + Seek) -> Result<WrenchMap, Error> {
-    let mut zip = ZipArchive::new(file).map_err(|e| unsound("", format!("found no whole .npz file ({e})")))?;
+    let mut zip =
+        ZipArchive::new(file).map_err(|e| unsound("", format!("found an incomplete or invalid .npz file ({e})")))?;
     let identity = read_metadata(&mut zip)?;
     let (_, origin) = numbers(&mut zip, "origin", |shape| shape == [3])?;
     let (_, step) = numbers(&mut zip, "step", <[u64]>::is_empty)?;
@@ -250,7 +251,7 @@ fn read_array<T: npyz::Deserialize>(
     let elements: Vec<T> = array.into_vec().map_err(|e| unsound(name, e))?;
     match entry.read(&mut [0]) {
         Ok(0) => Ok((shape, elements)),
-        Ok(_) => Err(unsound(name, "found more numbers than its shape says")),
+        Ok(_) => Err(unsound(name, "found more numbers than its shape allows")),
         Err(e) => Err(unsound(name, e)),
     }
 }

@@ -19,17 +19,19 @@ pub(super) fn read(path: &Path) -> Result<String, Error> {
 /// The elements of a text from [`read`].
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_XML_NODES, ..ParsingOptions::default() };
-    Document::parse_with_options(text, options).map_err(|e| Error::invalid("", format!("is no sound XML: {e}")))
+    Document::parse_with_options(text, options).map_err(|e| Error::invalid("", format!("is not valid XML: {e}")))
 }
 
 fn without_document_type(mut text: String) -> Result<String, Error> {
     let Some(start) = document_type(&text) else { return Ok(text) };
     let declares = || {
-        let found = "found a document type with declarations of its own, expected at most the name of a DTD";
+        let found = "found a document type with its own declarations, expected at most the name of a DTD";
         Error::invalid("", format!("{found}; entities are not expanded"))
     };
-    let end =
-        start + text[start..].find(['>', '[']).ok_or_else(|| Error::invalid("", "the document type has no end"))?;
+    let end = start
+        + text[start..]
+            .find(['>', '['])
+            .ok_or_else(|| Error::invalid("", "the document type declaration is not closed"))?;
     if text.as_bytes()[end] == b'[' {
         return Err(declares());
     }

@@ -112,5 +112,5 @@ fn no_thread(problem: &std::io::Error) -> Error {
 }
 
 fn no_answer() -> Error {
-    Error::internal("the work ended without an answer")
+    Error::internal("the work ended without a result")
 }

@@ -30,7 +30,7 @@ pub fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
     let known = |parent: &i64| usize::try_from(*parent).ok().filter(|parent| *parent < states.len());
     let found: Option<Vec<usize>> = parents.as_slice()?.iter().map(known).collect();
     let parents = found.filter(|parents| parents.len() == states.len()).ok_or_else(|| {
-        raised(Error::invalid("tree.parents", "found others, expected for each state the index of its parent"))
+        raised(Error::invalid("tree.parents", "found wrong indices, expected for each state the index of its parent"))
     })?;
     Ok(SearchTree { states, parents })
 }

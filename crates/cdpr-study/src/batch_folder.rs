@@ -48,19 +48,19 @@ impl BatchFolder {
     }
 
     pub(super) fn with(path: &Path, mut run: RunFile, resume: bool) -> Result<Self, Error> {
-        fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be made: {e}")))?;
+        fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be created: {e}")))?;
         match (!as_good_as_new(path)?, resume) {
             (true, false) => {
                 return Err(Error::file(
                     path,
-                    "found a folder that is not empty, expected a new one; with --resume a run in it goes on",
+                    "found a folder that is not empty, expected a new or empty one, unless a run in it is resumed",
                 ));
             }
             (true, true) => run.origins = same_run(path, &run)?.origins,
             (false, _) => {}
         }
         let rows = path.join(ROWS);
-        fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be made: {e}")))?;
+        fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be created: {e}")))?;
         let lock = locked(path, &rows.join(LOCK))?;
         let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new(), _lock: lock };
         folder.write_run_file()?;
@@ -264,9 +264,10 @@ fn locked(folder: &Path, path: &Path) -> Result<File, Error> {
     let file = OpenOptions::new().write(true).create(true).truncate(false).open(path).map_err(unwritable)?;
     match file.try_lock() {
         Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => {
-            Err(Error::file(folder, "found another process at work in this folder, expected none; wait for its end"))
-        }
+        Err(TryLockError::WouldBlock) => Err(Error::file(
+            folder,
+            "found another process working in this folder, expected none; wait until it has ended",
+        )),
         Err(TryLockError::Error(e)) if e.kind() == ErrorKind::Unsupported => Ok(file), // some network drives have no locks
         Err(TryLockError::Error(e)) => Err(unwritable(e)),
     }

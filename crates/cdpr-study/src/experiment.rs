@@ -207,7 +207,7 @@ fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
         return Ok(());
     }
     let problem = format!(
-        "found {methods}, variants of sweeps counted, in {scenarios} scenarios; expected at most {MOST_ROWS_PER_TRIAL} \
+        "found {methods} including variants of sweeps, in {scenarios} scenarios; expected at most {MOST_ROWS_PER_TRIAL} \
          pairs of method and scenario"
     );
     Err(Error::invalid("methods", problem))

@@ -16,47 +16,47 @@ use cdpr_core::planning::PlannerSettings;
 pub struct ExperimentSpec {
     /// Version of the format, 1.
     pub version: u32,
-    /// A name for messages.
+    /// Name used in messages.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Everything random flows from it; default 0.
+    /// Seed of all random numbers; default 0.
     #[serde(default)]
     pub seed: u64,
-    /// Trials of each method in each scenario.
+    /// Number of trials of each method in each scenario.
     pub trials: usize,
     /// Level of the confidence intervals; default 0.95.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub confidence: Option<f64>,
-    /// Where is planned.
+    /// The scenes in which the methods plan.
     pub scenarios: Vec<ScenarioSpec>,
-    /// How is planned; every method draws its own random numbers.
+    /// The methods to compare; each draws its own random numbers.
     pub methods: Vec<MethodSpec>,
-    /// Also tells when each trial's path got better, in `history.csv`; default false.
+    /// Also record when each trial's path improved, in `history.csv`; default false.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub history: bool,
-    /// Which groups are compared.
+    /// Comparisons of two groups by t-tests.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub t_tests: Vec<TTestSpec>,
 }
 
-/// A scene, or scenes drawn around it.
+/// A scene, or random scenes based on it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScenarioSpec {
-    /// Name in tables.
+    /// Name used in tables.
     pub name: String,
     /// The scene, or the path of its file.
     pub scene: SceneSource,
-    /// Obstacles that every trial draws anew, the same ones for all methods.
+    /// Random obstacles, drawn anew in each trial and the same for all methods.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub random: Option<RandomScenesSpec>,
 }
 
-/// A scene in place, or the path of its file.
+/// An inline scene, or the path of its file.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum SceneSource {
-    /// Path of a scene file (TOML or JSON), relative to the experiment's.
+    /// Path of a scene file (TOML or JSON), relative to the experiment file.
     File(String),
     /// The scene itself.
     Inline(Box<SceneSpec>),
@@ -68,7 +68,7 @@ file_or_inline!(SceneSource, Box<SceneSpec>, "a scene table or the path of a sce
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MethodSpec {
-    /// Name in tables.
+    /// Name used in tables.
     pub name: String,
     /// modified-rrt (default), rrt, rrt-star, rrt-connect, two-trees or anytime.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -76,16 +76,16 @@ pub struct MethodSpec {
     /// Options of the planner.
     #[serde(default)]
     pub options: PlannerSettings,
-    /// Time after which a trial ends, ms; rows of trials that ended by time are not reproducible.
+    /// Time limit of a trial, ms; the rows of trials that it ends are not reproducible.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
     /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
-    /// both, backward, forward, taut or none; the default depends on the planner, and is both for those of the paper.
+    /// both, backward, forward, taut or none; the default depends on the planner and is both for the paper's planners.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub post: Option<String>,
-    /// How often rewinding runs; default 1.
+    /// Number of times that rewinding runs; default 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeats: Option<usize>,
     /// cspace (default) or gjk.
@@ -94,12 +94,12 @@ pub struct MethodSpec {
     /// exact (default) or swept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interference: Option<String>,
-    /// Rewinds the same raw path of a trial in several ways; each becomes a method of its own.
+    /// Rewind the raw path of each trial in several ways; each combination becomes a method of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepSpec>,
 }
 
-/// Ways of rewinding one raw path: all combinations of what is listed.
+/// Ways of rewinding one raw path: all combinations of the listed values.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SweepSpec {
@@ -118,9 +118,9 @@ pub struct SweepSpec {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TTestSpec {
-    /// Its letter.
+    /// Letter of the group.
     pub group: String,
-    /// What is compared.
+    /// Measure to compare.
     pub measure: Measure,
     /// Scenario and method.
     pub a: [String; 2],
@@ -131,13 +131,13 @@ pub struct TTestSpec {
     pub variances: Comparison,
 }
 
-/// A number that trials have.
+/// A measure of a trial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
     /// Time of the planner, s.
     PlanningSeconds,
-    /// Time of rewinding, s.
+    /// Time of post-processing, s.
     PostSeconds,
     /// Length of the planner's path, m.
     RawCost,

@@ -1,4 +1,4 @@
-//! Random scenes: upright prisms among which start and goal are free (the paper, section 5 and Table 1).
+//! Random scenes: upright prisms that leave start and goal free (the paper, section 5 and Table 1).
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -14,38 +14,38 @@ use cdpr_core::numerics::MOST_BODIES;
 use cdpr_core::plan::engine_for;
 use cdpr_core::watch::Watch;
 
-/// What is drawn into a scene, by default the paper's prisms: 0.1 to 0.3 m wide, square, 0.5 to 1.5 m high, on the
+/// Random prisms to add to a scene. The defaults are the paper's: square, 0.1 to 0.3 m wide, 0.5 to 1.5 m high, on the
 /// floor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RandomScenesSpec {
     /// Number of prisms.
     pub count: usize,
-    /// If given, any number from `count` to this one.
+    /// If given, the number of prisms is random, from `count` to this number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count_up_to: Option<usize>,
-    /// Least and largest width along x, m.
+    /// Minimum and maximum width along x, m.
     #[serde(default = "paper_width")]
     pub width: [f64; 2],
-    /// Least and largest width along y, m; default as wide as along x.
+    /// Minimum and maximum width along y, m; default: the same width as along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<[f64; 2]>,
-    /// Least and largest height, m.
+    /// Minimum and maximum height, m.
     #[serde(default = "paper_height")]
     pub height: [f64; 2],
-    /// Where they stand, whole; default the workspace.
+    /// The box that contains all prisms; default the workspace.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<WorkspaceSpec>,
-    /// Anywhere in the region instead of on its floor.
+    /// Place prisms anywhere in the region instead of on its floor.
     #[serde(default)]
     pub floating: bool,
-    /// Turned about the vertical by any angle instead of parallel to the axes.
+    /// Rotate prisms about the vertical by random angles instead of aligning them with the axes.
     #[serde(default)]
     pub turned: bool,
-    /// Draw again what the straight line from start to goal solves.
+    /// Redraw scenes in which the straight line from start to goal is free.
     #[serde(default)]
     pub redraw_straight: bool,
-    /// Draws of one prism, or of a whole scene, after which it is given up.
+    /// Maximum number of draws of one prism, and of a whole scene.
     #[serde(default = "many")]
     pub attempts: usize,
 }
@@ -62,7 +62,7 @@ fn many() -> usize {
     10_000
 }
 
-/// Draws scenes around a base: its robot, workspace, query and own obstacles stay.
+/// Draws scenes based on a given one, whose robot, workspace, query and obstacles are kept.
 #[derive(Debug, Clone)]
 pub struct RandomScenes {
     base: Scene,
@@ -73,11 +73,10 @@ pub struct RandomScenes {
 }
 
 impl RandomScenes {
-    /// Checks what is to be drawn.
+    /// Checks the specification.
     ///
-    /// # Errors
-    /// Names the key: a size that is no interval or does not fit the region, a base without a query or whose own
-    /// start or goal is not valid.
+    /// # Errors A size that is not an interval or does not fit into the region; a base scene without a query, or whose
+    /// start or goal is not valid. The error names the key.
     ///
     /// # Example
     /// ```
@@ -107,10 +106,9 @@ impl RandomScenes {
         }
     }
 
-    /// The scene of a seed. A prism that meets the platform or a cable at start or goal is drawn again.
+    /// The scene for a seed. A prism that collides with the platform or a cable at start or goal is drawn again.
     ///
-    /// # Errors
-    /// No free scene was found in the attempts allowed; says what was in the way last.
+    /// # Errors No free scene within the allowed number of attempts; the error gives the reason of the last failure.
     pub fn draw(&self, seed: u64) -> Result<Scene, Error> {
         self.draw_within(seed, &Watch::NONE)
     }
@@ -127,7 +125,7 @@ impl RandomScenes {
             reason = match self.obstruction(&scene)? {
                 Some(problem) => problem,
                 None if self.spec.redraw_straight && self.straight_line_solves(&scene)? => {
-                    "the straight line solves it".to_string()
+                    "the straight line from start to goal is free".to_string()
                 }
                 None => return Ok(scene),
             };

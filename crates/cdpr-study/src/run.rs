@@ -163,7 +163,7 @@ pub fn run(
             let started = std::thread::Builder::new().spawn_scoped(scope, move || work(experiment, queue, &sender));
             if let Err(problem) = started {
                 queue.stop();
-                return Err(Error::invalid("threads", format!("{threads} threads cannot be had: {problem}")));
+                return Err(Error::invalid("threads", format!("{threads} threads cannot be started: {problem}")));
             }
         }
         drop(sender);

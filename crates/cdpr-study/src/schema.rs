@@ -7,7 +7,7 @@ use cdpr_core::choices;
 use cdpr_core::model::{RobotSpec, SceneSpec};
 use cdpr_files::PathFile;
 
-/// Which file format a schema is asked for.
+/// The file formats that have a schema.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Scene files.

@@ -1,4 +1,4 @@
-//! What obstacles keep from cables, and what cables can balance.
+//! Arguments of `shadows` and `wrench`.
 
 use std::path::PathBuf;
 
@@ -15,17 +15,17 @@ pub struct ShadowsArgs {
     /// File to write (.obj, .ply, .stl or .html).
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: PathBuf,
-    /// Where the regions are drawn: attachment, or position with --all.
+    /// Space of the regions [default: attachment; position with --all].
     #[arg(long, value_parser = choice::<Space>())]
     pub space: Option<Space>,
-    /// Also regions of the platform with obstacles, of cables with the platform, and of pairs of cables (flat); they
-    /// exist only in the space of positions, which is then the default.
+    /// Also write the regions of the platform with obstacles, of cables with the platform, and of pairs of cables
+    /// (flat). They exist only in the space of positions, which is then the default.
     #[arg(long)]
     pub all: bool,
-    /// Only regions of these cables.
+    /// Write only the regions of these cables.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub cable: Vec<String>,
-    /// Only regions of these obstacles.
+    /// Write only the regions of these obstacles.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub obstacle: Vec<String>,
 }
@@ -38,10 +38,10 @@ pub struct WrenchArgs {
     /// A position of the platform's origin, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub at: Option<Vec<f64>>,
-    /// Margins on a grid of this step over all positions inside the workspace, m; needs -o.
+    /// Compute margins on a grid with this step over all positions inside the workspace, m; requires -o.
     #[arg(long, value_name = "STEP", value_parser = positive, requires = "output", allow_negative_numbers = true)]
     pub grid: Option<f64>,
-    /// With --grid, force and moment margins as well (slower).
+    /// With --grid, also compute force and moment margins (slower).
     #[arg(long, requires = "grid")]
     pub projected: bool,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
@@ -49,7 +49,7 @@ pub struct WrenchArgs {
     pub along: Option<PathBuf>,
     #[command(flatten)]
     pub strict: Strict,
-    /// Distance of the rows along the path, m.
+    /// Distance between rows along the path, m.
     #[arg(long, value_name = "M", default_value_t = 0.01, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,
     /// Radius of the required force ball instead of the scene's, N.

@@ -1,4 +1,4 @@
-//! Experiments, their runs and reports.
+//! Arguments of `batch`, `merge` and `report`.
 
 use std::path::PathBuf;
 
@@ -12,16 +12,16 @@ pub struct BatchArgs {
     /// Experiment file (.toml or .json).
     #[arg(value_hint = ValueHint::FilePath)]
     pub experiment: PathBuf,
-    /// Folder to write; new or empty, unless a run in it goes on.
+    /// Folder to write; must be new or empty, unless a run in it is resumed.
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub output: PathBuf,
-    /// Go on with the run in the folder.
+    /// Continue the run in the folder.
     #[arg(long)]
     pub resume: bool,
-    /// Threads [default: as many as there are cores].
+    /// Number of threads [default: the number of cores].
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
-    /// Number of trials instead of the experiment's, or a range of them, the end not included.
+    /// Number of trials instead of the experiment's, or a range of trials without its end.
     #[arg(long, value_name = "N|A..B", value_parser = trials)]
     pub trials: Option<Trials>,
     /// How to print the result.
@@ -29,7 +29,7 @@ pub struct BatchArgs {
     pub format: Format,
 }
 
-/// A range of trials; a type of its own, since clap takes ranges for lists.
+/// A range of trials; a separate type, since clap treats ranges as lists.
 #[derive(Debug, Clone)]
 pub struct Trials(pub std::ops::Range<usize>);
 
@@ -38,7 +38,7 @@ pub struct MergeArgs {
     /// Folders of complete runs, in any order.
     #[arg(required = true, value_hint = ValueHint::DirPath)]
     pub folders: Vec<PathBuf>,
-    /// Folder to write; new or empty.
+    /// Folder to write; must be new or empty.
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub output: PathBuf,
     /// How to print the result.

@@ -1,4 +1,4 @@
-//! Files made and shown.
+//! Arguments of the commands that make and show files.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use super::values::choice;
 
 #[derive(Debug, Args)]
 pub struct NewArgs {
-    /// File to write; standard output if none is given.
+    /// File to write [default: standard output].
     #[arg(value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
     /// Robot file.
@@ -39,16 +39,16 @@ pub struct NewArgs {
 
 #[derive(Debug, Args)]
 pub struct ImportArgs {
-    /// The source: an XML file of CASPR, a folder of them, or a YAML file of the Gazebo simulation.
+    /// Source: a CASPR XML file, a folder of them, or a YAML file of the Gazebo simulation.
     #[arg(value_hint = ValueHint::AnyPath)]
     pub source: PathBuf,
-    /// CASPR's bodies file, where it does not stand beside the cables file under the same name.
+    /// CASPR's bodies file, if it is not beside the cables file under the same name.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub bodies: Option<PathBuf>,
-    /// Set of cables [default: the one that the file names].
+    /// Cable set [default: the file's own default].
     #[arg(long, value_name = "ID")]
     pub cable_set: Option<String>,
-    /// Mesh of the platform in its frame (.stl or .obj); the robot file names it.
+    /// Mesh of the platform in the platform frame (.stl or .obj); the robot file refers to it.
     #[arg(long, value_name = "MESH", value_hint = ValueHint::FilePath)]
     pub platform: Option<PathBuf>,
     /// Unit of that mesh.
@@ -90,7 +90,7 @@ pub struct ViewArgs {
 
 #[derive(Debug, Args)]
 pub struct ManArgs {
-    /// Folder to write; without it the page of cdpr itself is printed.
+    /// Folder to write; without it, the page of cdpr itself is printed.
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub output: Option<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! Planning and shortening.
+//! Arguments of `plan` and `post`.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -21,17 +21,18 @@ pub struct PlanArgs {
     pub planner: Planner,
     #[command(flatten)]
     pub settings: PlannerArgs,
-    /// Stop after this time, ms, compiling of the scene included (the samples may run out first).
+    /// Stop after this time, ms, including the time to compile the scene (the search may end earlier).
     #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
     pub budget_ms: Option<Duration>,
     #[command(flatten)]
     pub checker: CheckerArgs,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// What is done to the found path [default: none for anytime, taut for two-trees and rrt-connect, both for the others].
+    /// Post-processing of the planner's path [default: none for anytime, taut for two-trees and rrt-connect, both for
+    /// the others].
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
     /// Start instead of the scene's, m.
@@ -43,12 +44,12 @@ pub struct PlanArgs {
     /// Write the result here (.json, or .csv for the waypoints alone).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-    /// Write a page here that shows the result.
+    /// Write a page that shows the result here.
     #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
     pub html: Option<PathBuf>,
 }
 
-/// Options of the planner; those that it does not have are refused.
+/// Options of the planner; options that the selected planner does not have are errors.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PlannerArgs {
     /// Stop after this many random samples [default: 20000; rrt-star and rrt-connect: 500000; anytime: no limit].
@@ -57,23 +58,24 @@ pub struct PlannerArgs {
     /// Stop after this many nodes.
     #[arg(long, value_name = "N")]
     pub max_nodes: Option<usize>,
-    /// Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+    /// Continue after the first path until samples, nodes or time run out; the shortest path is kept.
     #[arg(long)]
     pub keep_going: bool,
-    /// Go on after the first path until it is at most this long, m.
+    /// Continue after the first path until the path is at most this long, m.
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub target_cost: Option<f64>,
-    /// With anytime, go on until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
+    /// With anytime, continue until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1
+    /// %.
     #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
     pub gap: Option<f64>,
-    /// Longest edge by which rrt, rrt-star and rrt-connect grow, m [default: --step, as in the paper; rrt-connect: a fifth of the
-    /// positions' diagonal].
+    /// Longest edge that rrt, rrt-star and rrt-connect add, m [default: --step, as in the paper; rrt-connect: a fifth
+    /// of the diagonal of the box of positions].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub extend_step: Option<f64>,
-    /// Probability with which rrt and rrt-star take the goal for a sample [default: 0].
+    /// Probability with which rrt and rrt-star use the goal as the sample [default: 0].
     #[arg(long, value_name = "P", allow_negative_numbers = true)]
     pub goal_bias: Option<f64>,
-    /// Radius of the ball that rrt-star looks at around a new node, m [default: shrinks with the number of nodes].
+    /// Radius of rrt-star's neighbourhood around a new node, m [default: shrinks with the number of nodes].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub near_radius: Option<f64>,
 }
@@ -96,10 +98,10 @@ impl PlannerArgs {
 /// Options of rewinding.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct RewindArgs {
-    /// Distance of the points that rewinding tries, m; also the step of rrt and rrt-star.
+    /// Distance between the points that rewinding tries, m; also the step of rrt and rrt-star.
     #[arg(long, value_name = "M", default_value_t = PlanOptions::default().step, value_parser = positive, allow_negative_numbers = true)]
     pub step: f64,
-    /// How often rewinding runs.
+    /// Number of times that rewinding runs.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub repeats: usize,
 }
@@ -110,7 +112,7 @@ pub struct PostArgs {
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// What is done to the path.
+    /// How the path is shortened.
     #[arg(long, value_parser = something(), default_value = Post::Both.name())]
     pub post: Post,
     /// Write the path here (.json or .csv).
@@ -134,7 +136,7 @@ impl PlanArgs {
 }
 
 impl PlanArgs {
-    /// The question about a scene.
+    /// The planning query for a scene.
     pub fn query<'a>(&self, scene: &'a Scene) -> Query<'a> {
         let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
         Query { start: end(&self.start), goal: end(&self.goal), ..Query::of(scene) }

@@ -1,4 +1,4 @@
-//! What many commands take: a scene, a path, who checks it.
+//! Arguments shared by commands: scene, path, collision checker.
 
 use std::path::PathBuf;
 
@@ -22,8 +22,9 @@ pub struct SceneArgs {
     /// Scene file (.toml or .json).
     #[arg(value_hint = ValueHint::FilePath)]
     pub scene: PathBuf,
-    /// How the platform is turned: one of the scene's orientations by name, or a unit quaternion W,X,Y,Z. Otherwise as the
-    /// scene says; if it names several, `plan` takes the one with the shortest path, what reads a path that of the path.
+    /// Orientation of the platform: the name of one of the scene's orientations, or a unit quaternion W,X,Y,Z [default:
+    /// the one that the scene selects]. If the scene lists several and selects none, `plan` uses the one with the
+    /// shortest path, commands that read a path use the path's, and others use the first.
     #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
     pub orientation: Option<OrientationSource>,
     /// How to print the result.
@@ -44,21 +45,21 @@ pub struct PathArgs {
     pub checker: CheckerArgs,
 }
 
-/// What is done with a path that was planned for another scene.
+/// How to treat a path that was planned for another scene.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Strict {
-    /// Refuse a path that was planned for another scene, instead of a warning.
+    /// Refuse a path that was planned for another scene instead of warning about it.
     #[arg(long)]
     pub strict: bool,
 }
 
-/// Who checks motions, and how strictly.
+/// How motions are checked.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct CheckerArgs {
     /// Collision engine.
     #[arg(long, value_parser = choice::<Engine>(), default_value = Engine::default().name())]
     pub engine: Engine,
-    /// How cables are kept from each other.
+    /// Rule for interference between cables.
     #[arg(long, value_parser = choice::<Interference>(), default_value = Interference::default().name())]
     pub interference: Interference,
 }

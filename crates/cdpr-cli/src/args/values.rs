@@ -1,4 +1,4 @@
-//! Values of options, parsed and checked.
+//! Parsing of option values.
 
 use std::time::Duration;
 
@@ -34,7 +34,7 @@ pub fn trials(text: &str) -> Result<Trials, String> {
     if range.is_empty() { Err("found no trials, expected at least one".to_string()) } else { Ok(Trials(range)) }
 }
 
-/// Accepts the names of a choice, and shows them with their help.
+/// Accepts the names of a choice and shows them with their help.
 pub fn choice<T: Choice>() -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(possible::<T>()).map(|name| T::named(&name).expect("one of the possible names"))
 }

@@ -18,7 +18,7 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
     let trials = args.trials.clone().map_or(0..experiment.trials, |Trials(range)| range);
     let mut folder = BatchFolder::open(&args.output, &experiment, trials, args.resume)?;
     if folder.done() > 0 {
-        out.say(&format!("{} already there", count(folder.done(), "trial")));
+        out.say(&format!("{} already done", count(folder.done(), "trial")));
     }
     let bar = bar(out);
     let mut progress = |progress: Progress| {
@@ -39,7 +39,7 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
         }
         Err(error) if error.class() == ErrorClass::Interrupted => {
             let done = count(folder.done(), "trial");
-            out.say(&format!("{done} in {}; go on with --resume", args.output.display()));
+            out.say(&format!("{done} in {}; continue with --resume", args.output.display()));
             Err(error)
         }
         Err(error) => Err(error.in_file(&args.experiment)),

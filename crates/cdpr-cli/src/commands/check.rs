@@ -89,7 +89,7 @@ pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
     });
     let mut lines = vec![format!("{margin} {}", place(least.at, least.segment))];
     match tension_range {
-        None => lines.push("the loads cannot be balanced everywhere on it".to_string()),
+        None => lines.push("the loads cannot be balanced everywhere on the path".to_string()),
         Some(range) => {
             let told = |t: &TensionPlace| format!("{:.3} N ({} {})", t.value, t.cable, place(t.at, t.segment));
             lines.push(format!("tensions from {} to {}", told(&range.min), told(&range.max)));

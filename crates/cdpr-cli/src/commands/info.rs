@@ -28,7 +28,7 @@ fn lines(s: &Survey) -> Vec<String> {
     let mut lines = vec![format!("parts: platform {}, obstacles {}", s.platform_parts, s.obstacle_parts)];
     if !s.orientations.is_empty() {
         let this = s.orientation_name.as_ref().map_or(format!("{:?}", s.orientation), |name| name.to_string());
-        lines.push(format!("orientations: {}; what follows is at {this}", s.orientations.join(", ")));
+        lines.push(format!("orientations: {}; everything below is for {this}", s.orientations.join(", ")));
     }
     let xyz = |p: &[f64; 3]| p.map(short).join(", ");
     lines.push(match &s.position_box {

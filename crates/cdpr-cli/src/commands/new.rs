@@ -27,7 +27,7 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
     };
     let notation = Notation::of(path)?;
     if path.exists() && !args.force {
-        return Err(Error::file(path, "exists already; choose another name, or overwrite it with --force"));
+        return Err(Error::file(path, "already exists; choose another name or overwrite it with --force"));
     }
     out.write(path, text(args, notation, path, out)?.as_bytes(), "")?;
     out.say(&format!("next: cdpr plan {} -o path.json --html view.html", path.display()));
@@ -66,17 +66,17 @@ fn tell(scene: &Scene, solvable: bool, out: &Console) {
     match (scene.start(), scene.goal()) {
         (Some(start), Some(goal)) if !solvable => {
             let ends = format!("from {} to {}", position(&start), position(&goal));
-            out.note(&format!("no path {ends} was found in a short search; cdpr plan says more"));
+            out.note(&format!("a short search found no path {ends}; run cdpr plan for details"));
         }
         (Some(start), Some(goal)) => {
-            out.say(&format!("asks for a path from {} to {}", position(&start), position(&goal)))
+            out.say(&format!("query: a path from {} to {}", position(&start), position(&goal)))
         }
-        _ => out.note("no two positions with a path between them were found; add yours under [query]"),
+        _ => out.note("found no two positions with a path between them; add start and goal under [query]"),
     }
     let room = scene.workspace();
     let middle = Point::from((room.min.coords + room.max.coords) / 2.0);
     let hold = scene.wrench().and_then(|_| Hold::at(scene.robot(), scene.orientation(), &middle));
     if let Some(hold) = hold.filter(|hold| !hold.is_full()) {
-        out.note(&format!("{}; no position keeps the demand of [wrench]", hold.sentence()));
+        out.note(&format!("{}; no position meets the requirements of [wrench]", hold.sentence()));
     }
 }

@@ -23,7 +23,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
     let files = [args.output.as_deref(), args.html.as_deref()];
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
-        return Err(Error::invalid("", "found - for both -o and --html, but there is one standard output only"));
+        return Err(Error::invalid("", "found - for both -o and --html; only one of them can be standard output"));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
     let scene = input::scene(&args.scene, out)?;
@@ -63,7 +63,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         save_path(path, &json, out)?;
     }
     if interrupted() {
-        out.say("interrupted: this is the best path until then");
+        out.say("interrupted; this is the best path found so far");
     } else if let Some(path) = &args.html {
         let page = page(&shown_scene(&scene, ends)?, Some(&shown(&options, &found)), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
@@ -124,7 +124,7 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     match found.status {
         Status::Solved => solved(options, found),
         Status::BudgetSpent if found.stats.samples == 0 => {
-            Verdict::no("no path found", ": the budget ended while the scene was compiled".to_string())
+            Verdict::no("no path found", ": the time budget ran out while the scene was being compiled".to_string())
         }
         Status::BudgetSpent => {
             let (samples, ms) = (count(found.stats.samples, "sample"), found.stats.planning_seconds * 1e3);
@@ -141,14 +141,14 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
     let (before, done) = match options.post() {
         Post::None => ("", ""),
-        Post::Taut => ("before it was pulled taut, ", "pulled taut"),
-        _ => ("before rewinding, ", "rewound"),
+        Post::Taut => ("before string pulling, ", "string pulling"),
+        _ => ("before rewinding, ", "rewinding"),
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
     let rest = format!(
-        " {} m with {} ({before}{} m as the crow flies)\n\
-         searched {:.2} ms ({}, {}, seed {}); {done}every segment checked once more",
+        " {} m with {} ({before}{} m in a straight line)\n\
+         searched {:.2} ms ({}, {}, seed {}); {done}every segment rechecked",
         short(found.cost),
         count(waypoints.len(), "waypoint"),
         short(straight),
@@ -180,7 +180,7 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
             out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
         }
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
-        (Status::BudgetSpent, _) => out.say("next: try --max-samples with a larger number, or another --seed"),
+        (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
         (Status::StartInvalid | Status::GoalInvalid, _) => {
             if let Some([cable, obstacle]) = stands_beside(asked, found) {
                 let pair = format!("[{cable:?}, {obstacle:?}]");
@@ -188,7 +188,9 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
                     "next: only the platform may touch {obstacle}; to let {cable} do so as well, add {pair} to `touch`"
                 ));
             }
-            out.say(&format!("next: move it (--start, --goal), or look at it: cdpr view {scene} -o view.html"));
+            out.say(&format!(
+                "next: choose another position (--start, --goal), or inspect it: cdpr view {scene} -o view.html"
+            ));
         }
         _ => {}
     }

@@ -23,7 +23,9 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
         out.remarks(&Constraints::new(&scene)?);
     }
     if has_round_regions(&scene) {
-        out.note("clearance and cable diameters are not part of the meshes (with them the regions have round edges)");
+        out.note(
+            "the meshes do not include clearances and cable diameters, which would round the edges of the regions",
+        );
     }
     let writing = writing();
     save_regions(&args.output, &scene, &found)?;
@@ -65,7 +67,7 @@ fn lines(found: &Regions) -> Vec<String> {
     let space = found.space.name();
     if found.box_volume() == 0.0 {
         return vec![format!(
-            "0 regions in the space of {space}s: the box they are cut at is flat, so they have no volume"
+            "0 regions in the space of {space}s: the box that clips them is flat, so they have no volume"
         )];
     }
     let Some(largest) = found.meshes.iter().max_by(|a, b| a.mesh.volume().total_cmp(&b.mesh.volume())) else {
@@ -78,6 +80,6 @@ fn lines(found: &Regions) -> Vec<String> {
             count(found.meshes.len(), "region"),
             count(triangles(found), "triangle")
         ),
-        format!("largest: {}, {:.3} m³, {share:.1} % of the box it is cut at", largest.name, largest.mesh.volume()),
+        format!("largest: {}, {:.3} m³, {share:.1} % of the box that clips it", largest.name, largest.mesh.volume()),
     ]
 }

@@ -45,11 +45,9 @@ impl Faults {
         if !wrong.is_empty() {
             notes.push(format!("the mesh is not sound: {}", wrong.join(", ")));
         }
-        notes.extend(
-            count(self.sheets, "piece has", "pieces have").map(|pieces| {
-                format!("{pieces} no inside: taken as a thin surface, what lies behind it is not filled")
-            }),
-        );
+        notes.extend(count(self.sheets, "piece has", "pieces have").map(|pieces| {
+            format!("{pieces} no inside: treated as a thin surface, and the space behind it is not filled")
+        }));
         notes
     }
 }

@@ -52,7 +52,7 @@ pub fn large_enough<'a>(
         return Ok(());
     }
     let problem = format!(
-        "found {what} of {extent:e} m, expected at least {least:e} m: distances are right to {GAP_TOLERANCE:e} m, which is \
+        "found {what} of {extent:e} m, expected at least {least:e} m: distances are accurate to {GAP_TOLERANCE:e} m, which is \
          too coarse for less; lengths are metres, so check the units, or scale all lengths of the scene up"
     );
     Err(Error::invalid(place, problem))
@@ -106,7 +106,10 @@ pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
     wrench("load", &spec.load.unwrap_or_default())?;
     let Some(corners) = &spec.vertices else { return Ok(()) };
     if spec.force.is_some() || spec.moment.is_some() {
-        return Err(Error::invalid("vertices", "found beside force or moment, expected either vertices or balls"));
+        return Err(Error::invalid(
+            "vertices",
+            "found together with force or moment, expected either vertices or balls",
+        ));
     }
     if spec.margin == Some(MarginSpec::Projected) {
         return Err(Error::invalid("margin", "found \"projected\" beside vertices, expected \"capacity\""));
@@ -144,14 +147,16 @@ pub fn unit_quaternion(place: &str, [w, x, y, z]: [f64; 4]) -> Result<Rotation, 
 pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
     one_shape(place, spec)?;
     if let Some(MeshSource::File(path)) = &spec.mesh {
-        let problem = format!("found the path \"{path}\"; load the scene or robot from its file to have it read");
+        let problem = format!(
+            "found the path \"{path}\"; load the scene or robot from its file, so that the path can be followed"
+        );
         return Err(Error::invalid(format!("{place}.mesh"), problem));
     }
     let shape = match (&spec.cuboid, &spec.vertices, &spec.prism) {
         (Some(sides), None, None) => cuboid(&format!("{place}.box"), *sides),
         (None, Some(vertices), None) => from_vertices(&format!("{place}.vertices"), vertices),
         (None, None, Some(prism)) => upright_prism(&format!("{place}.prism"), prism),
-        _ => Err(Error::invalid(format!("{place}.mesh"), "found a mesh in place of the convex parts it stands for")),
+        _ => Err(Error::invalid(format!("{place}.mesh"), "found a mesh, expected its convex parts")),
     }?;
     let rotation = turn(place, &Turn { rpy: spec.rpy, rpy_degrees: spec.rpy_degrees, quaternion: spec.quaternion })?;
     let position = point(&format!("{place}.position"), spec.position.unwrap_or_default())?;
@@ -176,7 +181,7 @@ pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
         [("units", spec.units.is_some()), ("scale", spec.scale.is_some()), ("tolerance", spec.tolerance.is_some())];
     match of_mesh.iter().find(|(_, given)| *given && spec.mesh.is_none()) {
         Some((key, _)) => {
-            Err(Error::invalid(format!("{place}.{key}"), "found it without a mesh; it applies to meshes only"))
+            Err(Error::invalid(format!("{place}.{key}"), "found without a mesh; this key applies only to meshes"))
         }
         None => Ok(()),
     }

@@ -80,8 +80,8 @@ impl PairRules {
                     pair[1],
                     match other {
                         PairRule::Apart(clearance) => format!("has a clearance of {clearance} m"),
-                        PairRule::Touch => "stands in touch".to_string(),
-                        PairRule::Ignore => "stands in ignore".to_string(),
+                        PairRule::Touch => "is listed in touch".to_string(),
+                        PairRule::Ignore => "is listed in ignore".to_string(),
                     }
                 );
                 Err(Error::invalid(place, problem))

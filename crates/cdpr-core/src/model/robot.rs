@@ -48,7 +48,7 @@ impl TryFrom<RobotSpec> for Robot {
             body::optional_name(&format!("platform[{k}].name"), part.name.as_deref())?;
         }
         if spec.platform.is_empty() {
-            return Err(Error::invalid("platform", "found no parts, expected at least one (a point will do)"));
+            return Err(Error::invalid("platform", "found no parts, expected at least one (a point is enough)"));
         }
         if spec.cables.is_empty() {
             return Err(Error::invalid("cables", "found none, expected at least one"));
@@ -136,13 +136,16 @@ fn checked_cable(index: usize, spec: &CableSpec) -> Result<Cable, Error> {
 fn unique_names(cables: &[Cable]) -> Result<(), Error> {
     for (k, cable) in cables.iter().enumerate() {
         if let Some(first) = cables[..k].iter().position(|c| c.name == cable.name) {
-            let problem = format!("found \"{}\", which cables[{first}] has already; expected unique names", cable.name);
+            let problem = format!(
+                "found \"{}\", which is already the name of cables[{first}]; expected unique names",
+                cable.name
+            );
             return Err(Error::invalid(format!("cables[{k}].name"), problem));
         }
         if cable.name == super::scene::PLATFORM {
             return Err(Error::invalid(
                 format!("cables[{k}].name"),
-                "found \"platform\", which means the platform itself",
+                "found \"platform\", which is reserved for the platform itself",
             ));
         }
     }

@@ -58,7 +58,9 @@ impl Scene {
         let robot = match &spec.robot {
             RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot"))?,
             RobotSource::File(path) => {
-                let problem = format!("found the path \"{path}\"; load the scene from its file to have it read");
+                let problem = format!(
+                    "found the path \"{path}\"; load the scene from its file, so that the path can be followed"
+                );
                 return Err(Error::invalid("robot", problem));
             }
         };
@@ -223,7 +225,7 @@ impl Scene {
         }
         let words = |q: &Rotation| format!("{:?}", [q.w, q.i, q.j, q.k]);
         let problem = format!("found a path at {}, but the scene is at {}", words(&turn), words(&self.orientation));
-        Err(Error::invalid("orientation", format!("{problem}; turn the scene to it")))
+        Err(Error::invalid("orientation", format!("{problem}; expected the same orientation")))
     }
 
     fn for_bare_path(&self) -> Result<Scene, Error> {
@@ -231,11 +233,8 @@ impl Scene {
             return Ok(self.clone());
         }
         let names: Vec<&str> = self.orientations.iter().map(|(name, _)| name.as_str()).collect();
-        let problem = format!(
-            "found none, neither with the path nor in the scene, which names {}; choose one: --orientation NAME, or \
-             scene.replace(orientation=NAME) in Python",
-            names.join(", ")
-        );
+        let problem =
+            format!("found none with the path, and the scene selects none of {}; select one", names.join(", "));
         Err(Error::invalid("orientation", problem))
     }
 
@@ -323,7 +322,7 @@ fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Er
         let place = format!("orientations[{k}]");
         body::name(&format!("{place}.name"), name)?;
         if all.iter().any(|(other, _)| other == name) {
-            let problem = format!("found \"{name}\", expected a name that no other orientation has");
+            let problem = format!("found \"{name}\", expected a unique name");
             return Err(Error::invalid(format!("{place}.name"), problem));
         }
         let turn = Turn { rpy: *rpy, rpy_degrees: *rpy_degrees, quaternion: *quaternion };
@@ -379,7 +378,7 @@ fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> 
         if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
             return Err(Error::invalid(
                 format!("{place}.name"),
-                format!("found \"{name}\", which names something else already"),
+                format!("found \"{name}\", which is already the name of something else"),
             ));
         }
         match obstacles.iter_mut().find(|o| o.name == name) {

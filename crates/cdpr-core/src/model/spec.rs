@@ -1,5 +1,5 @@
-//! The file formats as plain data: one set of types for TOML, JSON and the JSON Schema. Nothing here is checked beyond
-//! its shape; [`crate::model::Robot`] and [`crate::model::Scene`] do that once.
+//! The file formats as plain data: one set of types for TOML, JSON and the JSON Schema. Only the structure is checked
+//! here; [`crate::model::Robot`] and [`crate::model::Scene`] check the values, once.
 
 use crate::choices;
 use crate::fixed_length;
@@ -7,8 +7,8 @@ use crate::fixed_length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
-/// Reads what is a path or a table. By hand: an untagged derive would answer a misspelt key with "did not match any
-/// variant".
+/// Deserializes a file name or a table. Written by hand, because an untagged derive reports a misspelt key as "did not
+/// match any variant".
 #[doc(hidden)]
 #[macro_export]
 macro_rules! file_or_inline {
@@ -40,7 +40,7 @@ macro_rules! file_or_inline {
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
 
-/// A scene: robot, obstacles, workspace, and the question asked of them. Lengths in m, world axes, z up by custom.
+/// A scene: robot, obstacles, workspace and planning query. Lengths in m, world axes, z up by convention.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -48,36 +48,37 @@ pub const FORMAT_VERSION: u32 = 1;
 pub struct SceneSpec {
     /// Version of the format, 1.
     pub version: u32,
-    /// A name for messages and pictures.
+    /// Name used in messages and figures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Gravity in world axes, m/s²; default (0, 0, -9.81).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[f64; 3]>,
-    /// Least distance to keep between whatever must not touch, m; default 0. `clearances` overrides it by kind and by pair.
+    /// Minimum distance between bodies that must not touch, m; default 0. `clearances` overrides it for kinds and
+    /// pairs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearance: Option<f64>,
-    /// Pairs that are not checked against each other, by name: a cable's, an obstacle's, or "platform".
+    /// Pairs that are not checked against each other, by name: of a cable, of an obstacle, or "platform".
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub ignore: Vec<[String; 2]>,
-    /// Pairs that may touch but not enter each other, named as in `ignore`: no clearance is demanded of them.
+    /// Pairs that may touch but not overlap, named as in `ignore`; no clearance is required between them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub touch: Vec<[String; 2]>,
-    /// Clearances of some kinds or pairs, in place of `clearance`.
+    /// Clearances of particular kinds or pairs, instead of `clearance`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearances: Option<ClearancesSpec>,
-    /// The box that every platform vertex must stay in.
+    /// The box in which every platform vertex must stay.
     pub workspace: WorkspaceSpec,
-    /// Named ways to turn the platform. Where the query says none, planning takes the one with the shortest path, what
-    /// reads a path that of the path, and everything else the first.
+    /// Named orientations of the platform. If the query selects none, planning uses the one with the shortest path, a
+    /// command that reads a path uses the path's orientation, and everything else uses the first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub orientations: Vec<OrientationSpec>,
     /// The robot: a table, or the path of a robot file relative to the scene file.
     pub robot: RobotSource,
-    /// Convex obstacle parts; parts of one concave body carry the same name.
+    /// Convex obstacle parts; the parts of a concave body share one name.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<BodySpec>,
-    /// Demand of wrench feasibility; its presence turns the constraint on.
+    /// Requirements on wrench feasibility; this table, even if empty, turns the constraint on.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchSpec>,
     /// Start, goal and orientation.
@@ -85,7 +86,7 @@ pub struct SceneSpec {
     pub query: Option<QuerySpec>,
 }
 
-/// Clearances that differ from the scene's `clearance`. A pair's own comes before that of its kind.
+/// Clearances that differ from the scene's `clearance`. A clearance for a pair takes precedence over that of its kind.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -96,13 +97,13 @@ pub struct ClearancesSpec {
     /// Between cables and obstacles, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_obstacle: Option<f64>,
-    /// Between cables and parts of the platform that they do not end on, m.
+    /// Between cables and the parts of the platform to which they are not attached, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_platform: Option<f64>,
     /// Between two cables, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_cable: Option<f64>,
-    /// Between two members by name.
+    /// Between two named bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pairs: Vec<PairClearanceSpec>,
 }
@@ -112,9 +113,9 @@ pub struct ClearancesSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PairClearanceSpec {
-    /// Two names: a cable's, an obstacle's, or "platform".
+    /// Two names: of cables, of obstacles, or "platform".
     pub between: [String; 2],
-    /// Least distance to keep, m.
+    /// Minimum distance, m.
     pub clearance: f64,
 }
 
@@ -129,7 +130,7 @@ pub struct WorkspaceSpec {
     pub max: [f64; 3],
 }
 
-/// A robot in place, or the path of its file.
+/// An inline robot, or the path of its file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
@@ -148,10 +149,10 @@ file_or_inline!(RobotSource, RobotSpec, "a robot table or the path of a robot fi
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", schemars(title = "cdpr robot"))]
 pub struct RobotSpec {
-    /// Version of the format, 1; only in a robot file of its own.
+    /// Version of the format, 1; only in a separate robot file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub version: Option<u32>,
-    /// A name for messages and pictures.
+    /// Name used in messages and figures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Mass of the platform, kg.
@@ -160,7 +161,7 @@ pub struct RobotSpec {
     /// Centre of mass in the platform frame, m; default the origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center_of_mass: Option<[f64; 3]>,
-    /// Convex parts of the platform, in the platform frame; they may be flat, a segment or a point.
+    /// Convex parts of the platform, in the platform frame; a part may be flat, a segment or a point.
     pub platform: Vec<BodySpec>,
     /// Cables.
     pub cables: Vec<CableSpec>,
@@ -171,30 +172,31 @@ pub struct RobotSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CableSpec {
-    /// A name for messages; default "cable K", counting from 0.
+    /// Name used in messages; default "cable K", counting from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Where the cable leaves the frame, world, m.
     pub outlet: [f64; 3],
-    /// Where it meets the platform, platform frame, m.
+    /// Where the cable is attached to the platform, platform frame, m.
     pub attachment: [f64; 3],
-    /// Least and largest tension, N.
+    /// Minimum and maximum tension, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<[f64; 2]>,
     /// Diameter, m; default 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub diameter: Option<f64>,
-    /// Least and largest length between outlet and attachment, m.
+    /// Minimum and maximum length between outlet and attachment, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<[f64; 2]>,
 }
 
-/// A body: exactly one of `box`, `vertices`, `prism` (convex ones) and `mesh` (any), then turned and moved.
+/// A body: exactly one of `box`, `vertices` and `prism` (convex shapes) or `mesh` (any shape), then rotated and
+/// translated.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct BodySpec {
-    /// A name for messages; obstacle parts of the same name form one body.
+    /// Name used in messages; obstacle parts with the same name form one body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Full side lengths of a box centred at the origin, m.
@@ -206,21 +208,21 @@ pub struct BodySpec {
     /// An upright prism over a convex polygon.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prism: Option<PrismSpec>,
-    /// A triangle mesh: an STL or OBJ file, relative to the file that names it, or vertices and triangles. It stands
-    /// for convex parts that cover it; one that is convex stands as it is.
+    /// A triangle mesh: an STL or OBJ file, relative to the file that contains this table, or vertices and triangles. A
+    /// mesh that is not convex is replaced by convex parts that cover it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<MeshSource>,
     /// Unit of the mesh's coordinates; default m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units: Option<Unit>,
-    /// Factor of the mesh's coordinates, besides their unit; default 1.
+    /// Factor applied to the mesh's coordinates, in addition to their unit; default 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scale: Option<f64>,
-    /// How far the convex parts of the mesh may reach beyond it, m; default 1 % of the extent of each connected piece, and
-    /// at least 0.25 % of the whole mesh's.
+    /// How far the convex parts may extend beyond the mesh, m; default 1 % of the extent of each connected piece, and
+    /// at least 0.25 % of the extent of the whole mesh.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    /// Added to every point after turning, m.
+    /// Added to every point after the rotation, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 3]>,
     /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
@@ -229,12 +231,12 @@ pub struct BodySpec {
     /// The same in degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy_degrees: Option<[f64; 3]>,
-    /// The turn as a unit quaternion, w x y z.
+    /// The rotation as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
 }
 
-/// The path of a mesh file, or a mesh in place.
+/// The path of a mesh file, or an inline mesh.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
@@ -254,7 +256,7 @@ file_or_inline!(MeshSource, MeshSpec, "the path of a mesh file (.stl or .obj), o
 pub struct MeshSpec {
     /// Corners, in the mesh's unit.
     pub vertices: Vec<[f64; 3]>,
-    /// Corners of each triangle, counter-clockwise seen from outside, as indices from 0 into the vertices.
+    /// Corners of each triangle as indices into the vertices, from 0, counter-clockwise seen from outside.
     pub triangles: Vec<[usize; 3]>,
 }
 
@@ -284,7 +286,7 @@ choices!(Unit, "unit", [
 ]);
 
 impl Unit {
-    /// One of it in metres.
+    /// Length of the unit in metres.
     pub fn metres(self) -> f64 {
         match self {
             Unit::Mm => 1e-3,
@@ -307,7 +309,7 @@ pub struct PrismSpec {
     pub height: f64,
 }
 
-/// The wrenches that the cables must be able to balance all along a path.
+/// The wrenches that the cables must be able to balance along the whole path.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -322,49 +324,49 @@ pub struct WrenchSpec {
     /// that balances the loads.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertices: Option<Vec<[f64; 6]>>,
-    /// A further constant load, world axes, its moment about the platform's origin.
+    /// An additional constant load, world axes, with its moment about the platform's origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<[f64; 6]>,
-    /// Which margin decides; default capacity.
+    /// The margin that decides feasibility; default capacity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub margin: Option<MarginSpec>,
-    /// How a motion is judged; default certified.
+    /// How a motion is checked; default certified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rule: Option<RuleSpec>,
     /// Cell size of the grid rule, m; default 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grid: Option<f64>,
-    /// Which points of the grid decide about a position; default corners.
+    /// The grid points that decide the feasibility of a position; default corners.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub membership: Option<MembershipSpec>,
-    /// Length that turns moments into forces, m; default 1.
+    /// Length that converts moments to forces, m; default 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub characteristic_length: Option<f64>,
 }
 
-/// Which margin decides on wrench feasibility.
+/// The margin that decides wrench feasibility.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum MarginSpec {
-    /// The rigorous one, on the 6-D set.
+    /// The rigorous margin of the six-dimensional wrench set.
     Capacity,
-    /// The paper's: force part and moment part each on its own.
+    /// The paper's margin: forces and moments separately.
     Projected,
 }
 
-/// How wrench feasibility of a motion is judged.
+/// How the wrench feasibility of a motion is checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum RuleSpec {
-    /// Every point of the motion is proved.
+    /// Every point of the motion is proved feasible.
     Certified,
-    /// The cells of a grid that the motion crosses.
+    /// The grid cells that the motion crosses are checked.
     Grid,
 }
 
-/// Which points of a grid decide about a position.
+/// The grid points that decide the feasibility of a position.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
@@ -372,11 +374,11 @@ pub enum MembershipSpec {
     /// All eight corners of its cell.
     #[default]
     Corners,
-    /// The point nearest to it. The paper's.
+    /// The nearest grid point, as in the paper.
     Nearest,
 }
 
-/// What is asked: from where to where, and how the platform is turned all the way.
+/// The planning query: start, goal, and the orientation held along the whole path.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -387,13 +389,13 @@ pub struct QuerySpec {
     /// Position of the platform's origin at the goal, world, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal: Option<[f64; 3]>,
-    /// How the platform is turned all the way: a world-from-platform unit quaternion, w x y z, or the name of one of the
-    /// scene's orientations; default no turn.
+    /// Orientation held along the whole path: a world-from-platform unit quaternion, w x y z, or the name of one of the
+    /// scene's orientations; default: no rotation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationSource>,
 }
 
-/// A way to turn the platform, world-from-platform.
+/// A named orientation of the platform, world-from-platform.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -406,12 +408,12 @@ pub struct OrientationSpec {
     /// The same in degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy_degrees: Option<[f64; 3]>,
-    /// The turn as a unit quaternion, w x y z.
+    /// The rotation as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
 }
 
-/// An orientation by name or in place.
+/// The name of an orientation, or a quaternion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
@@ -429,7 +431,7 @@ impl From<[f64; 4]> for OrientationSource {
 }
 
 impl<'de> Deserialize<'de> for OrientationSource {
-    // By hand, as files in `file_or_inline`.
+    // Written by hand for the same reason as `file_or_inline`.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Visitor;
         impl<'de> de::Visitor<'de> for Visitor {

@@ -72,7 +72,7 @@ fn end(key: &str, given: Option<Point>, of_scene: Option<Point>) -> Result<Point
     match given {
         Some(point) => body::point(key, point.into()),
         None => of_scene.ok_or_else(|| {
-            let problem = format!("found none, expected a position; give query.{key} in the scene");
+            let problem = format!("found none, expected a position; set query.{key} in the scene");
             Error::invalid(format!("query.{key}"), problem)
         }),
     }

@@ -1,4 +1,4 @@
-//! The list of all planners with their options: typed for code, and as plain settings for files and command lines.
+//! All planners with their options: as types for code, and as plain settings for files and the command line.
 
 use rand::Rng;
 #[cfg(feature = "schema")]
@@ -26,7 +26,7 @@ pub enum Planner {
     /// A first path quickly, then shorter ones.
     #[default]
     Anytime,
-    /// Connects samples directly to a tree from the start and one from the goal.
+    /// Connects samples directly to trees from start and goal.
     TwoTrees,
     /// Two trees that grow towards each other in steps.
     RrtConnect,
@@ -39,12 +39,12 @@ pub enum Planner {
 }
 
 choices!(Planner, "planner", [
-    Anytime = "anytime": "A first path at once, then shorter ones, pulled taut around the exact obstacles in the space of positions",
-    TwoTrees = "two-trees": "Samples are connected straight to a tree from the start and one from the goal: the fastest first path",
-    RrtConnect = "rrt-connect": "Two trees that grow towards each other in steps (Kuffner and LaValle)",
-    ModifiedRrt = "modified-rrt": "Samples are connected directly, the goal is tried after every change (the paper, Algorithm 3)",
-    Rrt = "rrt": "Steps towards random samples",
-    RrtStar = "rrt-star": "RRT that rewires to cheaper parents (the paper, Algorithm 1)",
+    Anytime = "anytime": "Finds a first path quickly, then shorter ones by sampling, subdivision and string pulling",
+    TwoTrees = "two-trees": "Connects samples directly to trees from start and goal: the fastest first path",
+    RrtConnect = "rrt-connect": "Grows two trees towards each other in steps (Kuffner and LaValle)",
+    ModifiedRrt = "modified-rrt": "Connects samples directly and tries the goal after every change (the paper, Algorithm 3)",
+    Rrt = "rrt": "Grows in steps towards random samples",
+    RrtStar = "rrt-star": "RRT that also rewires nodes to cheaper parents (the paper, Algorithm 1)",
 ]);
 
 /// A planner with its options.
@@ -64,34 +64,35 @@ pub enum PlannerOptions {
     RrtStar(RrtStarOptions),
 }
 
-/// What can be set about a planner; what is left out has the planner's default.
+/// Settings of a planner; omitted ones take the planner's defaults.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PlannerSettings {
-    /// Random samples after which the search ends; default 20 000, with rrt-star and rrt-connect 500 000, with anytime no limit.
+    /// Stop after this many random samples; default 20 000, for rrt-star and rrt-connect 500 000, for anytime no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_samples: Option<usize>,
-    /// Nodes after which the search ends; default no limit, with rrt-connect 1 000 000.
+    /// Stop after this many nodes; default no limit, for rrt-connect 1 000 000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_nodes: Option<usize>,
-    /// Go on after the first path, until samples, nodes or time are spent.
+    /// Continue after the first path until samples, nodes or time run out.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub keep_going: bool,
-    /// Go on after the first path until it is at most this long, m.
+    /// Continue after the first path until the path is at most this long, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_cost: Option<f64>,
-    /// Go on, with anytime, until the path is at most this share longer than a lower bound of all paths: 0.01 for 1 %.
+    /// With anytime, continue until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1
+    /// %.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
-    /// Longest edge by which rrt, rrt-star and rrt-connect grow, m; default the step of rewinding, as in the paper, and
-    /// with rrt-connect a fifth of the diagonal of the box of positions.
+    /// Longest edge that rrt, rrt-star and rrt-connect add, m; default the step of rewinding, as in the paper, for
+    /// rrt-connect a fifth of the diagonal of the box of positions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extend_step: Option<f64>,
-    /// Probability of taking the goal for a sample, of rrt and rrt-star; default 0.
+    /// Probability with which rrt and rrt-star use the goal as the sample; default 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal_bias: Option<f64>,
-    /// Radius of the ball that rrt-star looks at around a new node, m; default min(γ (ln n / n)^(1/3), step).
+    /// Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), step) for n nodes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub near_radius: Option<f64>,
 }
@@ -117,8 +118,7 @@ impl PlannerOptions {
 
     /// A planner with the given settings; `step` (m) is the step of rewinding, which RRT and RRT* use by default.
     ///
-    /// # Errors
-    /// A number out of its range, or a setting that the planner does not have; the error names the key.
+    /// # Errors A number out of range, or a setting that the planner does not have; the error names the key.
     ///
     /// # Example
     /// ```
@@ -126,7 +126,7 @@ impl PlannerOptions {
     /// let settings = PlannerSettings { near_radius: Some(0.3), ..Default::default() };
     /// assert!(PlannerOptions::new(Planner::RrtStar, 0.1, &settings).is_ok());
     /// let error = PlannerOptions::new(Planner::Rrt, 0.1, &settings).unwrap_err().to_string();
-    /// assert_eq!(error, "near_radius: found 0.3, but the planner rrt has no such setting; rrt-star has");
+    /// assert_eq!(error, "near_radius: found 0.3, but the planner rrt has no such setting; only rrt-star has it");
     /// ```
     pub fn new(planner: Planner, step: f64, settings: &PlannerSettings) -> Result<Self, Error> {
         let mut options = PlannerOptions::of(planner);
@@ -147,7 +147,7 @@ impl PlannerOptions {
         Ok(options)
     }
 
-    /// Which planner it is.
+    /// The planner that these options are for.
     pub fn planner(&self) -> Planner {
         match self {
             PlannerOptions::Anytime(_) => Planner::Anytime,
@@ -183,7 +183,7 @@ impl PlannerOptions {
         }
     }
 
-    /// All settings including defaults, as recorded in files.
+    /// All settings, including defaults, as recorded in files.
     pub fn settings(&self) -> PlannerSettings {
         let limits = self.limits();
         let (step, bias, near_radius) = match self {
@@ -243,7 +243,7 @@ impl PlannerSettings {
         Ok(())
     }
 
-    /// Rejects a setting that the planner does not have, rather than ignore it.
+    /// Rejects a setting that the planner does not have rather than ignoring it.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
         for (key, found, owners) in [
             ("gap", self.gap, &[Planner::Anytime][..]),
@@ -255,7 +255,8 @@ impl PlannerSettings {
                 let verb = if owners.len() > 1 { "have" } else { "has" };
                 let owners: Vec<&str> = owners.iter().map(|owner| owner.name()).collect();
                 let (name, owners) = (planner.name(), owners.join(" and "));
-                let problem = format!("found {found}, but the planner {name} has no such setting; {owners} {verb}");
+                let problem =
+                    format!("found {found}, but the planner {name} has no such setting; only {owners} {verb} it");
                 return Err(Error::invalid(key, problem));
             }
         }

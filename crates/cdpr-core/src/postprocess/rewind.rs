@@ -24,9 +24,9 @@ pub enum Order {
 }
 
 choices!(Order, "order", [
-    Both = "both": "Both orders; the shorter result is kept",
-    Backward = "backward": "Backward rewinding, then forward",
-    Forward = "forward": "Forward rewinding, then backward",
+    Both = "both": "Rewind in both orders and keep the shorter result",
+    Backward = "backward": "Rewind backward, then forward",
+    Forward = "forward": "Rewind forward, then backward",
 ]);
 
 /// Options of [`rewind`].
@@ -110,8 +110,8 @@ pub enum Direction {
 }
 
 choices!(Direction, "direction", [
-    Backward = "backward": "From the last waypoint: Algorithm 4",
-    Forward = "forward": "From the first waypoint: Algorithm 5",
+    Backward = "backward": "From the last waypoint (the paper, Algorithm 4)",
+    Forward = "forward": "From the first waypoint (the paper, Algorithm 5)",
 ]);
 
 /// Rewinds a path once, in one direction; takes the options of [`rewind`] except order and repeats.

@@ -36,7 +36,7 @@ impl CapacityMargin {
     pub fn new(statics: Statics, required: Required) -> Result<Self, Error> {
         if statics.point_mass() && required.needs_moment() {
             let problem =
-                "found a required moment, expected none: all attachments are one point, so there is no moment";
+                "found a required moment, expected none: all attachments coincide, so the cables exert no moment";
             return Err(Error::invalid("moment", problem));
         }
         let robot = match required {

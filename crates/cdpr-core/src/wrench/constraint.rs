@@ -38,7 +38,7 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
     let cables = scene.robot().cables().len();
     if cables > MOST_WRENCH_CABLES {
         let problem =
-            format!("found {cables}, expected at most {MOST_WRENCH_CABLES} for a demand of wrench feasibility");
+            format!("found {cables}, expected at most {MOST_WRENCH_CABLES} if wrench feasibility is required");
         return Err(Error::invalid("robot.cables", problem));
     }
     let statics = Statics::new(scene.robot(), &Loads::of(scene))?;

@@ -70,7 +70,7 @@ pub fn force_set(statics: &Statics, position: &Point) -> Result<AvailableSet, Er
 /// As [`force_set`]; a point mass, which has no moments.
 pub fn moment_set(statics: &Statics, position: &Point) -> Result<AvailableSet, Error> {
     if statics.point_mass() {
-        let problem = "found a platform whose attachments are one point, expected one that cables can turn";
+        let problem = "found a platform whose attachments coincide, expected one that cables can rotate";
         return Err(Error::invalid("robot", problem));
     }
     let length = statics.characteristic_length();

@@ -68,7 +68,7 @@ impl Statics {
 
 fn undecided(position: &Point) -> Error {
     let at = [position.x, position.y, position.z];
-    Error::invalid("", format!("the solver came to no answer at {at:?}, neither yes nor no; please report this robot"))
+    Error::invalid("", format!("the solver could not decide at {at:?}; please report this with the robot"))
 }
 
 /// Everything about the wrenches of a robot at one position; see [`wrench_at`].

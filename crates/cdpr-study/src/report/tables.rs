@@ -192,7 +192,7 @@ pub(super) fn claims(study: &Study, printed: &Printed) -> String {
             found.map_or("–", |[_, low, high]| match (claim.percent > neutral, low > neutral, high < neutral) {
                 (true, true, _) | (false, _, true) => "yes",
                 (true, _, true) | (false, true, _) => "no, the other way round",
-                _ => "not told apart",
+                _ => "not distinguishable",
             });
         vec![escaped(&claim.a[0]), escaped(&claim.says), format!("{:.2}", claim.percent), here, verdict.to_string()]
     };
