@@ -1,7 +1,7 @@
-"""Collision-free path planning of cable-driven parallel robots in cluttered places.
+"""Collision-free path planning for cable-driven parallel robots in cluttered environments.
 
-A platform hangs on cables that leave fixed outlets. A path of the platform is free when platform and cables keep away
-from obstacles and from each other, all along.
+A platform hangs on cables that run to fixed outlets. A path of the platform is collision-free if, along the whole path,
+platform and cables touch neither obstacles nor each other.
 
 >>> import cdpr
 >>> cube = [[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)]

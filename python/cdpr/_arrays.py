@@ -1,4 +1,4 @@
-"""Numbers as the core takes them: float64, C-contiguous, checked for shape and finite values."""
+"""Converts numbers for the core: float64, C-contiguous, checked for shape and finite values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _Entry = TypeVar("_Entry", bound=np.generic)
 
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
-    """An (n, columns) array, copied only if it is not C-contiguous float64 already."""
+    """An (n, columns) array, copied only if it is not already C-contiguous float64."""
     array = as_numbers(name, values)
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, {columns})")
@@ -36,7 +36,8 @@ def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
 
 
 def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
-    """Give answers, one for each row of `flat_points`, the shape of its points; a single answer is a NumPy scalar."""
+    """Reshape results, one for each row of `flat_points`, to the shape of its points; a single result is a NumPy
+    scalar."""
     whole: NDArray[_Entry] = answers.reshape(shape + answers.shape[1:])[()]
     return whole
 
@@ -52,7 +53,7 @@ def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
 
 
 def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:
-    """A list of so many numbers; `parts` names them."""
+    """A list of `count` numbers; `parts` names them."""
     array = as_numbers(name, values)
     if array.shape != (count,):
         named = f": {parts}" if parts else ""
@@ -76,7 +77,8 @@ def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]
 
 
 def number(name: str, value: Any) -> float:
-    """One number, whose range the core checks. Strings and booleans are refused, even where Python would convert them."""
+    """One number, whose range the core checks. Strings and booleans are rejected, even where Python would convert
+    them."""
     found = as_numbers(name, value)
     if found.ndim:
         raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")
@@ -100,19 +102,19 @@ def finite(name: str, value: Any) -> float:
 
 
 def whole(name: str, value: int) -> int:
-    """A whole number that a seed or a count can be."""
+    """A whole number for a seed or a count."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
         raise InputError(f"{name}: found {shown(value)}, expected a whole number from 0 to 2**64 - 1")
     return int(value)
 
 
 def thread_count(threads: int | None) -> int | None:
-    """A number of threads; None is as many as there are cores."""
+    """A number of threads; None means the number of cores."""
     return None if threads is None else whole("threads", threads)
 
 
 def shown(value: Any) -> str:
-    """Describe a value in a message: short values as they are, others by their type."""
+    """Describe a value for a message: short values literally, others by their type."""
     if value is None or isinstance(value, (bool, float, np.generic)):
         return str(value)
     if isinstance(value, int):
@@ -144,7 +146,7 @@ def as_numbers(name: str, values: Any) -> Floats:
 
 
 _KINDS = {"b": "truth values", "U": "texts", "S": "bytes", "c": "complex numbers"}
-# Deeper lists are no arrays.
+# Lists nested more deeply are not arrays.
 _DEEPEST = 32
 
 
@@ -153,7 +155,7 @@ def _many(values: Any) -> bool:
 
 
 def _no_number(values: Any, depth: int = 0) -> str | None:
-    """Describe the first entry that NumPy would silently convert or drop; None if all are numbers."""
+    """Describe the first entry that NumPy would silently convert or drop; None if all entries are numbers."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
         return "masked entries"
     if isinstance(values, (list, tuple)):
@@ -167,7 +169,7 @@ def _no_number(values: Any, depth: int = 0) -> str | None:
 
 
 def _in_reach(name: str, array: Floats) -> None:
-    # Least and greatest carry NaN along, and need no array of their own.
+    # Minimum and maximum propagate NaN and need no temporary array.
     if array.size and not (array.min() >= -MAX_COORDINATE and array.max() <= MAX_COORDINATE):
         good = np.abs(array) <= MAX_COORDINATE
         index = tuple(int(i) for i in np.argwhere(~good)[0])

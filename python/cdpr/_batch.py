@@ -24,13 +24,14 @@ from .exceptions import CdprWarning, InputError
 
 Progress: TypeAlias = Callable[[int, int], object]
 
-# Ranges of trials that an executor gets: many more than workers, so that none waits long for the last one to end.
+# Number of ranges of trials given to an executor: many more than workers, so that no worker waits long for the last
+# range.
 _RANGES = 64
-# Time between two looks at whether Ctrl-C was pressed, s.
+# Time between two checks for Ctrl-C, s.
 _PATIENCE = 0.05
 
 _NAMES = ("scenario", "method", "status")
-# Text that reads like a formula has an apostrophe in front in CSV files, so that no spreadsheet runs it.
+# In CSV files, text that looks like a formula is preceded by an apostrophe, so that no spreadsheet evaluates it.
 _FORMULA = re.compile(r"^'(?=[=+\-@\t\r'])")
 _INTEGERS = {"trial": np.int64, "seed": np.uint64, "samples": np.int64}
 
@@ -42,26 +43,26 @@ class BatchResult:
     Attributes
     ----------
     name : str
-        Of the experiment.
+        Name of the experiment.
     trials : DataFrame or structured ndarray
-        A row a trial: ``scenario``, ``method``, ``trial``, ``seed``, ``status``, ``raw_cost`` and ``cost`` (m),
+        One row per trial: ``scenario``, ``method``, ``trial``, ``seed``, ``status``, ``raw_cost`` and ``cost`` (m),
         ``raw_waypoints``, ``waypoints``, ``nodes``, ``motion_checks``; numbers of unsolved trials are NaN. Planning the
-        trial's scene with its ``seed`` gives its path.
+        trial's scene with its ``seed`` reproduces its path.
     timings : DataFrame or structured ndarray
         ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``.
     history : DataFrame, structured ndarray or None
-        When the planners' paths got better, if the experiment says ``history: true``: ``scenario``, ``method``, ``trial``,
-        ``seconds`` since the search began, ``samples`` drawn by then, ``cost`` (m) before post-processing. Variants of a
-        sweep share one history, under the name of the method that is swept.
+        When the planners' paths improved, if the experiment sets ``history: true``: ``scenario``, ``method``,
+        ``trial``, ``seconds`` since the search began, ``samples`` drawn by then, ``cost`` (m) before post-processing.
+        Variants of a sweep share one history, under the name of the swept method.
     summary : DataFrame or dict
-        A row for each scenario and method: ``n``, ``solved``, and for each measure ``_mean``, ``_sd``, ``_median``,
-        ``_q05``, ``_q25``, ``_q75``, ``_q95``, ``_min``, ``_max``, ``_low`` and ``_high`` (the confidence interval of the
-        mean); of methods that are swept also ``of``, their name, and what is swept of ``step``, ``post``, ``repeats``.
-        Without pandas the dict of ``summary.json``.
+        One row per scenario and method: ``n``, ``solved``, and for each measure ``_mean``, ``_sd``, ``_median``,
+        ``_q05``, ``_q25``, ``_q75``, ``_q95``, ``_min``, ``_max``, ``_low`` and ``_high`` (the confidence interval of
+        the mean); for swept methods also ``of``, the method's name, and the swept ones of ``step``, ``post``,
+        ``repeats``. Without pandas, the dict of ``summary.json``.
     t_tests : list of dict
-        ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None where there is no number.
+        ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None if undefined.
     trials_csv : bytes
-        What ``cdpr batch`` writes to trials.csv, byte by byte.
+        Contents of the trials.csv that ``cdpr batch`` writes, byte for byte.
 
     Examples
     --------
@@ -83,7 +84,7 @@ class BatchResult:
     _rows: list[bytes]
 
     def save(self, folder: str | os.PathLike[str]) -> None:
-        """Write the folder that ``cdpr batch -o`` writes; ``cdpr report`` and ``cdpr merge`` read it.
+        """Write a folder like that of ``cdpr batch -o``; ``cdpr report`` and ``cdpr merge`` read it.
 
         Parameters
         ----------
@@ -98,7 +99,7 @@ class BatchResult:
         _core.Experiment.from_json(self._json).save(file_name(folder, "folder"), *self._range, self._rows)
 
     def __eq__(self, other: object) -> bool:
-        """Compare by value: experiment, range of trials, and rows, times among them."""
+        """Compare by value: experiment, range of trials, and rows including times."""
         if not isinstance(other, BatchResult):
             return NotImplemented
         return (self._json, self._range, self._rows) == (other._json, other._range, other._rows)
@@ -106,7 +107,7 @@ class BatchResult:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        """Say name and size."""
+        """Show name and size."""
         return f"BatchResult({self.name!r}, {len(self.trials)} rows)"
 
 
@@ -117,29 +118,29 @@ def run_batch(
     trials: int | range | None = None,
     threads: int | None = None,
 ) -> BatchResult:
-    """Run an experiment: every method in every scenario, so many trials each.
+    """Run an experiment: the given number of trials of every method in every scenario.
 
     Parameters
     ----------
     experiment : path or mapping
-        An experiment file (TOML or JSON), or what would stand in it; there a scene may be a `Scene`, a mapping, or the
-        path of a file relative to where the program runs.
+        An experiment file (TOML or JSON), or its contents; in a mapping, a scene may be a `Scene`, a mapping, or the
+        path of a file relative to the working directory.
     executor : concurrent.futures.Executor, optional
-        Where to run; default the threads of this process. Any executor will do: of threads, of processes, of a Dask
-        cluster (``Client.get_executor()``). Workers get ranges of trials as plain JSON, scenes in place, so they need
-        cdpr and no files.
+        Where to run; default: threads of this process. Any executor works: threads, processes, or a Dask cluster
+        (``Client.get_executor()``). Workers receive ranges of trials as plain JSON with inline scenes, so they need
+        cdpr but no files.
     progress : callable, optional
-        Called now and then with the number of trials done and their number, over all methods and scenarios; what it
-        raises ends the run.
+        Called now and then with the number of finished trials and the total number, over all methods and scenarios; an
+        exception in it ends the run.
     trials : int or range, optional
         Number of trials instead of the experiment's, or a range of them.
     threads : int, optional
-        Threads of this process, default as many as there are cores; on an executor threads of each task, default 1.
+        Threads of this process, default: the number of cores; with an executor, threads of each task, default 1.
 
     Returns
     -------
     BatchResult
-        Its ``trials`` do not depend on executor, workers and threads.
+        Its ``trials`` do not depend on executor, workers or threads.
 
     Raises
     ------
@@ -148,12 +149,12 @@ def run_batch(
     FileError
         A file that cannot be read.
     KeyboardInterrupt
-        After Ctrl-C. On an executor tasks that have begun run to their end, those waiting are cancelled.
+        After Ctrl-C. With an executor, running tasks finish and waiting ones are cancelled.
 
     Warns
     -----
     CdprWarning
-        Trials in which the program failed, and how; their rows have the status "failed".
+        The trials in which the program failed, with the reason; their rows have the status "failed".
 
     Examples
     --------
@@ -210,7 +211,7 @@ def _checked(experiment: str | os.PathLike[str] | Mapping[str, Any]) -> _core.Ex
 
 
 def _spelled_out(value: object) -> object:
-    """Return what stands in an experiment file for a scene or a path."""
+    """Return the value for an experiment file of a scene or a path."""
     match value:
         case Scene():
             return value.to_dict()
@@ -232,7 +233,7 @@ def _first_and_end(experiment: _core.Experiment, trials: int | range | None) -> 
 
 
 def _work(text: str, first: int, end: int, threads: int) -> tuple[list[bytes], list[str]]:
-    """Run a range of trials; in a worker, so everything in and out is plain."""
+    """Run a range of trials in a worker; input and output are plain data."""
     return _core.Experiment.from_json(text).run(first, end, threads, None)
 
 
@@ -246,7 +247,7 @@ def _on_executor(
     trials: tuple[int, int],
     threads: int,
 ) -> tuple[list[bytes], list[str]]:
-    """Hand out ranges of trials, and put their rows together in order, whichever comes first."""
+    """Distribute ranges of trials and combine their rows in order, whichever finishes first."""
     first, end = trials
     size = -(-(end - first) // _RANGES)
     text = experiment.to_json()
@@ -298,7 +299,7 @@ def _summary(facts: dict[str, Any]) -> Any:
 
 
 def summary_rows(batch: BatchResult) -> list[dict[str, Any]]:
-    """Return the rows of a summary as they are without pandas too, leaving out what does not exist."""
+    """Return the rows of a summary, leaving out undefined entries; works without pandas."""
     if isinstance(batch.summary, dict):
         return [_flat(entry) for entry in batch.summary["methods"]]
     rows: list[dict[str, Any]] = batch.summary.to_dict("records")

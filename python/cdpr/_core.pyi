@@ -1,4 +1,4 @@
-"""The compiled part of cdpr; the package around it is the interface."""
+"""The compiled part of cdpr, used by the package."""
 
 from collections.abc import Callable, Sequence
 from typing import final

@@ -1,4 +1,4 @@
-"""Distances of convex polytopes."""
+"""Distances between convex polytopes."""
 
 from __future__ import annotations
 
@@ -11,16 +11,17 @@ import numpy as np
 
 
 class Distance(float):
-    """A distance in metres, zero where the bodies meet; a float that also knows its witness points.
+    """A distance in metres, zero if the bodies intersect; a float with witness points.
 
     Attributes
     ----------
     intersects : bool
         Whether the bodies have a point in common, touching included.
     points : ndarray (2, 3)
-        Nearest points of the first and the second body; where they meet, a common point as nearly as one was found.
+        Nearest points of the first and the second body; if they intersect, a common point, as nearly as it could be
+        found.
     depth : float
-        How far one body must be moved to part them, m; 0 where they are apart or only touch.
+        How far one body must move to separate them, m; 0 if they are apart or only touch.
 
     Examples
     --------
@@ -47,7 +48,7 @@ class Distance(float):
 
 
 def distance(a: ArrayLike, b: ArrayLike) -> Distance:
-    """Distance of the convex hulls of two vertex lists: point, segment, polygon or polyhedron, in any combination.
+    """Distance between the convex hulls of two vertex lists: point, segment, polygon or polyhedron, in any combination.
 
     Parameters
     ----------
@@ -64,7 +65,7 @@ def distance(a: ArrayLike, b: ArrayLike) -> Distance:
     InputError
         Wrong shape, no vertices, numbers that are not finite.
     KeyboardInterrupt
-        On Ctrl-C, at once; the hull of many points then ends by itself, on a thread of its own.
+        On Ctrl-C, immediately; a hull of many points is then still computed to its end on a separate thread.
 
     Notes
     -----

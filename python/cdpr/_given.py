@@ -16,7 +16,7 @@ _Kind = TypeVar("_Kind")
 
 
 def text(name: str, value: Any) -> str:
-    """A string without lone surrogates, so that files can hold it."""
+    """A string without lone surrogates, so that it can be written to a file."""
     if not isinstance(value, str):
         raise InputError(f"{name}: found {shown(value)}, expected a text")
     try:
@@ -32,7 +32,7 @@ def texts(name: str, values: Any) -> list[str]:
 
 
 def several(name: str, values: Any, expected: str) -> list[Any]:
-    """The entries of a sequence; a string does not count as one."""
+    """The entries of a sequence; a string does not count as a sequence."""
     try:
         if isinstance(values, (str, bytes)):
             raise TypeError
@@ -49,7 +49,7 @@ def flag(name: str, value: Any) -> bool:
 
 
 def file_name(path: Any, name: str = "path") -> str:
-    """The name of a file, as the system takes it."""
+    """The name of a file, as the system represents it."""
     try:
         found = os.fsdecode(path)
         os.fsencode(found)
@@ -81,12 +81,13 @@ def table(name: str, value: Any) -> Mapping[str, Any]:
     return value
 
 
-# Limit of nesting, also for a table that contains itself.
+# Maximum nesting; also stops at a table that contains itself.
 _DEEPEST = 32
 
 
 def plain(place: str, value: Any, depth: int = 0, known: Callable[[Any], Any] = lambda value: value) -> Any:
-    """Convert a value to what a file can hold, arrays to lists. `place` is its key path; `known` converts further types first."""
+    """Convert a value to plain data for a file, arrays to lists. `place` is its key path; `known` converts additional
+    types first."""
     value = known(value)
     if depth > _DEEPEST:
         raise InputError(f"{place[:200]}: found tables within tables more than {_DEEPEST} deep, expected fewer")

@@ -1,4 +1,4 @@
-"""Pandas, where it is asked for."""
+"""Optional use of pandas."""
 
 from __future__ import annotations
 

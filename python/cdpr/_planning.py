@@ -1,4 +1,4 @@
-"""Planning, rewinding and checking of paths, and their files."""
+"""Planning, shortening and checking of paths, and path files."""
 
 from __future__ import annotations
 
@@ -63,44 +63,46 @@ def plan(
     ----------
     scene : Scene
     planner : {"anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
-        The anytime planner (a first path at once, then shorter ones), its search for a first path alone (two trees that connect to
-        samples directly), RRT-Connect, the paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
+        The anytime planner (a first path quickly, then shorter ones), two trees connected directly to samples (the
+        fastest first path), RRT-Connect, the paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
     seed : int
-        Everything random flows from it: the same seed gives the same path.
+        Seed of all random numbers: the same seed gives the same path.
     start, goal : array_like (3,), optional
-        Instead of the scene's, m.
+        Positions to use instead of the scene's, m.
     step : float
-        Distance of the points that rewinding tries, m; also the step of "rrt" and "rrt-star".
+        Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star".
     post : {"both", "backward", "forward", "taut", "none"}, optional
-        What is done to the planner's path: rewinding (Algorithms 4 and 5), by which direction comes first, "both" keeps
-        the shorter of the two orders; or pulling it taut as :func:`refine` does. Default "none" for "anytime", whose
-        paths are taut, "taut" for "two-trees" and "rrt-connect", and "both" for the planners of the paper.
+        Post-processing of the planner's path. "backward" and "forward" rewind it (Algorithms 4 and 5), starting in that
+        direction, and "both" keeps the shorter result of the two orders; "taut" is string pulling, as by
+        :func:`refine`. Default "none" for "anytime", which pulls its paths itself, "taut" for "two-trees" and
+        "rrt-connect", and "both" for the paper's planners.
     budget : float, optional
-        Time after which the call ends, s, compiling of the scene included; "anytime" uses all of it, and without it stops
-        by itself.
+        Time limit of the call, s, including the time to compile the scene; "anytime" uses all of it, and without it
+        stops by itself.
     repeats : int
-        How often rewinding runs.
+        Number of times that rewinding runs.
     max_samples : int, optional
-        Random samples after which the search ends; default 20 000, with "rrt-star" and "rrt-connect" 500 000.
+        Stop after this many random samples; default 20 000, for "rrt-star" and "rrt-connect" 500 000, for "anytime" no
+        limit.
     max_nodes : int, optional
-        Nodes of the tree after which it ends.
+        Stop after this many nodes of the tree.
     keep_going : bool
-        Go on after the first path, until samples, nodes or time are spent; the shortest path is kept.
+        Continue after the first path until samples, nodes or time run out; the shortest path is kept.
     target_cost : float, optional
-        Go on after the first path until it is at most this long, m.
+        Continue after the first path until the path is at most this long, m.
     gap : float, optional
-        With "anytime": go on until the path is at most this share longer than a lower bound of all paths.
+        With "anytime", continue until the path is proved to be at most this fraction longer than the shortest: 0.01 for
+        1 %.
     extend_step : float, optional
-        Longest edge by which "rrt", "rrt-star" and "rrt-connect" grow, m; default ``step``, as in the paper, and with "rrt-connect"
-        a fifth of the diagonal of the positions.
+        Longest edge that "rrt", "rrt-star" and "rrt-connect" add, m; default ``step``, as in the paper, for
+        "rrt-connect" a fifth of the diagonal of the box of positions.
     goal_bias : float, optional
-        Probability with which "rrt" and "rrt-star" take the goal for a sample; default 0.
+        Probability with which "rrt" and "rrt-star" use the goal as the sample; default 0.
     near_radius : float, optional
-        Radius of the ball that "rrt-star" looks at around a new node, m; default
-        min(γ (ln n / n)^(1/3), step) for n nodes.
+        Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), step) for n nodes.
     orientation : array_like (4,) or str, optional
-        World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, instead of the
-        scene's. Where neither says one, that with the shortest path is taken.
+        World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, to use instead of
+        the scene's. If neither selects one, the orientation with the shortest path is used.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     on_improvement : callable, optional
@@ -109,14 +111,15 @@ def plan(
     Returns
     -------
     Result
-        Every returned path has been checked once more, whole.
+        Every returned path has been rechecked as a whole.
 
     Raises
     ------
     InputError
-        A scene without start or goal where none is given, bad options, options that the planner does not have.
+        No start or goal, neither in the scene nor as an argument; bad options, or options that the planner does not
+        have.
     KeyboardInterrupt
-        On Ctrl-C, at once; but "anytime" then returns its best path, if it has one.
+        On Ctrl-C, immediately; "anytime" instead returns its best path, if it has one.
 
     Examples
     --------
@@ -221,7 +224,7 @@ def rewind(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Path:
-    """Shorten anyone's path by backward and forward rewinding; the result is valid and never longer.
+    """Shorten a path from any source by backward and forward rewinding; the result is valid and never longer.
 
     Parameters
     ----------
@@ -229,15 +232,15 @@ def rewind(
     waypoints : array_like (k, 3), k >= 2
         Positions of the platform's origin, world, m; every segment must be valid.
     step : float
-        Distance of the points tried along each segment, m.
+        Distance between the points tried along each segment, m.
     order : {"both", "backward", "forward"}
         Which direction comes first; "both" keeps the shorter of the two.
     repeats : int
-        How often the pair of rewindings runs.
+        Number of times that the pair of rewindings runs.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
-        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+        Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -270,7 +273,7 @@ def refine(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Path:
-    """Pull anyone's path taut: a shortest path of its kind, valid and never longer.
+    """Shorten a path from any source by string pulling; the result is locally shortest, valid and never longer.
 
     Parameters
     ----------
@@ -280,12 +283,13 @@ def refine(
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
-        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+        Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
     Path
-        First and last waypoint as given. It bends only at edges of what is forbidden in the space of positions.
+        First and last waypoint as given. The path bends only at edges of the forbidden regions in the space of
+        positions.
 
     Raises
     ------
@@ -303,7 +307,7 @@ def refine(
 
 
 def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
-    """Anyone's path, checked."""
+    """A path from any source, checked."""
     return _shortened(scene, waypoints, "none", 1.0, 1, engine, interference)
 
 
@@ -324,18 +328,18 @@ def _shortened(
 
 
 def lower_bound(scene: Scene, *, start: ArrayLike | None = None, goal: ArrayLike | None = None) -> float:
-    """Return a length that no valid path falls below, m: the straight line or better.
+    """Return a lower bound on the length of every valid path, m: the straight line or better.
 
     Parameters
     ----------
     scene : Scene
     start, goal : array_like (3,), optional
-        Instead of the scene's, m.
+        Positions to use instead of the scene's, m.
 
     Returns
     -------
     float
-        Infinite where it is certain that there is no path. It takes some milliseconds.
+        Infinite if it is certain that there is no path. The computation takes some milliseconds.
 
     Examples
     --------
@@ -355,17 +359,18 @@ def check(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Report:
-    """Check a path, or a single position: every violation with culprits, place and margin, and the nearest approach.
+    """Check a path or a single position: report every violation (bodies involved, place, margin) and the nearest
+    approach.
 
     Parameters
     ----------
     scene : Scene
     waypoints : array_like (k, 3) or (3,)
-        Positions of the platform's origin, world, m; one alone is looked at as it stands.
+        Positions of the platform's origin, world, m; a single one is checked as a position.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
-        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+        Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -393,7 +398,7 @@ def check(
 
 
 def _path_or_position(waypoints: ArrayLike | Path) -> Floats:
-    """The rows of a path; those of a position are a path that stays there."""
+    """The rows of a path; a single position becomes a path that stays there."""
     if isinstance(waypoints, Path):
         return path_rows("waypoints", waypoints)
     flat, shape = flat_points("waypoints", waypoints)
@@ -408,21 +413,22 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
     path : path
         .json or .csv.
     scene : Scene, optional
-        A file that says it was planned for another scene is met with an `AnotherSceneWarning`.
+        If the file was planned for another scene, an `AnotherSceneWarning` is issued.
     strict : bool
-        Refuse such a file.
+        Raise an error for such a file instead.
 
     Returns
     -------
     Path
-        It stands for its waypoints wherever an array (k, 3) is expected.
+        Can be passed wherever an array (k, 3) of waypoints is expected.
 
     Raises
     ------
     FileError
         It cannot be read, or its name has another extension.
     InputError
-        Bad contents; a path at an orientation that the scene does not have; with ``strict``, one of another scene.
+        Bad contents; a path at an orientation that the scene does not have; with ``strict``, a path planned for another
+        scene.
 
     Examples
     --------

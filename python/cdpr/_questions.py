@@ -1,4 +1,4 @@
-"""Queries of a scene: validity, clearance, violations. `Scene` takes these functions as its methods."""
+"""Queries of a scene: validity, clearance, violations. These functions are methods of `Scene`."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def states_valid(
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether the platform may be at each position.
+    """Whether each position of the platform is valid.
 
     Parameters
     ----------
@@ -70,13 +70,13 @@ def motions_valid(
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether the platform may go straight from each start to its end, at fixed orientation.
+    """Whether each straight motion of the platform, at fixed orientation, is valid.
 
     Parameters
     ----------
     starts, ends : array_like (..., 3)
-        Positions of the platform's origin, world, m, one for each other, or one for all. C-contiguous float64 is not
-        copied.
+        Positions of the platform's origin, world, m: one end for each start, or a single one for all. C-contiguous
+        float64 is not copied.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
         "swept" is the paper's stricter rule for pairs of cables.
@@ -111,7 +111,7 @@ def _paired(starts: Floats, ends: Floats) -> tuple[Floats, Floats, Shape]:
 
 
 def clearance(self: Scene, points: ArrayLike, *, threads: int | None = None) -> Floats:
-    """Signed clearance of each position: the least gap in the world between what must not touch.
+    """Signed clearance of each position: the smallest gap between bodies that must not touch.
 
     Parameters
     ----------
@@ -123,9 +123,10 @@ def clearance(self: Scene, points: ArrayLike, *, threads: int | None = None) -> 
     Returns
     -------
     ndarray of float (...)
-        Metres, a NumPy scalar for a single position: minus the penetration depth where bodies overlap, 0 where cables cross,
-        infinite where there is nothing to keep away from. Pairs that may touch, or can never be as far apart as demanded, count too. Cables and what
-        they end on are left out, and so are ignored pairs and the workspace.
+        Metres, a NumPy scalar for a single position: minus the penetration depth if bodies overlap, 0 if cables cross,
+        infinite if there is nothing to collide with. Pairs that may touch, and pairs that can never keep the required
+        clearance, count too. Cables and the bodies that they end on are left out, and so are ignored pairs and the
+        workspace.
 
     Examples
     --------
@@ -153,14 +154,14 @@ def violations(
     start : array_like (3,)
         Position of the platform's origin, world, m.
     end : array_like (3,), optional
-        Where a motion from there ends, m.
+        End of a straight motion from ``start``, m; default: only the position is checked.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
     Returns
     -------
     tuple of Violation
-        Every condition that is broken, those first that are broken first; empty if nothing is wrong.
+        Every condition that is violated, in the order in which the violations begin; empty if there are none.
 
     Examples
     --------
@@ -185,12 +186,12 @@ def explain_motion(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Violation | None:
-    """Why a motion is refused: the condition it breaks first, or None if it is valid.
+    """Why a motion is invalid: the condition that it violates first, or None if it is valid.
 
     Parameters
     ----------
     start, end : array_like (3,)
-        Positions of the platform's origin, world, m; equal ones ask about a state.
+        Positions of the platform's origin, world, m; if they are equal, the position is checked.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 

@@ -1,4 +1,4 @@
-"""What planning and checking find."""
+"""Results of planning and checking."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class Path(ByValue):
     cost : float
         Length, m.
     orientation : ndarray (4,) or None
-        World-from-platform unit quaternion w x y z, held all the way; None is as in the scene. A scene that says no
-        orientation is turned to that of the path.
+        World-from-platform unit quaternion w x y z, held along the whole path; None means the scene's orientation. If
+        the scene selects no orientation, the path's is used.
 
     Examples
     --------
@@ -50,7 +50,7 @@ class Path(ByValue):
     _json: str = field(default="{}", compare=False, kw_only=True)
 
     def __post_init__(self) -> None:
-        """Take array_likes."""
+        """Convert array_likes."""
         object.__setattr__(self, "waypoints", rows("waypoints", self.waypoints))
         if not isinstance(self.cost, (float, int, np.floating)) or isinstance(self.cost, bool):
             raise InputError(f"cost: found {shown(self.cost)}, expected a number")
@@ -67,7 +67,7 @@ class Path(ByValue):
         Parameters
         ----------
         path : path
-            Its extension says which.
+            The extension selects the format.
 
         Raises
         ------
@@ -77,7 +77,7 @@ class Path(ByValue):
         _core.save_path(file_name(path), json.dumps(self._said()))
 
     def _said(self) -> dict[str, Any]:
-        """What the file says: all that is known of the path, but nothing that is known of another one."""
+        """The contents for the file: everything that is known about this path, and nothing about another one."""
         known: dict[str, Any] = json.loads(self._json)
         waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
         if known.get("orientation") in (None, turn) and known.get("waypoints") == waypoints:
@@ -87,19 +87,19 @@ class Path(ByValue):
         return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
 
     def _origin(self) -> dict[str, Any]:
-        """The scene that the path was planned for, and the name of its orientation there, as far as they are known."""
+        """The scene that the path was planned for, and the name of its orientation there, as far as these are known."""
         known: dict[str, Any] = json.loads(self._json)
         turn = None if self.orientation is None else self.orientation.tolist()
         same_turn = known.get("orientation") in (None, turn)
         return {key: known[key] for key in ("scene", "orientation_name") if same_turn and known.get(key) is not None}
 
     def to_pandas(self) -> Any:
-        """Return the waypoints as a table; it needs pandas.
+        """Return the waypoints as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            A row a waypoint: ``s``, the way along the path, and ``x``, ``y``, ``z``, world, all in m.
+            One row per waypoint: ``s``, the distance along the path, and ``x``, ``y``, ``z``, world, all in m.
 
         Examples
         --------
@@ -113,19 +113,19 @@ class Path(ByValue):
         return frame({"s": along, **_axes(self.waypoints)}, "waypoint")
 
     def __repr__(self) -> str:
-        """Say length and size."""
+        """Show length and size."""
         return f"{type(self).__name__}({self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
 
 
 class Milestone(NamedTuple):
-    """A path that was better than those before.
+    """A path that was better than all before it.
 
     Attributes
     ----------
     seconds : float
         Time since the search began, s.
     samples : int
-        Samples drawn by then.
+        Number of samples drawn by then.
     cost : float
         Length of the path, m.
 
@@ -144,14 +144,14 @@ class Milestone(NamedTuple):
 
 
 class SearchTree(NamedTuple):
-    """The tree of a planner, or several of them one after the other.
+    """The tree of a planner, or several trees, one after the other.
 
     Attributes
     ----------
     states : ndarray (n, 3)
         Position of each node, world, m.
     parents : ndarray (n,) of int64
-        Index of each node's parent; a root is its own.
+        Index of each node's parent; a root is its own parent.
 
     Examples
     --------
@@ -166,12 +166,12 @@ class SearchTree(NamedTuple):
     parents: Ints
 
     def to_pandas(self) -> Any:
-        """Return the nodes as a table; it needs pandas.
+        """Return the nodes as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            A row a node: ``x``, ``y``, ``z``, world, m, and ``parent``.
+            One row per node: ``x``, ``y``, ``z``, world, m, and ``parent``.
         """
         return frame({**_axes(self.states), "parent": self.parents}, "node")
 
@@ -184,7 +184,7 @@ class SearchTree(NamedTuple):
         return not self == other
 
     def __repr__(self) -> str:
-        """Say the size."""
+        """Show the size."""
         return f"SearchTree({_count(len(self.states), 'node')})"
 
 
@@ -194,7 +194,7 @@ def _no_tree() -> SearchTree:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result(Path):
-    """What planning found.
+    """Result of planning.
 
     Attributes
     ----------
@@ -203,31 +203,31 @@ class Result(Path):
     cost : float
         Its length, m; NaN unless solved.
     orientation : ndarray (4,)
-        World-from-platform unit quaternion w x y z, held all the way.
+        World-from-platform unit quaternion w x y z, held along the whole path.
     status : str
         "solved", "budget_spent", "start_invalid" or "goal_invalid".
     orientation_name : str or None
-        Name of the orientation, if the scene has one for it.
+        Name of the orientation, if the scene names it.
     raw_waypoints : ndarray (k, 3)
-        The planner's path before rewinding, m.
+        The planner's path before post-processing, m.
     raw_cost : float
         Its length, m; NaN unless solved.
     reason : Violation or None
         Why the start or goal is invalid.
     min_clearance : dict or None
         Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
-        clearance that this pair is held to, m. Exempt pairs count.
+        clearance required of this pair, m. Exempt pairs are included.
     min_clearance_not_exempt : dict or None
-        The same of the pairs that are not exempt, where some are.
+        The same for the pairs that are not exempt, if some are exempt.
     exempt : tuple of Exemption
-        Pairs that are not held to the clearance of their kind.
+        Pairs that are exempt from the clearance of their kind.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
     history : tuple of Milestone
-        When the planner's path got better, first to last.
+        When the planner's path improved, first to last.
     tree : SearchTree
-        The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if start
-        or goal is invalid; path files do not hold it.
+        The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if
+        start or goal is invalid; path files do not contain it.
 
     Examples
     --------
@@ -257,18 +257,18 @@ class Result(Path):
         return self.status == "solved"
 
     def history_to_pandas(self) -> Any:
-        """Return when the planner's path got better as a table; it needs pandas.
+        """Return the history of the planner's path as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            A row a milestone: ``seconds``, ``samples``, ``cost`` (m).
+            One row per milestone: ``seconds``, ``samples``, ``cost`` (m).
         """
         columns = {name: [getattr(entry, name) for entry in self.history] for name in Milestone._fields}
         return frame(columns, "milestone")
 
     def __repr__(self) -> str:
-        """Say what was found, or why nothing was."""
+        """Show the path's length and size, or why there is none."""
         if self.solved:
             return f"Result({self.status!r}, {self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
         return f"Result({self.status!r}{'' if self.reason is None else f', {self.reason}'})"
@@ -276,29 +276,29 @@ class Result(Path):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Report(ByValue):
-    """What was found about a path.
+    """Result of checking a path.
 
     Attributes
     ----------
     valid : bool
-        Whether nothing is violated.
+        Whether there are no violations.
     length : float
         Metres.
     violations : tuple of Violation
         In order along the path.
     min_clearance : dict or None
-        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the clearance that this pair
-        is held to, m. Exempt pairs count.
+        Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
+        clearance required of this pair, m. Exempt pairs are included.
     min_clearance_not_exempt : dict or None
-        The same of the pairs that are not exempt, where some are.
+        The same for the pairs that are not exempt, if some are exempt.
     exempt : tuple of Exemption
-        Pairs that are not held to the clearance of their kind: ``valid`` does not mean that they keep it.
+        Pairs that are exempt from the clearance of their kind: ``valid`` does not mean that they keep it.
     min_wrench_margin : dict or None
-        On scenes with ``[wrench]`` the least margin beyond what is demanded: ``value``, ``unit``, ``measure``, ``segment``,
-        ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
+        For scenes with ``[wrench]``: the smallest margin beyond the required one: ``value``, ``unit``, ``measure``,
+        ``segment``, ``at``, and the cables that limit it, ``at_greatest`` and ``at_least``.
     tension_range : dict or None
-        On scenes with ``[wrench]`` the least and the greatest tension, ``min`` and ``max``: ``value`` (N), ``cable``,
-        ``segment``, ``at``. None where the loads cannot be balanced everywhere.
+        For scenes with ``[wrench]``: the smallest and the largest tension, ``min`` and ``max``: ``value`` (N),
+        ``cable``, ``segment``, ``at``. None if the loads cannot be balanced everywhere.
 
     Examples
     --------
@@ -318,12 +318,12 @@ class Report(ByValue):
     tension_range: Mapping[str, Any] | None = None
 
     def to_pandas(self) -> Any:
-        """Return the violations as a table; it needs pandas.
+        """Return the violations as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            A row a violation, its attributes as columns; `Violation` says what they are.
+            One row per violation, with the attributes of `Violation` as columns.
 
         Examples
         --------
@@ -337,7 +337,7 @@ class Report(ByValue):
         return frame({name: [getattr(entry, name) for entry in self.violations] for name in names}, "violation")
 
     def __repr__(self) -> str:
-        """Say what was found."""
+        """Show validity and length."""
         found = "valid" if self.valid else _count(len(self.violations), "violation")
         return f"Report({found}, {self.length:.4f} m)"
 

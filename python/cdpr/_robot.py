@@ -22,36 +22,36 @@ Unit: TypeAlias = Literal["mm", "cm", "m", "in", "ft"]
 
 
 class Robot(Immutable):
-    """A cable robot: a platform of convex parts, hung on straight cables.
+    """A cable robot: a platform of convex parts that hangs on straight cables.
 
     Parameters
     ----------
     outlets : array_like (m, 3)
         Where the cables leave the frame, world, m.
     attachments : array_like (m, 3)
-        Where they meet the platform, platform frame, m.
+        Where the cables are attached to the platform, platform frame, m.
     platform : array_like (k, 3), mesh, mapping, or sequence of them
         Corners of each convex part, platform frame, m; a part may be flat, a segment or a point. A mesh is any object
-        with ``vertices`` and ``faces``, as those of trimesh; a mapping is a table of a robot file; see `Scene`.
+        with ``vertices`` and ``faces``, such as those of trimesh; a mapping is a table of a robot file; see `Scene`.
     tensions : array_like (2,) or (m, 2), optional
-        Least and largest tension, N, for all cables or each.
+        Minimum and maximum tension, N, of all cables or of each.
     mass : float, optional
         Mass of the platform, kg.
     center_of_mass : array_like (3,), optional
-        Platform frame, m; default the origin.
+        Centre of mass, platform frame, m; default the origin.
     cable_names : sequence of str (m,), optional
-        For messages and tables; default "cable 0", "cable 1" and so on.
+        Names used in messages and tables; default "cable 0", "cable 1" and so on.
     diameters : array_like () or (m,), optional
-        Of all cables or each, m; default 0.
+        Diameters of all cables or of each, m; default 0.
     lengths : array_like (2,) or (m, 2), optional
-        Least and largest length between outlet and attachment, m, of all cables or each.
+        Minimum and maximum length between outlet and attachment, m, of all cables or of each.
     name : str, optional
-        For messages and pictures.
+        Name used in messages and figures.
 
     Raises
     ------
     InputError
-        Wrong shapes, numbers that are not finite, an attachment inside a part, limits out of order, a name twice.
+        Wrong shapes, numbers that are not finite, an attachment inside a part, limits out of order, duplicate names.
 
     Examples
     --------
@@ -101,16 +101,16 @@ class Robot(Immutable):
         lengths: ArrayLike | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Robot:
-        """Return a robot that differs in what is given; this one stays as it is.
+        """Return a copy of the robot with the given changes.
 
         Parameters
         ----------
         outlets, attachments : array_like (m, 3), optional
-            As in the class; the number of cables stays.
+            As in the class; the number of cables cannot change.
         platform : array_like, mesh, mapping, or sequence of them, optional
             All parts.
         tensions, mass, center_of_mass, cable_names, diameters, lengths, name : optional
-            As in the class; None takes them away.
+            As in the class; None removes them.
 
         Returns
         -------
@@ -119,7 +119,7 @@ class Robot(Immutable):
         Raises
         ------
         InputError
-            As the class; another number of cables.
+            As for the class; a different number of cables.
 
         Examples
         --------
@@ -139,14 +139,14 @@ class Robot(Immutable):
     __replace__ = replace  # copy.replace of Python 3.13
 
     def cable_lengths(self, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
-        """Lengths of the cables, from outlet to attachment; they need neither mass nor tension limits.
+        """Lengths of the cables, from outlet to attachment; requires neither a mass nor tension limits.
 
         Parameters
         ----------
         positions : array_like (..., 3)
             Positions of the platform's origin, world, m; a path is (k, 3).
         orientation : array_like (4,), optional
-            World-from-platform unit quaternion w x y z, such as that of a scene; default no turn.
+            World-from-platform unit quaternion w x y z, such as that of a scene; default: no rotation.
 
         Returns
         -------
@@ -189,7 +189,7 @@ class Robot(Immutable):
 
     @classmethod
     def _of_sound(cls, spec: dict[str, Any]) -> Robot:
-        """Make a robot of what has been checked already."""
+        """Make a robot from values that have already been checked."""
         robot = cls.__new__(cls)
         robot._spec = spec
         return robot
@@ -249,12 +249,12 @@ class Robot(Immutable):
 
     @property
     def name(self) -> str:
-        """Name, or "robot"."""
+        """The name, or "robot"."""
         return str(self._spec.get("name", "robot"))
 
     @property
     def cable_names(self) -> tuple[str, ...]:
-        """Names of the cables; those without one are "cable 0", "cable 1" and so on."""
+        """Names of the cables; cables without a name are "cable 0", "cable 1" and so on."""
         return tuple(cable.get("name") or f"cable {k}" for k, cable in enumerate(self._spec["cables"]))
 
     @property
@@ -269,7 +269,7 @@ class Robot(Immutable):
 
     @property
     def tensions(self) -> Floats:
-        """Least and largest tension of each cable, (m, 2), N; NaN where none are given."""
+        """Minimum and maximum tension of each cable, (m, 2), N; NaN if not given."""
         return self._of_cables("tension", [np.nan, np.nan])
 
     @property
@@ -279,7 +279,7 @@ class Robot(Immutable):
 
     @property
     def lengths(self) -> Floats:
-        """Least and largest length of each cable, (m, 2), m; 0 and infinity where none are given."""
+        """Minimum and maximum length of each cable, (m, 2), m; 0 and infinity if not given."""
         return self._of_cables("length", [0.0, np.inf])
 
     def _of_cables(self, key: str, missing: Any) -> Floats:
@@ -300,7 +300,7 @@ class Robot(Immutable):
         return Robot._of_sound, (self._spec,)
 
     def __repr__(self) -> str:
-        """Say name and size."""
+        """Show name and size."""
         return f"Robot({self.name!r}, {len(self._spec['cables'])} cables)"
 
 
@@ -312,7 +312,7 @@ def import_robot(
     platform: str | os.PathLike[str] | None = None,
     units: Unit = "m",
 ) -> Robot:
-    """Import a robot of another program.
+    """Import a robot from another program.
 
     Parameters
     ----------
@@ -320,23 +320,24 @@ def import_robot(
         CASPR: the cables file or the bodies file of a model, or their folder. Gazebo
         (https://github.com/oKermorgant/cdpr): its YAML file.
     bodies : path, optional
-        CASPR's bodies file, where it does not stand beside the cables file under the same name.
+        CASPR's bodies file, if it is not beside the cables file under the same name.
     cable_set : str, optional
-        CASPR's set of cables; default the one that the file names.
+        CASPR's cable set; default: the file's own default.
     platform : path, optional
-        Mesh of the platform in its frame (.stl or .obj); default what the source says, or the hull of the attachments.
+        Mesh of the platform in the platform frame (.stl or .obj); default: the shape in the source, or the hull of the
+        attachments.
     units : {"mm", "cm", "m", "in", "ft"}
         Unit of that mesh.
 
     Returns
     -------
     Robot
-        A `CdprWarning` lists what was not carried over.
+        A `CdprWarning` lists everything that was not carried over.
 
     Raises
     ------
     InputError
-        The file makes no sense; the message names the element and its line.
+        Bad contents; the message names the element and its line.
 
     Examples
     --------
@@ -368,7 +369,7 @@ _OF_ROBOT: dict[str, Callable[[Any], Any]] = {
     "center_of_mass": lambda value: point("center_of_mass", value),
     "name": lambda value: text("name", value),
 }
-# The key of a cable in a file, and its entries from the argument of this name.
+# For each argument, the key of a cable in a file and the function that makes its entries.
 _OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
     "outlets": ("outlet", lambda value, _: rows("outlets", value).tolist()),
     "attachments": ("attachment", lambda value, _: rows("attachments", value).tolist()),
@@ -380,7 +381,7 @@ _OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
 
 
 def _put_cables(cables: list[dict[str, Any]], given: Mapping[str, Any]) -> None:
-    """Set what is given of each cable, or take it away where that is None."""
+    """Set the given values of each cable; None removes them."""
     for argument, value in given.items():
         key, entries_of = _OF_CABLES[argument]
         if isinstance(value, Kept):

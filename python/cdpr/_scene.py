@@ -23,42 +23,42 @@ from .exceptions import CdprWarning, InputError
 
 
 class Scene(Immutable):
-    """A robot among obstacles in a workspace, with the question asked of it.
+    """A robot among obstacles in a workspace, with a planning query.
 
     Parameters
     ----------
     robot : Robot
     obstacles : mapping of str to array_like, mesh or mapping
         Corners of each convex obstacle, (k, 3), world, m; a concave one is a sequence of several such arrays. A mesh,
-        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), as those of trimesh:
-        convex parts that cover it stand for it, and a `CdprWarning` tells how far they reach beyond it. A mapping is a
-        table of a scene file, such as ``{"box": [1, 1, 2], "position": [0, 0, 1]}``.
+        concave or not, is any object with ``vertices`` (n, 3), world, m, and ``faces`` (m, 3), such as those of
+        trimesh: it is replaced by convex parts that cover it, and a `CdprWarning` states how far they extend beyond it.
+        A mapping is a table of a scene file, such as ``{"box": [1, 1, 2], "position": [0, 0, 1]}``.
     workspace : array_like (2, 3)
-        Smallest and largest coordinates that every platform corner must stay within, m.
+        Smallest and largest coordinates, m; every platform corner must stay within this box.
     start, goal : array_like (3,), optional
         Positions of the platform's origin, world, m.
     orientation : array_like (4,) or str, optional
-        World-from-platform unit quaternion w x y z, held all the way, or the name of one of `orientations`. Without it
-        planning takes the one of those with the shortest path, paths are checked at their own, and everything else
-        takes the first, with a `CdprWarning`; without any, no turn.
+        World-from-platform unit quaternion w x y z, held along the whole path, or the name of one of `orientations`. If
+        omitted, planning uses the one of `orientations` with the shortest path, paths are checked at their own
+        orientation, and everything else uses the first, with a `CdprWarning`; without `orientations`, no rotation.
     orientations : mapping of str to array_like (4,) or mapping, optional
         Named orientations: quaternions as above, or tables of a scene file, such as ``{"rpy_degrees": [0, 0, 90]}``.
     clearance : float, default 0
-        Least distance to keep between whatever must not touch, m.
+        Minimum distance between bodies that must not touch, m.
     clearances : mapping of str or tuple of str to float, optional
-        Clearances that differ from it, m: of a kind, "platform_obstacle", "cable_obstacle", "cable_platform" or
-        "cable_cable", or of a pair of names such as ``("cable 1", "pillar")``, which comes before its kind.
+        Clearances that differ from ``clearance``, m: of a kind, "platform_obstacle", "cable_obstacle", "cable_platform"
+        or "cable_cable", or of a pair of names such as ``("cable 1", "pillar")``, which takes precedence over its kind.
     touch : iterable of tuple of str, optional
-        Pairs of names that may touch, but not enter each other, such as ``("platform", "conveyor")``.
+        Pairs of names that may touch but not overlap, such as ``("platform", "conveyor")``.
     ignore : iterable of tuple of str, optional
         Pairs of names that are not checked against each other.
     gravity : array_like (3,), optional
         World axes, m/s²; default (0, 0, -9.81).
     wrench : mapping, optional
-        Demand of wrench feasibility, as the table ``[wrench]`` of a scene file: ``{"force": 50, "moment": 5}`` asks for
-        balls of 50 N and 5 N·m, ``{}`` for the weight alone. Without it forces are not asked for.
+        Requirements on wrench feasibility, as in the table ``[wrench]`` of a scene file: ``{"force": 50, "moment": 5}``
+        requires balls of 50 N and 5 N·m, ``{}`` the weight alone. If omitted, wrench feasibility is not checked.
     name : str, optional
-        For messages and pictures.
+        Name used in messages and figures.
 
     Raises
     ------
@@ -139,7 +139,7 @@ class Scene(Immutable):
         Parameters
         ----------
         spec : mapping
-            As :meth:`to_dict` returns it, the robot in place.
+            As :meth:`to_dict` returns it, with an inline robot.
 
         Returns
         -------
@@ -170,18 +170,18 @@ class Scene(Immutable):
         Returns
         -------
         dict
-            A copy, the robot in place; :meth:`from_dict` takes it.
+            A copy, with an inline robot, as accepted by :meth:`from_dict`.
         """
         copy: dict[str, Any] = json.loads(self._core.to_json())
         return copy
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a scene file, the robot in place.
+        """Write a scene file with an inline robot.
 
         Parameters
         ----------
         path : path
-            .toml or .json. A scene without a name has that of its file when it is loaded again.
+            .toml or .json. A scene without a name is named after its file when it is loaded again.
 
         Raises
         ------
@@ -208,34 +208,34 @@ class Scene(Immutable):
         wrench: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Scene:
-        """Return a scene that differs in what is given; this one stays as it is.
+        """Return a copy of the scene with the given changes.
 
         Parameters
         ----------
         robot : Robot, optional
         obstacles : mapping or None, optional
-            All obstacles, as in the class; None takes them away. See also `with_obstacle` and `without`.
+            All obstacles, as in the class; None removes them. See also `with_obstacle` and `without`.
         workspace : array_like (2, 3), optional
             Smallest and largest coordinates, m.
         start, goal : array_like (3,) or None, optional
-            Positions of the platform's origin, world, m; None takes them away.
+            Positions of the platform's origin, world, m; None removes them.
         orientation : array_like (4,), str or None, optional
-            World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None is the first
-            of those, or no turn.
+            World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None means the
+            first of those, or no rotation.
         orientations : mapping or None, optional
-            All named orientations, as in the class; None takes them away.
+            All named orientations, as in the class; None removes them.
         clearance : float, optional
             Metres.
         clearances : mapping or None, optional
-            All clearances by kind and pair, as in the class; None takes them away.
+            All clearances by kind and pair, as in the class; None removes them.
         touch, ignore : iterable of tuple of str or None, optional
-            All such pairs; None takes them away.
+            All such pairs; None removes them.
         gravity : array_like (3,) or None, optional
-            World axes, m/s²; None is (0, 0, -9.81).
+            World axes, m/s²; None means (0, 0, -9.81).
         wrench : mapping or None, optional
-            Demand of wrench feasibility, as in the class; None takes it away.
+            Requirements on wrench feasibility, as in the class; None removes them.
         name : str or None, optional
-            None takes it away.
+            None removes it.
 
         Returns
         -------
@@ -284,13 +284,13 @@ class Scene(Immutable):
         Parameters
         ----------
         name : str
-            A new one.
+            A name that is not in use.
         obstacle : array_like (k, 3), mesh, mapping, or sequence of them
             As in the class, in its own frame, m.
         position : array_like (3,), optional
-            Where its frame stands in the world, m; default the origin.
+            Position of its frame in the world, m; default the origin.
         rpy : array_like (3,), optional
-            How it is turned there: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
+            Rotation of its frame: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
         rpy_degrees : array_like (3,), optional
             The same in degrees.
         quaternion : array_like (4,), optional
@@ -303,7 +303,8 @@ class Scene(Immutable):
         Raises
         ------
         InputError
-            A name that is taken, a place that the table of the obstacle says as well; otherwise as the class.
+            A name that is in use, a position or rotation that the obstacle's table also gives; otherwise as for the
+            class.
 
         Examples
         --------
@@ -312,25 +313,26 @@ class Scene(Immutable):
         Scene('hard1', 8 cables, 2 obstacles)
         """
         if text("name", name) in self._names():
-            raise InputError(f"name: found {name!r}, which an obstacle has already, expected a new one")
+            raise InputError(f"name: found {name!r}, which is already the name of an obstacle, expected a new one")
         placed = {"position": position, "rpy": rpy, "rpy_degrees": rpy_degrees}
         pose: dict[str, Any] = {key: point(key, value) for key, value in placed.items() if value is not None}
         if quaternion is not None:
             pose["quaternion"] = numbers("quaternion", quaternion, 4, "w x y z")
         parts = obstacle_tables(name, obstacle)
         if twice := [key for key in pose if any(key in part for part in parts)]:
-            raise InputError(f"{twice[0]}: found one in the table of the obstacle, too, expected it once")
+            raise InputError(f"{twice[0]}: also found in the table of the obstacle, expected it once")
         spec = self.to_dict()
         spec.setdefault("obstacles", []).extend({**part, **pose} for part in parts)
         return self._edited(spec)
 
     def without(self, *names: str) -> Scene:
-        """Return a scene without some obstacles, and without the pairs in ``clearances``, ``touch`` and ``ignore`` they are in.
+        """Return a scene without the named obstacles and without their pairs in ``clearances``, ``touch`` and
+        ``ignore``.
 
         Parameters
         ----------
         *names : str
-            Of obstacles.
+            Names of obstacles.
 
         Returns
         -------
@@ -339,7 +341,7 @@ class Scene(Immutable):
         Raises
         ------
         InputError
-            A name that no obstacle has; the message says which one comes nearest.
+            A name that no obstacle has; the message suggests the nearest one.
 
         Examples
         --------
@@ -395,13 +397,13 @@ class Scene(Immutable):
 
     @property
     def wrench(self) -> Mapping[str, Any] | None:
-        """Demand of wrench feasibility, read-only, as the table of a scene file; None where forces are not asked for."""
+        """Requirements on wrench feasibility, read-only, as in the table of a scene file; None if there are none."""
         demand = self.to_dict().get("wrench")
         return None if demand is None else MappingProxyType(demand)
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is special about the scene: what was warned of, and how meshes became convex parts."""
+        """Remarks about the scene: the warnings issued, and how meshes were replaced by convex parts."""
         return tuple(self._core.notes())
 
     @property
@@ -411,7 +413,7 @@ class Scene(Immutable):
 
     @property
     def orientation(self) -> Floats:
-        """World-from-platform unit quaternion w x y z, (4,): the query's, else the first of `orientations`."""
+        """World-from-platform unit quaternion w x y z, (4,): the one selected, else the first of `orientations`."""
         return np.array(self._core.orientation(), dtype=np.float64)
 
     @property
@@ -428,7 +430,7 @@ class Scene(Immutable):
 
     @property
     def required_clearance(self) -> float:
-        """Least distance to keep between whatever must not touch, m; `clearances` may say otherwise of a pair."""
+        """Minimum distance between bodies that must not touch, m; `clearances` may override it."""
         return float(self._spec.get("clearance", 0.0))
 
     @property
@@ -447,7 +449,7 @@ class Scene(Immutable):
 
     @property
     def touch(self) -> tuple[Names, ...]:
-        """Pairs of names that may touch, but not enter each other."""
+        """Pairs of names that may touch but not overlap."""
         return tuple((a, b) for a, b in self._spec.get("touch", []))
 
     @property
@@ -457,7 +459,7 @@ class Scene(Immutable):
 
     @property
     def name(self) -> str:
-        """Name, or "scene"."""
+        """The name, or "scene"."""
         return str(self._spec.get("name", "scene"))
 
     @property
@@ -482,7 +484,7 @@ class Scene(Immutable):
 
     @classmethod
     def _of_sound(cls, text: str) -> Scene:
-        """Make a scene of what has been checked already, without telling its notes again."""
+        """Make a scene from values that have already been checked, without repeating its warnings."""
         scene = cls.__new__(cls)
         scene._keep(_core.Scene.from_json(text))
         return scene
@@ -492,7 +494,7 @@ class Scene(Immutable):
         return Scene._of_sound, (self._core.to_json(),)
 
     def __repr__(self) -> str:
-        """Say name and size."""
+        """Show name and size."""
         cables = len(self._spec["robot"]["cables"])
         parts = self._spec.get("obstacles", [])
         count = len({part.get("name", k) for k, part in enumerate(parts)})

@@ -26,19 +26,19 @@ class Mesh(ByValue):
     Attributes
     ----------
     name : str
-        The culprits, as in "cable 3 / pillar".
+        The names of the bodies, as in "cable 3 / pillar".
     kind : str
-        The condition broken in the region: "cable-obstacle" for shadows, "platform-obstacle", "cable-platform" or
-        "cable-cable".
+        The condition that is violated in the region: "cable-obstacle" for shadows, "platform-obstacle",
+        "cable-platform" or "cable-cable".
     culprits : tuple of str
-        Whom the region keeps apart.
+        Names of the bodies that collide in the region.
     vertices : ndarray (n, 3) of float64
         Corners, world, m.
     triangles : ndarray (m, 3) of int64
         Corners of each triangle, counter-clockwise seen from outside, as indices into ``vertices``.
     volume : float
-        m³. Each convex part of a concave body is a closed piece of its own, and where pieces overlap all of them count;
-        0 for two cables, whose region is flat and has two sides.
+        m³. Each convex part of a concave body is a separate closed piece, and overlapping pieces all count. 0 for two
+        cables, whose region is flat and has two sides.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Mesh(ByValue):
     volume: float
 
     def __repr__(self) -> str:
-        """Say who is kept apart, and the size."""
+        """Show name, kind and size."""
         return f"Mesh({self.name!r}, {self.kind}, {len(self.triangles)} triangles, {self.volume:.4g} m³)"
 
 
@@ -66,25 +66,25 @@ def shadows(
     cables: str | Sequence[str] | None = None,
     obstacles: str | Sequence[str] | None = None,
 ) -> dict[str, Mesh]:
-    """Compute the shadow that each obstacle casts from each outlet: where the end of that cable cannot be.
+    """Compute the shadow of each obstacle seen from each outlet: where the end of that cable cannot be.
 
     Parameters
     ----------
     scene : Scene
     space : {"attachment", "position"}, optional
-        "attachment": where the end of the cable cannot be; the shadow starts at the obstacle and is cut at the
-        workspace. "position": where the platform's origin cannot be, cut at the positions where the platform is inside
-        the workspace. Default "attachment", or "position" with ``all_regions``.
+        "attachment": where the end of the cable cannot be; the shadow begins at the obstacle and is clipped to the
+        workspace. "position": where the platform's origin cannot be, clipped to the positions at which the platform is
+        inside the workspace. Default "attachment", or "position" with ``all_regions``.
     all_regions : bool
-        Also the regions of platform and obstacles, of cables and platform, and of pairs of cables, which exist only in
-        the space of positions.
+        Also compute the regions of platform and obstacles, of cables and platform, and of pairs of cables, which exist
+        only in the space of positions.
     cables, obstacles : str or sequence of str, optional
-        Only regions of these, by name.
+        Compute only the regions of these, by name.
 
     Returns
     -------
     dict of str to Mesh
-        By name, in the order of the scene. Pairs whose contact the scene ignores and regions outside the box are left
+        Meshes by name, in the order of the scene. Pairs that the scene ignores and regions outside the box are left
         out.
 
     Raises
@@ -92,10 +92,8 @@ def shadows(
     InputError
         A name that is not in the scene, or all regions in the space of attachments.
 
-    Notes
-    -----
-    The region of the paper's Figure 3. Clearance, cable diameters and length limits are not part of the meshes: with
-    them the regions have round edges.
+    Notes ----- The region of the paper's Figure 3. The meshes do not include clearances, cable diameters and length
+    limits, which would round their edges.
 
     Examples
     --------
@@ -145,18 +143,18 @@ def save_shadows(
     cables: str | Sequence[str] | None = None,
     obstacles: str | Sequence[str] | None = None,
 ) -> None:
-    """Write the regions of :func:`shadows` to a file, by its extension.
+    """Write the regions of :func:`shadows` to a file; its extension selects the format.
 
-    .obj has an object for each region; .ply numbers the faces by region; .stl has no names and is in single precision
+    .obj has one object per region; .ply numbers the faces by region; .stl has no names and is in single precision
     (about seven digits); .html is a page that shows the regions in the scene, and opens offline. Regions share no
-    vertices: a reader that merges equal ones joins what touches.
+    vertices; a reader that merges equal vertices joins regions that touch.
 
     Parameters
     ----------
     path : path
     scene : Scene
     space : {"attachment", "position"}, optional
-        This and what follows as in :func:`shadows`.
+        This and the following parameters are as in :func:`shadows`.
     all_regions : bool
     cables, obstacles : str or sequence of str, optional
 

@@ -16,7 +16,8 @@ from .exceptions import InputError
 
 @runtime_checkable
 class TriangleMesh(Protocol):
-    """What has ``vertices`` (n, 3) and ``faces`` (m, 3), counter-clockwise seen from outside; trimesh's meshes have."""
+    """Any object with ``vertices`` (n, 3) and ``faces`` (m, 3), counter-clockwise seen from outside, such as a mesh of
+    trimesh."""
 
     @property
     def vertices(self) -> Any:
@@ -32,7 +33,7 @@ Bodies: TypeAlias = Body | Sequence[Body]
 
 
 def obstacle_tables(name: str, obstacle: Bodies) -> list[dict[str, Any]]:
-    """One table per part; all of them carry the name."""
+    """One table per part, all with the same name."""
     place = f"obstacles[{text('obstacles', name)!r}]"
     parts = bodies(place, obstacle)
     if any("name" in part for part in parts):
@@ -41,7 +42,7 @@ def obstacle_tables(name: str, obstacle: Bodies) -> list[dict[str, Any]]:
 
 
 def bodies(place: str, given: Bodies) -> list[dict[str, Any]]:
-    """One table per part of what is one body, or a sequence of bodies: corners (k, 3), meshes, tables of a file."""
+    """One table per part of a body or of a sequence of bodies: corners (k, 3), meshes, tables of a file."""
     if _single(given):
         return [body_table(f"{place}[0]", cast(Body, given))]
     several_bodies = several(place, given, "corners (k, 3), a mesh, a table, or several of them")
@@ -61,7 +62,7 @@ def _single(given: Any) -> bool:
 
 
 def body_table(place: str, body: Body) -> dict[str, Any]:
-    """The table of a body, from its corners or its mesh, or as it is."""
+    """The table of a body, from its corners, its mesh, or a table."""
     if isinstance(body, Mapping):
         copy: dict[str, Any] = plain(place, body)
         return copy
@@ -81,7 +82,7 @@ def body_table(place: str, body: Body) -> dict[str, Any]:
 
 
 def orientation_tables(orientations: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """The table of orientations, from quaternions by name, or from the turn as a table of a file says it."""
+    """The table of orientations, from quaternions or tables of a file by name."""
     named = table("orientations", orientations).items()
     return [{"name": text("orientations", name)} | _turn(f"orientations[{name!r}]", turn) for name, turn in named]
 
@@ -126,7 +127,7 @@ def _names(place: str, pair: Any) -> list[str]:
 
 
 class Kept(Enum):
-    """Stands for what is not given where None means something."""
+    """The default of arguments for which None has a meaning of its own."""
 
     KEPT = "as it is"
 
@@ -150,7 +151,7 @@ QUERY: dict[str, Callable[[Any], Any]] = {
 
 
 def put(spec: dict[str, Any], key: str, value: Any, entry: Callable[[Any], Any]) -> None:
-    """Set a key, or take it away where the value is None, or leave it where nothing was given."""
+    """Set a key; remove it if the value is None; keep it if no value was given."""
     if value is None:
         spec.pop(key, None)
     elif not isinstance(value, Kept):

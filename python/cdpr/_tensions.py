@@ -1,4 +1,4 @@
-"""What the cables do at a position and along a path of a scene."""
+"""Tensions, lengths and margins at a position and along a path of a scene."""
 
 from __future__ import annotations
 
@@ -21,16 +21,17 @@ from ._values import ByValue
 
 @dataclass(frozen=True, eq=False, repr=False)
 class WrenchReport(ByValue):
-    """What the cables can do at a position.
+    """What the cables can balance at a position.
 
     Attributes
     ----------
     feasible : bool
-        Whether planning with the same demand allows the position: full rank, and all that is required is available.
+        Whether planning with the same requirements accepts the position: full rank, and all required wrenches are
+        available.
     balanced : bool
-        Whether tensions within the limits balance weight and load alone.
+        Whether tensions within the limits can balance weight and load alone.
     rank, full_rank : int
-        Rank of the wrench matrix, and the highest there can be: 6, or 3 for a point mass.
+        Rank of the wrench matrix, and the highest possible rank: 6, or 3 for a point mass.
     holding : str
         What follows from the rank and the directions of the cables: "fully_constrained" (they pull against each other),
         "suspended" (they need a load, such as the weight, to pull against) or "underconstrained" (no tensions resist some
@@ -38,19 +39,21 @@ class WrenchReport(ByValue):
     free_motions : tuple of str
         The motions that no tensions resist, world axes, such as "turning about z".
     free_twists : ndarray (full_rank - rank, 6)
-        The same as velocity of the platform's origin and rate of turning, m/s and rad/s, the largest number 1.
+        The same as velocity of the platform's origin and angular velocity, m/s and rad/s, scaled so that the largest
+        entry is 1.
     capacity_margin, force_margin, moment_margin : float
         N, N, N·m; NaN where there is none. See `capacity_margin` and its like.
     at_greatest, at_least : tuple of str
-        Cables at their greatest and least tension where the capacity ends.
+        Cables at their maximum and minimum tension on the facet that limits the capacity margin.
     cables : tuple of str
         Names of the cables, in the order of what follows.
     lengths : ndarray (m,)
         Of each cable, m.
     tensions : ndarray (m,)
-        Of each cable, N: those nearest to the middle of the limits that balance weight and load; NaN if there are none.
+        Of each cable, N: the tensions nearest to the middle of the limits that balance weight and load; NaN if there
+        are none.
     wrench_matrix : ndarray (6, m)
-        As `wrench_matrix` gives it.
+        As returned by `wrench_matrix`.
 
     Examples
     --------
@@ -79,7 +82,7 @@ class WrenchReport(ByValue):
     wrench_matrix: Floats
 
     def __repr__(self) -> str:
-        """Say what is held."""
+        """Show feasibility, rank and what follows from it."""
         verdict = "feasible" if self.feasible else "not feasible"
         return f"WrenchReport({verdict}, rank {self.rank} of {self.full_rank}, {self.holding.replace('_', ' ')})"
 
@@ -87,12 +90,12 @@ class WrenchReport(ByValue):
 def wrench_at(
     scene: Scene, position: ArrayLike, *, force: float | None = None, moment: float | None = None
 ) -> WrenchReport:
-    """Say what the cables can balance at a position, as ``cdpr wrench --at`` does.
+    """Compute what the cables can balance at a position, like ``cdpr wrench --at``.
 
     Parameters
     ----------
     scene : Scene
-        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+        Its robot, gravity, orientation, and the loads and requirements of its ``[wrench]`` are used.
     position : array_like (3,)
         Of the platform's origin, world, m.
     force, moment : float, optional
@@ -142,7 +145,7 @@ class Tensions(ByValue):
     Attributes
     ----------
     s : ndarray (n,)
-        Way along the path, m.
+        Distance along the path, m.
     positions : ndarray (n, 3)
         World, m.
     lengths : ndarray (n, m)
@@ -171,12 +174,12 @@ class Tensions(ByValue):
     cables: tuple[str, ...]
 
     def to_pandas(self) -> Any:
-        """Return the rows as a table; it needs pandas.
+        """Return the rows as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            As the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), ``length of cable 0 (m)`` and
+            Like the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), ``length of cable 0 (m)`` and
             ``tension of cable 0 (N)`` for each cable by its name, ``capacity_margin``, ``force_margin`` (N),
             ``moment_margin`` (N·m).
 
@@ -196,7 +199,7 @@ class Tensions(ByValue):
         return frame(columns)
 
     def __repr__(self) -> str:
-        """Say the size."""
+        """Show the size."""
         rows_, cables = self.tensions.shape
         return f"Tensions({rows_} rows, {cables} cables, {self.s[-1] if rows_ else 0.0:.4f} m)"
 
@@ -209,20 +212,20 @@ def tensions_along(
     reference: Sequence[float] | None = None,
     strict: bool = False,
 ) -> Tensions:
-    """Compute lengths, tensions and margins at even steps along a path, its end included.
+    """Compute lengths, tensions and margins at even steps along a path, including its end.
 
     Parameters
     ----------
     scene : Scene
-        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+        Its robot, gravity, orientation, and the loads and requirements of its ``[wrench]`` are used.
     waypoints : array_like (k, 3), k >= 2
         Positions of the platform's origin, world, m.
     step : float
-        Distance of the rows, m.
+        Distance between rows, m.
     reference : sequence of float (m,), optional
         As in `tension_distribution`.
     strict : bool
-        Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+        Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
     Returns
     -------
@@ -231,8 +234,8 @@ def tensions_along(
     Raises
     ------
     InputError
-        A robot without mass or tension limits (`Robot.cable_lengths` needs neither), a step that is not positive, fewer
-        than two waypoints; with ``strict``, a path that was planned for another scene.
+        A robot without mass or tension limits (`Robot.cable_lengths` requires neither), a step that is not positive,
+        fewer than two waypoints; with ``strict``, a path that was planned for another scene.
 
     Examples
     --------

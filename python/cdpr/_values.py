@@ -1,4 +1,4 @@
-"""Values with arrays in them: when they are equal, and what can be hashed."""
+"""Equality and hashing of values that contain arrays."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def same(a: Any, b: Any) -> bool:
 
 
 def frozen(value: Any) -> Hashable:
-    """What JSON can say, in a form that can be hashed; equal values have equal ones."""
+    """JSON data in a hashable form; equal values have equal forms."""
     if isinstance(value, Mapping):
         return frozenset((key, frozen(entry)) for key, entry in value.items())
     return tuple(map(frozen, value)) if isinstance(value, (list, tuple)) else value
 
 
 class Immutable:
-    """Something that a table says in full and that never changes."""
+    """An immutable object that is fully described by a table."""
 
     _spec: dict[str, Any]
 
@@ -43,16 +43,16 @@ class Immutable:
         return hash(frozen(self._spec))
 
     def __copy__(self) -> Self:
-        """Return the thing itself."""
+        """Return the object itself."""
         return self
 
     def __deepcopy__(self, memo: object) -> Self:
-        """Return the thing itself."""
+        """Return the object itself."""
         return self
 
 
 class ByValue:
-    """A dataclass whose fields, arrays among them, are compared by value; as a list it cannot be hashed."""
+    """A dataclass whose fields, including arrays, are compared by value; like a list, it cannot be hashed."""
 
     def __eq__(self, other: object) -> bool:
         """Compare by value."""

@@ -76,7 +76,7 @@ class View:
         return f"View({len(self.html) // 1000} kB)"
 
     def _repr_html_(self) -> str:
-        # A frame of its own, so that the page and the notebook cannot touch each other.
+        # A separate frame, so that the page and the notebook cannot affect each other.
         return (
             f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts allow-downloads" title="cdpr" '
             f'style="width: 100%; height: {_INLINE_HEIGHT}px; border: 0"></iframe>'

@@ -1,4 +1,4 @@
-"""What is wrong with a motion."""
+"""Violations of a motion, and exemptions of a scene."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 @dataclass(frozen=True, repr=False)
 class Violation:
-    """A condition that a motion breaks.
+    """A condition that a motion violates.
 
     Attributes
     ----------
@@ -18,34 +18,34 @@ class Violation:
     kind : str
         "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle" or "wrench".
     culprits : tuple of str
-        Who is involved, by the names of the scene; cables count from 0.
+        Names of the bodies involved; cables count from 0.
     margin : float or None
-        Gap less what is required, m: never positive.
+        Gap minus the required gap, m: never positive.
     segment : int
-        Which segment of a path, counting from 0.
+        Segment of the path, counting from 0.
     wrench_margin : float or None
-        For the kind "wrench": margin less demand, in ``unit``, where it is least.
+        For the kind "wrench": margin minus the required margin, in ``unit``, at its minimum.
     unit : str or None
         "N" or "N·m".
     measure : str or None
-        What it is measured by: "capacity", "force" or "moment".
+        The margin that is meant: "capacity", "force" or "moment".
     rank, full_rank : int or None
-        Rank of the wrench matrix there, and the highest there can be: 6, or 3 for a point mass.
+        Rank of the wrench matrix there, and the highest possible rank: 6, or 3 for a point mass.
     holding : str or None
-        What follows from it: "fully_constrained", "suspended" or "underconstrained"; see `WrenchReport`.
+        What follows from the rank: "fully_constrained", "suspended" or "underconstrained"; see `WrenchReport`.
     free_motions : tuple of str
         The motions that no tensions resist, such as "turning about z".
     at_greatest, at_least : tuple of str
-        Cables at their greatest and least tension there.
+        Cables at their maximum and minimum tension there.
     corner : tuple of float or None
-        Corner of the grid cell for which the grid rule refused, m.
+        Corner of the grid cell that the grid rule rejected, m.
     unproved : bool
-        For the kind "wrench": nothing is known to be lacking, but what is left is too little to prove that nothing is.
+        For the kind "wrench": no deficit was found, but the margin is too small to prove that there is none.
     gap : float or None
-        Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
-        and the length of a cable the room left. None for the kind "wrench".
+        Smallest gap over the motion, m: between surfaces, or minus the penetration depth if bodies overlap; for the
+        workspace and cable lengths, the remaining room. None for the kind "wrench".
     required : float or None
-        What the gap would have to be, m.
+        Required gap, m.
 
     Examples
     --------
@@ -75,7 +75,7 @@ class Violation:
     required: float | None = None
 
     def __repr__(self) -> str:
-        """Say what is in whose way, where, and how badly."""
+        """Show the kind, the bodies involved, the place and the margin."""
         parts = [f"{self.kind!r}", " / ".join(self.culprits), f"at {self.at:.4f} of segment {self.segment}"]
         if self.margin is not None:
             parts.append(f"margin {self.margin:.4f} m")
@@ -99,22 +99,22 @@ def violation_from(values: Mapping[str, Any]) -> Violation:
 
 @dataclass(frozen=True)
 class Exemption:
-    """A pair that is not held to the clearance of its kind.
+    """A pair that is exempt from the clearance of its kind.
 
     Attributes
     ----------
     pair : tuple of str
-        Two names of the scene.
+        Names of the two bodies.
     reason : str
-        "unattainable" (at no position can the pair be as far apart; it must still not touch, if it can keep from that),
-        "touch" (the scene lets it touch, but not enter each other) or "ignore" (not checked at all).
+        "unattainable" (the pair cannot keep the clearance at any position; it must still not touch, if that is
+        possible), "touch" (the scene lets the pair touch but not overlap) or "ignore" (not checked at all).
     demanded : float
-        The clearance that would have to be kept otherwise, m.
+        The clearance that would otherwise be required, m.
     attainable : float or None
-        For "unattainable" the largest gap at any position, m; negative where thick cables overlap everywhere.
+        For "unattainable": the largest gap at any position, m; negative if thick cables overlap everywhere.
     gap : float or None
-        Nearest approach of the pair on the path, m; None where it is not measured: ignored pairs, and those that touch by
-        construction.
+        Nearest approach of the pair on the path, m; None if it is not measured, for ignored pairs and for pairs that
+        touch by construction.
 
     Examples
     --------

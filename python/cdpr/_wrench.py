@@ -1,4 +1,4 @@
-"""Wrenches: what the cables can exert, how far that is from what they must, and with which tensions."""
+"""Wrenches: what the cables can exert, its margin over what is required, and the tensions."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike 
     positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     orientation : array_like (4,), optional
-        World-from-platform unit quaternion w x y z; default no turn.
+        World-from-platform unit quaternion w x y z; default: no rotation.
 
     Returns
     -------
@@ -77,7 +77,7 @@ def capacity_margin(
     characteristic_length: float = 1.0,
     threads: int | None = None,
 ) -> Floats:
-    """Least slack between what the cables can exert and what they must, over all facets of the available wrench set.
+    """Capacity margin: the smallest slack of the required wrenches over all facets of the available wrench set.
 
     Parameters
     ----------
@@ -90,30 +90,29 @@ def capacity_margin(
     vertices : array_like (k, 6), optional
         Corners of a required polytope instead of the balls, N and N·m, on top of the balancing wrench.
     load : array_like (6,), optional
-        A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
     gravity : array_like (3,), optional
         World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
     orientation : array_like (4,), optional
-        World-from-platform unit quaternion w x y z; default no turn.
+        World-from-platform unit quaternion w x y z; default: no rotation.
     characteristic_length : float
-        Length that turns moments into forces, m.
+        Length that converts moments to forces, m.
     threads : int, optional
         Default all cores; the answers do not depend on it.
 
     Returns
     -------
     ndarray (...)
-        A NumPy scalar for a single position. N. Where it is not negative, all that is required is available; NaN where a cable has no length. Of a point mass
-        the three force rows count.
+        Margins, N; a NumPy scalar for a single position. If a margin is not negative, all required wrenches are
+        available; NaN where a cable has no length. For a point mass only the three force rows count.
 
     Raises
     ------
     InputError
         A robot without mass or tension limits, negative radii, a moment required of a point mass.
 
-    Notes
-    -----
-    The paper's section 3.3 made rigorous: forces and moments count together. See ``docs/wrench.md``.
+    Notes ----- A rigorous form of the paper's section 3.3: forces and moments are considered together. See
+    ``docs/wrench.md``.
 
     Examples
     --------
@@ -137,9 +136,9 @@ def force_margin(
     orientation: ArrayLike | None = None,
     threads: int | None = None,
 ) -> Floats:
-    """Radius of the largest ball of forces around the balancing one that the cables can exert, whatever their moment.
+    """Radius of the largest ball of forces around the balancing force that the cables can exert, with any moment.
 
-    This is the paper's effective force set. It is optimistic: exerting a force may bring a moment along.
+    This is the paper's effective force set. It is optimistic: a force may come with a moment.
 
     Parameters
     ----------
@@ -155,7 +154,7 @@ def force_margin(
     Returns
     -------
     ndarray (...)
-        A NumPy scalar for a single position. N; negative where the balancing force itself is out of reach.
+        Margins, N; a NumPy scalar for a single position. Negative where the balancing force itself is not available.
 
     Raises
     ------
@@ -182,7 +181,7 @@ def moment_margin(
     orientation: ArrayLike | None = None,
     threads: int | None = None,
 ) -> Floats:
-    """Radius of the largest ball of moments around the balancing one that the cables can exert, whatever their force.
+    """Radius of the largest ball of moments around the balancing moment that the cables can exert, with any force.
 
     Parameters
     ----------
@@ -198,7 +197,7 @@ def moment_margin(
     Returns
     -------
     ndarray (...)
-        A NumPy scalar for a single position. N·m; NaN for a point mass, which has no moments.
+        Margins, N·m; a NumPy scalar for a single position. NaN for a point mass, on which cables exert no moments.
 
     Examples
     --------
@@ -213,14 +212,14 @@ def moment_margin(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AvailableSet(ByValue):
-    """The forces, or the moments, that the cables can exert at a position, as a surface.
+    """The set of forces or of moments that the cables can exert at a position, as a surface.
 
     Attributes
     ----------
     rank : int
-        Dimension of the set; 3 has a closed surface, 2 a polygon with two sides, 1 two ends, 0 one point.
+        Dimension of the set: 3 for a closed surface, 2 for a polygon with two sides, 1 for a segment, 0 for a point.
     balance : ndarray (3,)
-        What balances weight and load, N (N·m).
+        The force (moment) that balances weight and load, N (N·m).
     margin : float
         Radius of the largest ball around ``balance`` inside the set, N (N·m); negative where the balance is outside.
     vertices : ndarray (n, 3)
@@ -241,7 +240,7 @@ class AvailableSet(ByValue):
     triangles: NDArray[np.int64]
 
     def __repr__(self) -> str:
-        """Say rank, margin and size."""
+        """Show rank, margin and size."""
         return f"AvailableSet(rank {self.rank}, margin {self.margin:.4g}, {len(self.vertices)} vertices)"
 
 
@@ -253,7 +252,7 @@ def force_set(
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
 ) -> AvailableSet:
-    """Set of the forces that the cables can exert at a position, whatever their moment: the paper's Figure 4b.
+    """Set of the forces that the cables can exert at a position, with any moment: the paper's Figure 4b.
 
     Parameters
     ----------
@@ -290,12 +289,12 @@ def moment_set(
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
 ) -> AvailableSet:
-    """Set of the moments that the cables can exert at a position, whatever their force.
+    """Set of the moments that the cables can exert at a position, with any force.
 
     Parameters
     ----------
     robot : Robot
-        With a mass and tension limits; a point mass has no moments and is refused.
+        With a mass and tension limits; not a point mass.
     position : array_like (3,)
         Of the platform's origin, about which the moments are, world, m.
     load, gravity, orientation : array_like, optional
@@ -335,7 +334,7 @@ def tension_distribution(
     characteristic_length: float = 1.0,
     threads: int | None = None,
 ) -> Floats:
-    """Tensions that balance the loads and are nearest to a reference: they minimise Σ (tᵢ − refᵢ)² within the limits.
+    """Tensions that balance the loads and are nearest to a reference: minimise Σ (tᵢ − refᵢ)² within the limits.
 
     Parameters
     ----------
@@ -350,7 +349,7 @@ def tension_distribution(
     gravity, orientation : array_like, optional
         As in `capacity_margin`.
     characteristic_length : float
-        Length that turns moments into forces, m.
+        Length that converts moments to forces, m.
     threads : int, optional
         Default all cores.
 

@@ -24,11 +24,11 @@ class WrenchMap:
     margin : ndarray (nx, ny, nz)
         Capacity margins, N; NaN where a cable has no length.
     force_margin, moment_margin : ndarray (nx, ny, nz) or None
-        N and N·m, if they were asked for.
+        N and N·m; None unless requested.
     origin : ndarray (3,)
         Position of the first node, world, m.
     step : float
-        Distance of neighbouring nodes, m.
+        Distance between neighbouring nodes, m.
     feasible : ndarray (nx, ny, nz) of bool
         Where the margin is positive.
     share, volume : float
@@ -72,12 +72,12 @@ class WrenchMap:
         return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file: .npz, which NumPy reads as well, or .vti for ParaView.
+        """Write a file: .npz, which NumPy can also read, or .vti for ParaView.
 
         Parameters
         ----------
         path : path
-            Its extension says which.
+            The extension selects the format.
 
         Raises
         ------
@@ -100,9 +100,9 @@ class WrenchMap:
         Parameters
         ----------
         path : path
-            As `save` writes it.
+            A file written by `save`.
         scene : Scene, optional
-            A map of another robot, load or demand than this scene's is refused.
+            If given, a map with another robot, load or requirement is an error.
         force, moment : float, optional
             Radii of the required balls instead of the scene's, N and N·m.
 
@@ -115,18 +115,18 @@ class WrenchMap:
         FileError
             A file that cannot be read.
         InputError
-            A file that is no map, or a map of something else.
+            A file that is not a map, or a map that does not match the scene.
         """
         core = None if scene is None else instance("scene", scene, Scene)._core
         return cls(_core.WrenchMap.load(file_name(path), core, _radius("force", force), _radius("moment", moment)))
 
     def to_pandas(self) -> Any:
-        """Return the nodes as a table; it needs pandas.
+        """Return the nodes as a table; requires pandas.
 
         Returns
         -------
         DataFrame
-            ``x``, ``y``, ``z`` (m), ``margin`` (N); where there are, ``force_margin`` (N), ``moment_margin`` (N·m).
+            ``x``, ``y``, ``z`` (m), ``margin`` (N); if computed, ``force_margin`` (N), ``moment_margin`` (N·m).
         """
         columns = {axis: self.positions[..., k].ravel() for k, axis in enumerate("xyz")}
         for name in ("margin", "force_margin", "moment_margin"):
@@ -149,7 +149,7 @@ class WrenchMap:
         return WrenchMap._from_bytes, (self._core.to_bytes(),)
 
     def __repr__(self) -> str:
-        """Say size and share."""
+        """Show size and share."""
         shape = " x ".join(map(str, self.margin.shape))
         return f"WrenchMap({shape} nodes of {self.step} m, {100 * self.share:.1f} % feasible)"
 
@@ -168,13 +168,13 @@ def wrench_map(
     Parameters
     ----------
     scene : Scene
-        Its robot, gravity, orientation, and what its ``[wrench]`` says of loads and requirements.
+        Its robot, gravity, orientation, and the loads and requirements of its ``[wrench]`` are used.
     step : float
-        Distance of neighbouring nodes, m. A map takes 8 bytes a node and margin.
+        Distance between neighbouring nodes, m. A map takes 8 bytes per node and margin.
     force, moment : float, optional
         Radii of the required balls instead of the scene's, N and N·m.
     projected : bool
-        Force and moment margins as well; they take some twenty times longer.
+        Also compute force and moment margins, which takes some twenty times longer.
     threads : int, optional
         Default all cores; the margins do not depend on it.
 
@@ -187,7 +187,7 @@ def wrench_map(
     InputError
         A robot without mass or tension limits, a step that is not positive, more nodes than fit into memory.
     KeyboardInterrupt
-        On Ctrl-C, at once.
+        On Ctrl-C, immediately.
 
     Examples
     --------

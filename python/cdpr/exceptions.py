@@ -1,4 +1,4 @@
-"""Everything that cdpr raises and warns of."""
+"""Exceptions and warnings of cdpr."""
 
 
 class CdprError(Exception):
@@ -51,7 +51,7 @@ class InternalError(CdprError, RuntimeError):
 
 
 class CdprWarning(UserWarning):
-    """Something about a scene that the user should know.
+    """A remark about a scene that the user should know.
 
     Examples
     --------
@@ -64,7 +64,7 @@ class CdprWarning(UserWarning):
 
 
 class AnotherSceneWarning(CdprWarning):
-    """A path was planned for another scene than the one it is checked against or shown in.
+    """A path was planned for a scene other than the one in which it is checked or shown.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""Planners of OMPL on the checker of this package: ``pip install 'cdpr[ompl]'``.
+"""Planners of OMPL with the collision checker of this package: ``pip install 'cdpr[ompl]'``.
 
 OMPL (Şucan, Moll and Kavraki, *The Open Motion Planning Library*, IEEE Robotics & Automation Magazine, 2012,
-https://ompl.kavrakilab.org) brings the planners; the scene brings the space of positions and says which states and
-which motions are valid. Motions are judged whole, as everywhere in this package, not by samples along them.
+https://ompl.kavrakilab.org) provides the planners; the scene provides the space of positions and decides which states
+and motions are valid. As everywhere in this package, a motion is checked as a whole, not by samples.
 
 >>> import cdpr, cdpr.ompl
 >>> from ompl import geometric
@@ -42,7 +42,7 @@ from .exceptions import InputError
 
 __all__ = ["MotionValidator", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
 
-# A motion is cut back by these shares, from the least on, until what is left of it is certainly valid.
+# A motion is shortened by these fractions, smallest first, until the rest is certainly valid.
 _CUTS = [2.0**-k for k in range(40, -1, -1)]
 
 util.setLogLevel(util.LOG_WARN)  # its default prints every step of every planner
@@ -54,7 +54,7 @@ class StateSpace(base.RealVectorStateSpace):
     Parameters
     ----------
     scene : Scene
-        The bounds are its workspace, less what the platform needs around its origin, world, m.
+        The bounds are its workspace, reduced by the extent of the platform around its origin, world, m.
 
     Raises
     ------
@@ -93,7 +93,7 @@ class StateSpace(base.RealVectorStateSpace):
         Returns
         -------
         ompl.base.State
-            It belongs to the space, which must live as long.
+            The state belongs to the space, which must outlive it.
         """
         state = self.allocState()
         state[0], state[1], state[2] = point("position", position)
@@ -101,7 +101,7 @@ class StateSpace(base.RealVectorStateSpace):
 
 
 class StateValidityChecker(base.StateValidityChecker):
-    """Says at which positions the platform may be.
+    """Decides which positions of the platform are valid.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ class StateValidityChecker(base.StateValidityChecker):
         self._valid = scene._core.motion_valid
 
     def isValid(self, state: Any) -> bool:
-        """Whether the platform may be there.
+        """Whether the state is valid.
 
         Parameters
         ----------
@@ -158,7 +158,8 @@ class StateValidityChecker(base.StateValidityChecker):
 
 
 class MotionValidator(base.MotionValidator):
-    """Says which straight motions are valid, whole: nothing is sampled, and no resolution needs to be chosen.
+    """Decides which straight motions are valid. Motions are checked as a whole: there are no samples and no resolution
+    to choose.
 
     Parameters
     ----------
@@ -188,7 +189,7 @@ class MotionValidator(base.MotionValidator):
         self._valid = scene._core.motion_valid
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
-        """Whether the platform may go straight from one state to another.
+        """Whether the straight motion between two states is valid.
 
         Parameters
         ----------
@@ -201,12 +202,12 @@ class MotionValidator(base.MotionValidator):
         return self._valid((s1[0], s1[1], s1[2]), (s2[0], s2[1], s2[2]), *self._choice)
 
     def checkMotionWithLastValid(self, s1: Any, s2: Any, last_valid: Any | None) -> tuple[bool, float]:
-        """Check a motion, and tell how far it is valid if it is not.
+        """Check a motion and return up to where it is valid.
 
         Parameters
         ----------
         s1, s2 : ompl.base.State
-            The first one is valid, as OMPL promises.
+            The first one is valid, as OMPL guarantees.
         last_valid : ompl.base.State or None
             Set to the last valid state, unless the motion is valid.
 
@@ -214,7 +215,8 @@ class MotionValidator(base.MotionValidator):
         -------
         valid : bool
         fraction : float
-            Share of the motion that is certainly valid, 0 to 1: up to the first violation, less what rounding asks for.
+            Fraction of the motion that is certainly valid, 0 to 1: up to the first violation, reduced by a margin for
+            rounding.
 
         Notes
         -----
@@ -258,13 +260,13 @@ def simple_setup(
     Returns
     -------
     ompl.geometric.SimpleSetup
-        Without a planner of its own OMPL takes RRT-Connect, or another one for other objectives than length.
+        Unless a planner is set, OMPL uses RRT-Connect, or another planner for objectives other than length.
 
     Raises
     ------
     InputError
-        A scene without start or goal where none is given, or that leaves its orientation open; a workspace that the
-        platform does not fit into.
+        No start or goal, neither in the scene nor as an argument; a scene that lists several orientations and selects
+        none; a workspace into which the platform does not fit.
 
     Examples
     --------
@@ -273,7 +275,7 @@ def simple_setup(
     >>> solve(setup, 0.2).asString()
     'Exact solution'
     """
-    instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL says no orientation: refused where the scene leaves it open
+    instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL has no orientation: an error if the scene selects none
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)
@@ -294,26 +296,26 @@ def _end(key: str, given: ArrayLike | None, own: ArrayLike | None) -> tuple[floa
 
 
 def solve(setup: Any, seconds: float = 1.0) -> Any:
-    """Run the planner, as ``setup.solve(seconds)`` does, but end on Ctrl-C whatever the planner.
+    """Run the planner like ``setup.solve(seconds)``, but stop on Ctrl-C with every planner.
 
     Parameters
     ----------
     setup : ompl.geometric.SimpleSetup
         As :func:`simple_setup` makes it.
     seconds : float
-        Time after which the search ends, s; planners that optimise use all of it.
+        Time limit of the search, s; optimising planners use all of it.
 
     Returns
     -------
     ompl.base.PlannerStatus
-        True where there is a path; it may be one that ends beside the goal, which :func:`path` refuses.
+        True if there is a path; the path may end short of the goal, in which case :func:`path` raises an error.
 
     Raises
     ------
     InputError
         A time that is not positive.
     KeyboardInterrupt
-        On Ctrl-C; what was found by then stays in ``setup``.
+        On Ctrl-C; the best result so far stays in ``setup``.
 
     Notes
     -----
@@ -336,7 +338,7 @@ def solve(setup: Any, seconds: float = 1.0) -> Any:
 
 @contextmanager
 def _ctrl_c_after(stop: Any) -> Iterator[None]:
-    """Let Ctrl-C stop what is done, and be raised only then; other threads than the main one get no signals."""
+    """Let Ctrl-C stop the work first and raise it afterwards; only the main thread receives signals."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -367,12 +369,12 @@ def path(setup: Any) -> Path:
     -------
     Path
         ``waypoints`` (k, 3), world, m, and ``cost``, its length, m, for `check`, `rewind`, `refine`, `show`, and to
-        save. It has been checked once more, whole.
+        save. It has been rechecked as a whole.
 
     Raises
     ------
     InputError
-        No path from start to goal, or a setup that is not of :func:`simple_setup`.
+        No path from start to goal, or a setup that was not made by :func:`simple_setup`.
 
     Examples
     --------

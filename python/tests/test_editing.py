@@ -94,7 +94,7 @@ def test_names_that_are_not_there_or_are_taken(hard3):
         hard3.without("west", "zzz")
     with pytest.raises(cdpr.InputError, match=r"found no obstacle 'west', expected one of \(there are none\)"):
         hard3.without("west", "south", "north").without("west")
-    with pytest.raises(cdpr.InputError, match="name: found 'west', which an obstacle has already"):
+    with pytest.raises(cdpr.InputError, match="name: found 'west', which is already the name of an obstacle"):
         hard3.with_obstacle("west", PILLAR)
 
 

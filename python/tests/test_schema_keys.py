@@ -157,7 +157,7 @@ def test_every_key_of_a_body_is_taken(robot):
         assert held == scene.replace(obstacles={"body": body}) and len(held.obstacles["body"]) >= 1, key
     with pytest.raises(cdpr.InputError, match="name of its own"):
         scene.with_obstacle("body", {"box": [1, 1, 1], "name": "other"})
-    with pytest.raises(cdpr.InputError, match="position: found one in the table"):
+    with pytest.raises(cdpr.InputError, match="position: also found in the table"):
         scene.with_obstacle("body", BODIES["position"], position=[0, 0, 0])
     with pytest.raises(cdpr.InputError, match="unknown|colour"):
         scene.with_obstacle("body", {"box": [1, 1, 1], "colour": "red"})

@@ -1,5 +1,5 @@
-//! Named choices: planners, engines, rules. A name and its help stand once, in the list of its type; files, the
-//! command line and Python all read that list.
+//! Named choices: planners, engines, rules. Each name and its help text are defined once, in the list of its type,
+//! which files, the command line and Python share.
 
 #[doc(hidden)]
 pub use serde; // for the macro
@@ -8,7 +8,7 @@ use crate::error::{Error, nearest_name};
 
 /// A type whose values are chosen by name.
 pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
-    /// What is chosen, as in messages: "engine".
+    /// What is chosen, for messages: "engine".
     const WHAT: &'static str;
     /// All values with name and help.
     const ALL: &'static [(Self, &'static str, &'static str)];
@@ -20,8 +20,7 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
 
     /// The value of a name.
     ///
-    /// # Errors
-    /// An unknown name, with the known ones and the nearest.
+    /// # Errors An unknown name; the error lists the known names and suggests the nearest.
     fn named(name: &str) -> Result<Self, Error> {
         let names = || Self::ALL.iter().map(|(_, name, _)| *name);
         Self::ALL.iter().find(|(_, known, _)| *known == name).map(|(value, ..)| *value).ok_or_else(|| {

@@ -1,5 +1,5 @@
-//! The one error type of the crate: the question was ill-posed. How a well-posed question can end is no error, see
-//! [`crate::planning::Status`].
+//! The error type of the crate. An error means that the query was ill-posed; the ways in which a well-posed query can
+//! end are not errors, see [`crate::planning::Status`].
 
 use std::borrow::Cow;
 use std::fmt;
@@ -15,13 +15,13 @@ pub struct Error {
 
 #[derive(Debug)]
 enum Kind {
-    /// A value that makes no sense; `place` is a key path such as `robot.cables[3].outlet`.
+    /// An invalid value; `place` is a key path such as `robot.cables[3].outlet`.
     Invalid { place: String, problem: String },
     /// A file that cannot be read or written.
     File { problem: String },
     /// The caller asked to stop.
     Interrupted,
-    /// The time given was over before there was any answer.
+    /// The time budget ran out before there was a result.
     OutOfTime,
     /// The program itself failed.
     Internal { problem: String },
@@ -36,14 +36,14 @@ pub enum ErrorClass {
     File,
     /// Stopped on request.
     Interrupted,
-    /// The time budget ended before there was any answer.
+    /// The time budget ran out before there was a result.
     OutOfTime,
-    /// A bug of the program, not of the input.
+    /// A bug in the program, not in the input.
     Internal,
 }
 
 impl Error {
-    /// Bad input at `place` (a key path); `problem` says what was found and what is expected.
+    /// Bad input at `place` (a key path); `problem` states what was found and what is expected.
     pub fn invalid(place: impl Into<String>, problem: impl Into<String>) -> Self {
         let (place, problem) = (place.into(), problem.into());
         Self { kind: Kind::Invalid { place, problem }, file: None }
@@ -59,7 +59,7 @@ impl Error {
         Self { kind: Kind::Interrupted, file: None }
     }
 
-    /// The time budget ended before there was any answer.
+    /// The time budget ran out before there was a result.
     pub fn out_of_time() -> Self {
         Self { kind: Kind::OutOfTime, file: None }
     }
@@ -69,13 +69,13 @@ impl Error {
         Self { kind: Kind::Internal { problem: problem.into() }, file: None }
     }
 
-    /// Names the file in which bad input stood; an inner file name is kept.
+    /// Adds the name of the file with the bad input; keeps a file name that is already there.
     pub fn in_file(mut self, path: &Path) -> Self {
         self.file.get_or_insert_with(|| path.to_path_buf());
         self
     }
 
-    /// Adds what may explain bad input to its message.
+    /// Adds hints to the message for bad input.
     pub fn with_hints(mut self, hints: &[String]) -> Self {
         if let Kind::Invalid { problem, .. } = &mut self.kind {
             hints.iter().for_each(|hint| *problem += &format!("; {hint}"));
@@ -83,7 +83,7 @@ impl Error {
         self
     }
 
-    /// Puts `prefix` before the place of bad input: `robot` and `cables[3]` give `robot.cables[3]`.
+    /// Prefixes the place of bad input: `robot` and `cables[3]` give `robot.cables[3]`.
     pub fn under(mut self, prefix: &str) -> Self {
         if let Kind::Invalid { place, .. } = &mut self.kind
             && self.file.is_none()
@@ -127,10 +127,9 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Runs work and turns a panic within it into an error. What the work was changing must not be used afterwards.
+/// Runs work and converts a panic in it to an error. Values that the work was modifying must not be used afterwards.
 ///
-/// # Errors
-/// Those of the work; [`ErrorClass::Internal`] for a panic.
+/// # Errors Errors of the work; [`ErrorClass::Internal`] for a panic.
 ///
 /// # Example
 /// ```
@@ -148,8 +147,8 @@ pub fn caught<T>(work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     })
 }
 
-/// Text from a file or a command line, fit for a terminal: what could move its cursor, change its colours or turn the
-/// direction of writing is escaped as in JSON.
+/// Makes text from a file or a command line safe for a terminal: characters that could move the cursor, change colours
+/// or reverse the writing direction are escaped as in JSON.
 ///
 /// # Example
 /// ```
@@ -165,22 +164,22 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(escaped).collect())
 }
 
-/// Control characters, line and paragraph separators, and marks that turn the direction of writing.
+/// Control characters, line and paragraph separators, and marks that change the writing direction.
 pub fn unprintable(c: char) -> bool {
     let turns = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     c.is_control() || turns || matches!(c, '\u{2028}' | '\u{2029}')
 }
 
-/// The stem of a file's name as a name that is fit for messages.
+/// The stem of a file name, made safe for messages.
 pub fn name_of_file(path: &Path) -> Option<String> {
     let stem = path.file_stem()?.to_string_lossy().replace(unprintable, " ");
     Some(stem).filter(|stem| !stem.trim().is_empty())
 }
 
-/// Longest name that a slip is looked for in: comparing takes time and memory with the square.
+/// Longest name for which typos are looked up: comparing takes quadratic time and memory.
 const LONGEST_NAME: usize = 100;
 
-/// The known name nearest to `found`, if one is near enough to be a slip of the keyboard.
+/// The known name nearest to `found`, if it is near enough for `found` to be a typo.
 pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = found.chars().take(LONGEST_NAME + 1).count();
     known

@@ -1,6 +1,6 @@
-//! Arrays of a fixed length in files. A position of four numbers is a slip, maybe a decimal comma; but the TOML reader
-//! drops what is too many without a word, and the JSON reader answers with "trailing characters". [`FixedLength`] wraps
-//! any deserializer, and counts.
+//! Arrays of fixed length in files. A position of four numbers is a mistake, perhaps a decimal comma, but the TOML
+//! reader silently drops surplus elements and the JSON reader reports "trailing characters". [`FixedLength`] wraps any
+//! deserializer and counts.
 
 use std::any::type_name;
 use std::fmt;
@@ -11,10 +11,10 @@ use serde::de::{
     Visitor,
 };
 
-/// A deserializer, or any of the helpers that serde hands around within it, that refuses arrays of another length.
+/// A deserializer, or any of serde's helpers within it, that rejects arrays of the wrong length.
 pub struct FixedLength<T>(pub T);
 
-/// Reads an array of a fixed length from within a visitor.
+/// Reads an array of fixed length within a visitor.
 pub fn from_seq<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(seq: A) -> Result<T, A::Error> {
     T::deserialize(FixedLength(SeqAccessDeserializer::new(seq)))
 }
@@ -181,7 +181,7 @@ struct Row<V> {
 }
 
 impl<V> Row<V> {
-    /// What the elements are, for messages: the arrays of the formats hold numbers or names.
+    /// The noun for the elements in messages: arrays in the formats contain numbers or names.
     fn noun<T>(count: usize) -> &'static str {
         match (type_name::<T>().contains("String"), count) {
             (true, 1) => "name",
@@ -214,7 +214,8 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for Row<V> {
     }
 }
 
-/// What the numbers are, where their count tells it: all arrays of six are wrenches, all of four are quaternions.
+/// The meaning of the numbers, if it follows from their count: all arrays of six are wrenches, all of four are
+/// quaternions.
 fn parts(length: usize) -> &'static str {
     match length {
         6 => ": fx fy fz mx my mz",

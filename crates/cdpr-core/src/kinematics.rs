@@ -7,7 +7,7 @@ use crate::geometry::{Point, Rotation};
 use crate::model::Robot;
 use crate::numerics::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 
-/// Wrench matrix of all cables with the platform's origin at `position`, turned by `orientation`: 6 × m.
+/// Wrench matrix of all cables, 6 × m, with the platform's origin at `position` and orientation `orientation`.
 ///
 /// Column i is [uᵢ ; rᵢ × uᵢ] in world axes: uᵢ the unit vector from attachment i to its outlet, rᵢ from the platform's
 /// origin to the attachment. Rows 0 to 2 are unitless, rows 3 to 5 are metres. Equilibrium is `W t + w_ext = 0`.
@@ -44,7 +44,8 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
     Ok(Matrix6xX::from_columns(&columns))
 }
 
-/// Length of each cable with the platform's origin at `position`, turned by `orientation`, m: from outlet to attachment.
+/// Length of each cable from outlet to attachment, m, with the platform's origin at `position` and orientation
+/// `orientation`.
 ///
 /// # Example
 /// ```
@@ -58,13 +59,14 @@ pub fn cable_lengths(robot: &Robot, orientation: &Rotation, position: &Point) ->
     ends.map(|(outlet, attachment)| (outlet - attachment).norm()).collect()
 }
 
-/// Rank of a wrench matrix, singular values below [`RANK_RELATIVE`] of the largest counting as zero.
+/// Rank of a wrench matrix; singular values below [`RANK_RELATIVE`] of the largest count as zero.
 pub fn rank(wrench_matrix: &Matrix6xX<f64>) -> usize {
     let singular = singular_values(wrench_matrix);
     singular.iter().filter(|s| **s > RANK_RELATIVE * singular[0]).count()
 }
 
-/// Condition number of a wrench matrix: its largest singular value over its sixth; infinite where the rank is below 6.
+/// Condition number of a wrench matrix: the ratio of its first to its sixth singular value; infinite if the rank is
+/// below 6.
 pub fn condition(wrench_matrix: &Matrix6xX<f64>) -> f64 {
     let singular = singular_values(wrench_matrix);
     if rank(wrench_matrix) == 6 { singular[0] / singular[5] } else { f64::INFINITY }

@@ -1,4 +1,4 @@
-//! The whole answer to a planning question: engine, planner, rewinding, and a last check of the path.
+//! Planning as a whole: engine, planner, post-processing, and a final check of the path.
 
 mod choosing;
 mod query;
@@ -30,13 +30,13 @@ type Improved<'a> = crate::planning::Improved<'a, Point>;
 /// What is done to a planner's path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Post {
-    /// Rewinding in both orders; the shorter result is kept.
+    /// Rewind in both orders and keep the shorter result.
     Both,
-    /// Backward rewinding, then forward.
+    /// Rewind backward, then forward.
     Backward,
-    /// Forward rewinding, then backward.
+    /// Rewind forward, then backward.
     Forward,
-    /// Pulled taut: a shortest path of its kind.
+    /// String pulling: a locally shortest path.
     Taut,
     /// Nothing.
     None,
@@ -51,7 +51,7 @@ choices!(Post, "post", [
 ]);
 
 impl Post {
-    /// What is done to the paths of a planner unless told otherwise: the paper's are rewound, as in the paper.
+    /// The default post-processing of a planner: rewinding for the paper's planners, as in the paper.
     pub fn of(planner: Planner) -> Self {
         match planner {
             Planner::Anytime => Post::None,
@@ -60,7 +60,7 @@ impl Post {
         }
     }
 
-    /// With the numbers that rewinding needs.
+    /// Adds the parameters of rewinding.
     ///
     /// # Errors
     /// As [`RewindOptions::checked`].
@@ -79,7 +79,7 @@ impl Post {
 /// A [`Post`] with its options.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Processing {
-    /// The path stays as it is.
+    /// Leave the path as it is.
     None,
     /// Algorithms 4 and 5 of the paper.
     Rewind(RewindOptions),
@@ -88,7 +88,7 @@ pub enum Processing {
 }
 
 impl Processing {
-    /// What it makes of a valid path.
+    /// Applies the processing to a valid path.
     fn of(&self, engine: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
         match self {
             Processing::None => Ok(waypoints.to_vec()),
@@ -100,24 +100,24 @@ impl Processing {
     }
 }
 
-/// How to plan; [`Query`] is the question.
+/// Options of planning; [`Query`] says from where to where.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
     /// Search method and its options.
     pub planner: PlannerOptions,
-    /// Who checks motions.
+    /// The engine that checks motions.
     pub engine: Engine,
-    /// How cables are kept from each other.
+    /// Rule for interference between cables.
     pub interference: Interference,
-    /// Everything random flows from it.
+    /// Seed of all random numbers.
     pub seed: u64,
     /// Step of rewinding, m.
     pub step: f64,
-    /// What is done to the planner's path; none is [`Post::of`] the planner.
+    /// Post-processing of the planner's path; `None` means [`Post::of`] the planner.
     pub post: Option<Post>,
-    /// Repeats of rewinding.
+    /// Number of times that rewinding runs.
     pub repeats: usize,
-    /// Time after which the call ends with the best path until then, compiling of the scene included.
+    /// Time limit of the call, including the time to compile the scene; the best path so far is returned.
     pub budget: Option<Duration>,
 }
 
@@ -143,7 +143,7 @@ impl PlanOptions {
         PlanOptions { planner: PlannerOptions::of(Planner::ModifiedRrt), ..PlanOptions::default() }
     }
 
-    /// The watch of a call that begins now.
+    /// The watch for a call that begins now.
     pub fn watch<'a>(&self, interrupted: &'a Interrupt<'a>) -> Watch<'a> {
         Watch::on(interrupted).with_budget(self.budget)
     }
@@ -169,7 +169,7 @@ pub struct Stats {
     pub post_seconds: f64,
 }
 
-/// What planning found.
+/// Result of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanResult {
     /// How it ended.
@@ -186,20 +186,20 @@ pub struct PlanResult {
     pub raw_cost: f64,
     /// The planner's tree, shared by all rewindings of its path; empty if start or goal is invalid.
     pub tree: Arc<SearchTree<Point>>,
-    /// When the planner's path got better, first to last.
+    /// When the planner's path improved, first to last.
     pub history: Vec<Milestone>,
     /// Counts and times.
     pub stats: Stats,
 }
 
-/// How much longer than the budget post-processing of the path may take: well below what a caller notices, and mostly
-/// enough to finish.
+/// How far post-processing of the path may exceed the budget: well below what a caller notices, and usually enough to
+/// finish.
 const POST_GRACE: Duration = Duration::from_millis(8);
 
-/// How much longer than the budget measuring a found path may take.
+/// How far measuring a found path may exceed the budget.
 const APPRAISAL_GRACE: Duration = Duration::from_millis(12);
 
-/// The engine that answers for a scene: its geometry, and its wrenches if it asks for them.
+/// The engine for a scene: checks its geometry and, if required, wrench feasibility.
 ///
 /// # Errors
 /// As [`crate::collision::Constraints::new`] and [`WrenchConstraint::of`].
@@ -227,18 +227,18 @@ pub fn engine_within(
     })
 }
 
-/// All there is to say about a path of a scene.
+/// The complete report on a path of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CheckReport {
     /// Its length, violations and nearest approach.
     #[serde(flatten)]
     pub path: PathReport,
-    /// Where its wrenches are scarcest and how its tensions range, if the scene asks for wrench feasibility.
+    /// Its smallest wrench margin and its range of tensions, if the scene requires wrench feasibility.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<PathWrench>,
 }
 
-/// Checks a path of a scene by the engine that [`engine_for`] gives.
+/// Checks a path of a scene with the engine from [`engine_for`].
 ///
 /// # Errors
 /// As [`path_wrench`]; [`Error::out_of_time`].
@@ -247,19 +247,19 @@ pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point], watch: &W
     Ok(CheckReport { path, wrench: path_wrench(&measures(scene)?, waypoints, watch)? })
 }
 
-/// What there is to know about a found path besides its length; what was not found in time is left out.
+/// Measurements of a found path besides its length; those not finished in time are left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Appraisal {
-    /// Its nearest approach, and what is exempt from the demanded clearance.
+    /// Its nearest approach, and the pairs exempt from the required clearance.
     pub nearest: Nearest,
-    /// Its wrenches, if the scene asks for wrench feasibility.
+    /// Its wrenches, if the scene requires wrench feasibility.
     pub wrench: Option<PathWrench>,
-    /// The length that no path falls below, m; only if asked for.
+    /// Lower bound on the length of every path, m; only if requested.
     pub lower_bound: Option<f64>,
 }
 
-/// Measures a found path, within the watch of its planning and a little longer. An interruption is no error here: the path
-/// is there, and that is what a caller who stops wants.
+/// Measures a found path, within the watch of its planning plus a short grace period. An interruption is not an error
+/// here: the path exists, and a caller who interrupts wants it.
 ///
 /// # Errors
 /// As [`path_wrench`].
@@ -289,7 +289,7 @@ pub fn appraise(
     })
 }
 
-/// An answer, or none if it was stopped or time was over first.
+/// A result, or `None` if the work was interrupted or ran out of time.
 fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
     match answer {
         Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Ok(None),
@@ -297,23 +297,19 @@ fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Erro
     }
 }
 
-/// Plans a path: compiles the scene, searches, post-processes, and checks the path once more.
+/// Plans a path: compiles the scene, searches, post-processes, and rechecks the path.
 ///
-/// Where the scene leaves the orientation open, each of [`Scene::choices`] is tried in turn, except those whose lower
-/// bound shows that no path there is shorter than the best so far; the shortest path wins. The budget begins with the
-/// call, and what is left of it is shared evenly by the orientations that are left.
+/// If the scene selects no orientation, each of [`Scene::choices`] is tried in turn, except those for which a lower
+/// bound shows that no path is shorter than the best so far; the shortest path wins. The budget begins with the call,
+/// and the remaining time is shared evenly among the remaining orientations.
 ///
-/// # Errors
-/// No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is no error: the best path
-/// so far is the answer.
+/// # Errors No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is not an
+/// error: the best path so far is returned.
 ///
 /// # Example
-/// ```
-/// use cdpr_core::plan::{PlanOptions, plan};
-/// use cdpr_core::planning::Status;
-/// let found = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result;
-/// assert_eq!(found.status, Status::Solved);
-/// assert!((found.cost - 2.435167).abs() < 1e-3); // the straight line has 1.98 m
+/// ``` use cdpr_core::plan::{PlanOptions, plan}; use cdpr_core::planning::Status; let found =
+/// plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result; assert_eq!(found.status, Status::Solved);
+/// assert!((found.cost - 2.435167).abs() < 1e-3); // the straight line is 1.98 m long
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
@@ -356,7 +352,7 @@ fn plan_by(
     post_process(engine, &raw, &processing, &Watch { deadline: grace, ..*watch })
 }
 
-/// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
+/// The planner's result before post-processing; only `raw_waypoints` holds its path.
 fn search(
     engine: &dyn Checker,
     query: &Query,
@@ -384,21 +380,18 @@ fn search(
     })
 }
 
-/// A length that no valid path between two positions falls below, m: the straight line or better; infinite where it is
-/// certain that there is no path. If time is over it is the best bound until then.
+/// Lower bound on the length of every valid path between two positions, m: the straight line or better; infinite if it
+/// is certain that there is no path. If time runs out, the best bound so far.
 ///
 /// # Errors
 /// [`Error::interrupted`].
 ///
 /// # Example
-/// ```
-/// use cdpr_core::collision::{Engine, Interference};
-/// use cdpr_core::plan::{engine_for, lower_bound};
-/// use cdpr_core::watch::Watch;
-/// let scene = cdpr_core::testing::hard1();
-/// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;
-/// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
-/// assert!(bound > 2.3 && bound < 2.435167); // the straight line has 1.98 m, the best known path 2.435167 m
+/// ``` use cdpr_core::collision::{Engine, Interference}; use cdpr_core::plan::{engine_for, lower_bound}; use
+/// cdpr_core::watch::Watch; let scene = cdpr_core::testing::hard1(); let engine = engine_for(&scene, Engine::Cspace,
+/// Interference::Exact)?; let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(),
+/// &Watch::NONE)?; assert!(bound > 2.3 && bound < 2.435167); // the straight line is 1.98 m long, the best known path
+/// 2.435167 m
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
@@ -427,7 +420,7 @@ pub fn post_process(
 }
 
 impl PlanResult {
-    /// The answer where time is over before the search could begin.
+    /// The result if time runs out before the search begins.
     pub fn out_of_time() -> Self {
         PlanResult::unsolved(Status::BudgetSpent, None, Stats::default())
     }
@@ -449,7 +442,7 @@ impl PlanResult {
     }
 }
 
-/// Checks a path for validity, all segments: a collision on a returned path would be a defect of this program.
+/// Checks all segments of a path: a collision on a returned path would be a bug in this program.
 fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
     match first_invalid_segment(engine, waypoints) {
         None => Ok(()),
@@ -459,10 +452,9 @@ fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
     }
 }
 
-/// Shortens a path of a scene, given by the user.
+/// Shortens a path given by the user.
 ///
-/// # Errors
-/// A path whose segment collides (named with the reason), bad options, [`Error::interrupted`].
+/// # Errors A segment that is not valid (the error names it and the reason), bad options, [`Error::interrupted`].
 pub fn shorten_path(
     engine: &dyn Checker,
     waypoints: &[Point],
@@ -475,7 +467,7 @@ pub fn shorten_path(
     Ok(shorter)
 }
 
-/// Rewinds a path of a scene once, in one direction, and tells every motion that was asked about.
+/// Rewinds a path of a scene once, in one direction, and records every motion that was checked.
 ///
 /// # Errors
 /// As [`shorten_path`].

@@ -1,4 +1,4 @@
-//! What a new scene could be: a box around robot and obstacles, and a question that is worth asking.
+//! Proposals for a new scene: a workspace around robot and obstacles, and a non-trivial query.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -11,16 +11,17 @@ use crate::plan::{PlanOptions, Query, engine_within, plan};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use crate::watch::{Interrupt, Watch};
 
-/// Positions drawn in search of valid ones.
+/// Random positions drawn to find valid ones.
 const DRAWN: usize = 5_000;
-/// Valid positions that are looked at in pairs.
+/// Valid positions that are considered in pairs.
 const PLACES: usize = 40;
-/// Pairs that a path is searched between.
+/// Pairs for which a path is searched.
 const TRIALS: usize = 12;
-/// Samples of such a search.
+/// Samples of each such search.
 const SAMPLES: usize = 2_000;
 
-/// The box of a new scene: around outlets and obstacles, and down to the floor, z = 0, where all of them are above it.
+/// The workspace of a new scene: the box around outlets and obstacles, extended down to the floor, z = 0, if all of
+/// them are above it.
 ///
 /// # Example
 /// ```
@@ -35,8 +36,9 @@ pub fn workspace(scene: &Scene) -> Aabb {
     whole
 }
 
-/// A start and a goal in whole centimetres between which a path exists: far apart, and the path as much longer than the
-/// straight line as was found. An end that the scene has is kept. None if none was found.
+/// A start and a goal, rounded to centimetres, between which a path exists. They are far apart and chosen so that the
+/// path is as much longer than the straight line as possible. A start or goal of the scene is kept. `None` if no such
+/// pair was found.
 ///
 /// # Errors
 /// As [`engine_within`].

@@ -1,12 +1,12 @@
-//! The forbidden regions of a scene as closed triangle meshes, named by those whom they keep apart.
+//! The forbidden regions of a scene as closed triangle meshes, named after the pairs of bodies that collide in them.
 //!
-//! At one orientation every pair of bodies forbids a region of space: an obstacle the shadow that it casts from an
-//! outlet (the paper, Figure 3), obstacle and platform their Minkowski difference, a cable and the platform a cone (a
-//! mirrored shadow, for parts that the cable is not attached to), two cables a pair of flat wedges. Their union is what
-//! planning has to avoid.
+//! At a fixed orientation every pair of bodies forbids a region of space: a cable and an obstacle the shadow of the
+//! obstacle seen from the outlet (the paper, Figure 3), obstacle and platform their Minkowski difference, a cable and
+//! the platform a cone (a mirrored shadow, for parts to which the cable is not attached), two cables a pair of flat
+//! wedges. Planning has to avoid their union.
 //!
-//! The meshes leave out clearance and cable diameters: with them the regions have round edges and are no polyhedra.
-//! They leave out limits of cable length, too, and bodies that close seams, which are as thin as rounding.
+//! The meshes do not include clearances and cable diameters, with which the regions have round edges and are not
+//! polyhedra, nor limits of cable length, nor the bodies that close seams, which are as thin as rounding errors.
 
 use serde::Serialize;
 
@@ -18,13 +18,13 @@ use crate::geometry::{Aabb, TriangleMesh, Vector, convex_mesh, wedge_mesh};
 use crate::model::Scene;
 use crate::watch::Watch;
 
-/// Where a region is drawn.
+/// The space of a region.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Space {
-    /// Where the cable's end on the platform cannot be: the shadow starts at the obstacle. Cut at the workspace.
+    /// Where the cable's end on the platform cannot be; the shadow begins at the obstacle. Clipped to the workspace.
     #[default]
     Attachment,
-    /// Where the platform's origin cannot be. Cut at the positions where the platform is inside the workspace.
+    /// Where the platform's origin cannot be. Clipped to the positions at which the platform is inside the workspace.
     Position,
 }
 
@@ -33,46 +33,46 @@ choices!(Space, "space", [
     Position = "position": "Where the platform's origin cannot be",
 ]);
 
-/// Which regions, in which space.
+/// Selects regions and their space.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RegionOptions {
     /// The space; by default [`Space::Attachment`] for shadows, [`Space::Position`] for all regions.
     pub space: Option<Space>,
-    /// Not the shadows of obstacles alone, but also the regions of platform and obstacles, of cables and platform, and
-    /// of pairs of cables; they exist in the space of positions only.
+    /// Include the regions of platform and obstacles, of cables and platform, and of pairs of cables, which exist only
+    /// in the space of positions.
     pub all: bool,
-    /// Only regions of these cables, by name; empty: no such limit.
+    /// Only regions of these cables, by name; empty for all.
     pub cables: Vec<String>,
-    /// Only regions of these obstacles, by name; empty: no such limit.
+    /// Only regions of these obstacles, by name; empty for all.
     pub obstacles: Vec<String>,
 }
 
 /// A forbidden region.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedMesh {
-    /// The culprits' names, as in "cable 3 / pillar"; no two regions have the same.
+    /// The names of the bodies, as in "cable 3 / pillar"; unique among the regions.
     pub name: String,
-    /// The condition that is broken in the region.
+    /// The condition that is violated in the region.
     pub kind: Kind,
-    /// Whom it keeps apart.
+    /// The bodies that collide in the region.
     pub culprits: Vec<String>,
-    /// Surface, world, m: one closed convex piece for each convex part, and they may overlap. That of two cables is
-    /// flat and has two sides.
+    /// Surface, world, m: one closed convex piece per convex part; pieces may overlap. The region of two cables is flat
+    /// and has two sides.
     pub mesh: TriangleMesh,
 }
 
 /// Forbidden regions of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Regions {
-    /// The space they are in.
+    /// The space of the regions.
     pub space: Space,
-    /// The box they are cut at, m.
+    /// The box to which the regions are clipped, m.
     pub within: Aabb,
     /// The regions, in the order of the scene.
     pub meshes: Vec<NamedMesh>,
 }
 
-/// A line of a summary: what there is to know of a region but its shape.
+/// Summary of a region: everything except its shape.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RegionSummary<'a> {
     /// See [`NamedMesh::name`].
@@ -85,7 +85,7 @@ pub struct RegionSummary<'a> {
     pub vertices: usize,
     /// Number of triangles.
     pub triangles: usize,
-    /// Volume, m³; where parts overlap, all of them count.
+    /// Volume, m³; overlapping parts all count.
     pub volume: f64,
 }
 
@@ -98,12 +98,12 @@ impl NamedMesh {
     }
 }
 
-/// The shadows of a scene's obstacles, and if asked for the other forbidden regions.
+/// The shadows of a scene's obstacles and, if requested, the other forbidden regions.
 ///
-/// A pair whose contact the scene ignores forbids nothing, and regions outside the box are left out.
+/// Pairs that the scene ignores have no region, and regions outside the box are left out.
 ///
-/// # Errors
-/// All regions in the space of attachments, a name that is not in the scene, and as [`Constraints::new`].
+/// # Errors All regions requested in the space of attachments, a name that is not in the scene, and the errors of
+/// [`Constraints::new`].
 ///
 /// # Example
 /// ```
@@ -147,7 +147,7 @@ pub fn regions_within(scene: &Scene, options: &RegionOptions, watch: &Watch) -> 
 }
 
 impl RegionOptions {
-    /// The space asked for, once the names are known to be in the scene.
+    /// The requested space, after checking that the names are in the scene.
     fn checked(&self, scene: &Scene) -> Result<Space, Error> {
         let cables: Vec<&str> = scene.robot().cables().iter().map(|c| c.name.as_str()).collect();
         let obstacles: Vec<&str> = scene.obstacles().iter().map(|o| o.name.as_str()).collect();
@@ -180,7 +180,7 @@ fn known(what: &str, name: &str, names: &[&str]) -> Result<(), Error> {
 }
 
 impl Regions {
-    /// Adds a piece to the region of these culprits.
+    /// Adds a piece to the region of these bodies.
     fn add(&mut self, kind: Kind, culprits: &[String], piece: &TriangleMesh) {
         if let Some(region) = self.meshes.iter_mut().find(|r| r.kind == kind && r.culprits == culprits) {
             return region.mesh.append(piece);
@@ -189,13 +189,13 @@ impl Regions {
         self.meshes.push(NamedMesh { name, kind, culprits: culprits.to_vec(), mesh: piece.clone() });
     }
 
-    /// Volume of the box that the regions are cut at, m³; 0 if it is empty.
+    /// Volume of the box to which the regions are clipped, m³; 0 if it is empty.
     pub fn box_volume(&self) -> f64 {
         (self.within.max - self.within.min).iter().map(|side| side.max(0.0)).product()
     }
 }
 
-/// A name, with a number after it if it is in use.
+/// The name, followed by a number if it is already in use.
 pub fn unused(name: &str, separator: char, in_use: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|k| format!("{name}{separator}{k}"));
     std::iter::once(name.to_string()).chain(numbered).find(|name| !in_use(name)).expect("names do not run out")
@@ -211,7 +211,7 @@ fn closes_a_seam(scene: &Scene, constraints: &Constraints, constraint: &Constrai
     }
 }
 
-/// The closed surfaces around what one constraint forbids; none if platform and obstacle have no hull.
+/// The closed surfaces of the region that one constraint forbids; none if platform and obstacle have no hull.
 fn pieces(
     constraints: &Constraints,
     constraint: &Constraint,
@@ -232,7 +232,7 @@ fn pieces(
 }
 
 /// Positions where two cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from
-/// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. Nothing with area where w and q are parallel.
+/// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. The wedges have no area if w and q are parallel.
 fn crossing_wedges(constraints: &Constraints, [i, j]: [usize; 2], within: &Aabb) -> Vec<TriangleMesh> {
     let (i, j) = (&constraints.cables[i], &constraints.cables[j]);
     let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);

@@ -1,4 +1,4 @@
-//! What there is to know about a scene before planning: sizes, ranks, special pairs, how much of the workspace is free.
+//! Facts about a scene before planning: sizes, ranks, special pairs, how much of the workspace is free.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -21,29 +21,30 @@ pub struct Survey {
     pub name: String,
     /// Name of the robot.
     pub robot: String,
-    /// Cables.
+    /// Number of cables.
     pub cables: usize,
-    /// Convex parts of the platform.
+    /// Number of convex parts of the platform.
     pub platform_parts: usize,
-    /// Obstacles by name.
+    /// Number of obstacles.
     pub obstacles: usize,
-    /// Their convex parts.
+    /// Number of convex parts of the obstacles.
     pub obstacle_parts: usize,
     /// World-from-platform quaternion of this survey, w x y z.
     pub orientation: [f64; 4],
-    /// Its name, if it has one.
+    /// Name of the orientation, if it has one.
     pub orientation_name: Option<String>,
     /// Names of the scene's orientations.
     pub orientations: Vec<String>,
-    /// Smallest and largest position at which the platform is inside the workspace, m; none if it does not fit.
+    /// Smallest and largest coordinates of the positions at which the platform is inside the workspace, m; `None` if it
+    /// does not fit.
     pub position_box: Option<[[f64; 3]; 2]>,
-    /// Least and largest rank of the wrench matrix over sampled positions.
+    /// Smallest and largest rank of the wrench matrix over sampled positions.
     pub wrench_rank: Option<[usize; 2]>,
-    /// What the cables hold where the rank is least.
+    /// Which motions the cables resist where the rank is smallest.
     pub hold: Option<Hold>,
     /// Pairs of cables that share an outlet or an attachment.
     pub sharing_pairs: Vec<[String; 2]>,
-    /// Pairs of cables that cross wherever the platform is.
+    /// Pairs of cables that cross at every position of the platform.
     pub always_crossing_pairs: Vec<[String; 2]>,
     /// Cables that end on an obstacle.
     pub outlets_on_obstacles: Vec<[String; 2]>,
@@ -51,26 +52,26 @@ pub struct Survey {
     pub interference_free: Option<f64>,
     /// Share of the positions that are valid.
     pub valid: Option<f64>,
-    /// How many positions were sampled.
+    /// Number of positions sampled.
     pub samples: usize,
     /// Why the start is invalid, if it is.
     pub start: Option<Violation>,
     /// Why the goal is invalid, if it is.
     pub goal: Option<Violation>,
-    /// Pairs that are not held to the clearance of their kind.
+    /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
-    /// Further remarks.
+    /// Other remarks.
     pub notes: Vec<String>,
 }
 
-/// Positions sampled: shares come out within half a per cent.
+/// Positions sampled: enough for shares to within half a per cent.
 const SAMPLES: usize = 20_000;
-/// Positions at which the rank is computed.
+/// Number of positions at which the rank is computed.
 const RANK_SAMPLES: usize = 200;
-/// Positions between two looks at the watch: a millisecond or so in scenes of thousands of bodies.
+/// Positions between two checks of the watch: about a millisecond in scenes of thousands of bodies.
 const AT_A_TIME: usize = 32;
 
-/// Looks a scene over.
+/// Surveys a scene.
 ///
 /// # Errors
 /// As [`engine_within`].

@@ -1,8 +1,8 @@
-//! The paper's robot and the two scenes that stand in for its Figure 9, for examples and tests.
+//! The paper's robot and two scenes in place of its Figure 9, for examples and tests.
 //!
-//! Eight outlets at the corners of a cube of 2 m, each joined to the platform corner of the same signs; a platform of
-//! 0.15 × 0.15 × 0.05 m; start (0.3, 1, 0.3), goal (1.7, 1, 1.7) (the paper, Table 1; it prints neither its cable layout
-//! nor the obstacles).
+//! Eight outlets at the corners of a cube of 2 m, each connected to the corresponding corner of the platform; a
+//! platform of 0.15 × 0.15 × 0.05 m; start (0.3, 1, 0.3), goal (1.7, 1, 1.7) (the paper, Table 1; the paper prints
+//! neither its cable layout nor the obstacles).
 
 use crate::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 
@@ -54,12 +54,12 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
     }
 }
 
-/// One pillar 0.3 × 0.3 × 1.5 m in the middle.
+/// One pillar of 0.3 × 0.3 × 1.5 m in the centre.
 pub fn hard1() -> Scene {
     scene(paper_scene("hard1", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]))
 }
 
-/// Three pillars 0.2 × 0.2 × 1.2 m.
+/// Three pillars of 0.2 × 0.2 × 1.2 m.
 pub fn hard3() -> Scene {
     let pillar = |name: &str, x: f64, y: f64| block(name, [0.2, 0.2, 1.2], [x, y, 0.6]);
     let pillars = vec![pillar("west", 0.7, 1.0), pillar("south", 1.3, 0.7), pillar("north", 1.3, 1.3)];
@@ -71,7 +71,7 @@ pub fn empty() -> Scene {
     scene(paper_scene("empty", Vec::new()))
 }
 
-/// A checked scene from a spec that is known to be right.
+/// A checked scene from a spec that is known to be valid.
 pub fn scene(spec: SceneSpec) -> Scene {
     Scene::new(spec).expect("a sound scene")
 }

@@ -1,14 +1,14 @@
-//! What may end long work early: a deadline, or a caller who wants to stop.
+//! Ways to end long work early: a deadline, or an interrupt by the caller.
 //!
-//! Everything that can take longer than some ten milliseconds takes a [`Watch`] and polls it every few milliseconds, on
-//! whatever thread it runs.
+//! Every function that can take longer than about ten milliseconds takes a [`Watch`] and polls it every few
+//! milliseconds, on any thread.
 
 use std::time::{Duration, Instant};
 
 use crate::error::Error;
 use crate::numerics::{MOST_SECONDS, MOST_THREADS};
 
-/// Tells whether the caller wants to stop; polled often, from any thread.
+/// Returns whether the caller wants to stop; polled often, from any thread.
 pub type Interrupt<'a> = dyn Fn() -> bool + Sync + 'a;
 
 /// Unit of a time budget.
@@ -39,7 +39,7 @@ pub fn time_budget(place: &str, number: f64, unit: TimeUnit) -> Result<Duration,
     };
     let most = MOST_SECONDS * per_second;
     let possible = Some(number).filter(|number| *number > 0.0 && *number <= most);
-    // What is too short for the clock rounds to nothing.
+    // A time too short for the clock rounds to zero.
     let budget = possible.map(|number| Duration::from_secs_f64(number / per_second)).filter(|b| !b.is_zero());
     budget.ok_or_else(|| {
         let expected = format!("expected a positive number of at most {most:e}; omit it for no limit");
@@ -49,8 +49,7 @@ pub fn time_budget(place: &str, number: f64, unit: TimeUnit) -> Result<Duration,
 
 /// Checks a number of threads.
 ///
-/// # Errors
-/// None, or more than [`MOST_THREADS`].
+/// # Errors Zero, or more than [`MOST_THREADS`].
 pub fn thread_count(threads: usize) -> Result<usize, Error> {
     if (1..=MOST_THREADS).contains(&threads) {
         return Ok(threads);
@@ -72,7 +71,7 @@ pub fn thread_count(threads: usize) -> Result<usize, Error> {
 /// ```
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
-    /// When to stop with what there is.
+    /// When to stop, with the best result so far.
     pub deadline: Option<Instant>,
     /// True ends the work with [`Error::interrupted`].
     pub interrupted: &'a Interrupt<'a>,
@@ -92,12 +91,12 @@ impl<'a> Watch<'a> {
         Watch { deadline: budget.and_then(|budget| Instant::now().checked_add(budget)), ..self }
     }
 
-    /// The time left until the deadline; none without a deadline.
+    /// The time left until the deadline; `None` without a deadline.
     pub fn left(&self) -> Option<Duration> {
         self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()))
     }
 
-    /// Whether the deadline has passed, for work that has an answer even if it ends early.
+    /// Whether the deadline has passed, for work that has a result even if it ends early.
     ///
     /// # Errors
     /// [`Error::interrupted`] if the caller wants to stop.
@@ -108,7 +107,7 @@ impl<'a> Watch<'a> {
         Ok(self.deadline.is_some_and(|deadline| Instant::now() >= deadline))
     }
 
-    /// For work that has no answer unless it ends.
+    /// Checks deadline and interrupt, for work that has no result unless it finishes.
     ///
     /// # Errors
     /// [`Error::interrupted`] if the caller wants to stop, [`Error::out_of_time`] if the deadline has passed.

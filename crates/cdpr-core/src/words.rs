@@ -1,4 +1,4 @@
-//! Numbers in sentences: how many of a thing, and how long.
+//! Numbers in sentences: counts and lengths.
 
 /// "1 obstacle", "3 obstacles"; `thing` in the singular.
 ///
@@ -15,7 +15,7 @@ pub fn count(number: usize, thing: &str) -> String {
     }
 }
 
-/// A length in m with three digits behind the point, from a metre on in metres, else in millimetres.
+/// A length with three decimals, in metres from 1 m on, else in millimetres.
 ///
 /// # Example
 /// ```
@@ -26,7 +26,7 @@ pub fn length(metres: f64) -> String {
     if metres.abs() >= 1.0 { format!("{metres:.3} m") } else { format!("{:.3} mm", metres * 1e3) }
 }
 
-/// As [`length`], but what is below a micrometre in micrometres, where a length that is not zero should not read as zero.
+/// As [`length`], but in micrometres below 1 µm, so that a length other than zero does not read as zero.
 ///
 /// # Example
 /// ```

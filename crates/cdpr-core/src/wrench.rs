@@ -1,5 +1,5 @@
-//! Wrench feasibility: the wrenches that the cables can exert, those that they must exert, and the margin between them (the paper,
-//! section 3.3).
+//! Wrench feasibility: the wrenches that the cables can exert, the wrenches that they must exert, and the margin
+//! between them (the paper, section 3.3).
 
 mod active_set;
 pub mod capacity;

@@ -19,7 +19,7 @@ from ._style import BLACK, COLUMN, CYCLE, GREY, styled
 
 Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
 
-# What is on an axis, and by what the numbers of a run are multiplied for it.
+# Label of the axis of each measure, and the factor for the numbers of a run.
 _AXES: dict[str, tuple[str, float]] = {
     "cost": ("path length (m)", 1.0),
     "raw_cost": ("raw path length (m)", 1.0),
@@ -36,14 +36,15 @@ _MARKERS = "os^Dv"
 
 @styled
 def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | None = None) -> Axes:
-    """Draw a measure over the step of rewinding: the mean with its confidence interval; of times median and quartiles.
+    """Draw a measure over the step of rewinding: the mean with its confidence interval; for times, the median and
+    quartiles.
 
-    What else the machine does spoils the mean of times of microseconds, but not their median.
+    Other activity on the machine distorts the mean of times of microseconds, but not their median.
 
     Parameters
     ----------
     batch : BatchResult
-        Of an experiment that sweeps the step, such as experiments/fig7.toml.
+        A run of an experiment that sweeps the step, such as experiments/fig7.toml.
     measure : str
         "reduction", "post_seconds" or another measure of the summary.
     ax : Axes, optional
@@ -87,14 +88,14 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     Parameters
     ----------
     batch : BatchResult
-        Of an experiment that sweeps the repeats, such as experiments/fig8.toml.
+        A run of an experiment that sweeps the repeats, such as experiments/fig8.toml.
     measure, ax : optional
         As in `step_sweep`.
 
     Returns
     -------
     Axes
-        The orders stand a little beside each other, so that their confidence intervals can be told apart.
+        The orders are drawn slightly offset, so that their confidence intervals can be distinguished.
 
     Examples
     --------
@@ -135,15 +136,15 @@ def boxes(
     Parameters
     ----------
     data : BatchResult, or mapping of str to array_like (n,)
-        Of a run the solved trials of every method; numbers that are NaN are left out.
+        For a run, the solved trials of every method are drawn; NaN values are left out.
     measure : str
-        What to draw of a run.
+        Measure of a run to draw.
     scenario : str, optional
-        Which scenario of a run; needed where it has several.
+        Scenario of a run; required if there are several.
     methods : sequence of str, optional
-        Which methods of a run, in this order; default all.
+        Methods of a run, in this order; default all.
     label : str, optional
-        Of the axis; default that of the measure.
+        Label of the axis; default that of the measure.
     ax : Axes, optional
         Where to draw; default a new figure of the width of a column.
 
@@ -214,7 +215,7 @@ def _finished(ax: Axes, **legend: Any) -> Axes:
 
 
 def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:
-    """Rows of a sweep by what else they differ in, in the order of the key."""
+    """Rows of a sweep grouped by their other differences, in the order of the key."""
     if not isinstance(batch, BatchResult):
         raise InputError(f"batch: found {shown(batch)}, expected a BatchResult")
     rows = [row for row in summary_rows(batch) if key in row]
@@ -235,7 +236,7 @@ def _words(key: str, value: Any) -> str:
 
 
 def _column(rows: list[dict[str, Any]], measure: str, scale: float, *statistics: str) -> list[Floats]:
-    """Each of these statistics, NaN where there is none."""
+    """Each of these statistics, NaN if undefined."""
     columns = ([row.get(f"{measure}_{name}", np.nan) for row in rows] for name in statistics)
     return [scale * np.array(column, dtype=np.float64) for column in columns]
 

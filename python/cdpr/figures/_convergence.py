@@ -1,4 +1,4 @@
-"""Cost against time: how long planners take for paths of which length."""
+"""Path length over time."""
 
 from __future__ import annotations
 
@@ -33,20 +33,20 @@ def convergence(
     best: float | None = None,
     ax: Sequence[Axes] | None = None,
 ) -> tuple[Axes, Axes]:
-    """Draw over time how much longer the best path so far is than the best known one, and how many trials have a path.
+    """Draw the excess length of the best path so far over time, and the share of trials that have a path.
 
     A line is the median over all trials, the band goes from the first to the third quartile; trials without a path yet
     count as infinitely long, so a line begins when half of the trials have a path. It ends, with a dot, when its last
-    trial ends. A trial that is post-processed takes its last step when that is done.
+    trial ends. The last step of a post-processed trial is at the end of post-processing.
 
     Parameters
     ----------
     batch : BatchResult
-        Of an experiment with ``history = true``, such as experiments/planners.toml.
+        A run of an experiment with ``history = true``, such as experiments/planners.toml.
     scenario : str, optional
-        Which scenario; needed where there are several.
+        Scenario; required if there are several.
     methods : sequence of str, optional
-        Which methods, in this order; default all.
+        Methods, in this order; default all.
     best : float, optional
         Length of the best known path, m; default the shortest path in the run, of all methods and trials, or in random
         scenes of all methods in the same trial.
@@ -117,14 +117,15 @@ def convergence(
 
 
 class _Course(NamedTuple):
-    """A trial: when its path got better (s), how much longer than the best known it then was (%), and when it ended."""
+    """A trial: when its path improved (s), its excess length over the best known path then (%), and when the trial
+    ended."""
 
     times: Floats
     excess: Floats
     ended: float
 
     def excess_at(self, instants: Floats) -> Floats:
-        """How much too long the path is by then; infinity while there is none."""
+        """Excess length of the path at that time; infinity while there is none."""
         held: Floats = np.append(np.inf, self.excess)[np.searchsorted(self.times, instants, side="right")]
         return held
 
@@ -167,7 +168,8 @@ def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> di
 
 
 def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats, Floats, float]]:
-    """When the path of each trial got better (s) and its length then (m), post-processing included; when it ended."""
+    """When the path of each trial improved (s) and its length then (m), including post-processing; when the trial
+    ended."""
     columns = {name: np.asarray(batch.history[name]) for name in ("scenario", "method", "trial", "seconds", "cost")}
     of_method = (columns["scenario"] == scenario) & (columns["method"] == method)
     found = []
@@ -181,7 +183,8 @@ def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats,
 
 
 def _ends(batch: BatchResult, scenario: str, method: str) -> list[tuple[int, float, float]]:
-    """Number of each trial, when it ended, s, and the length of its final path, m; of a sweep those of its first variant."""
+    """Number of each trial, when it ended, s, and the length of its final path, m; for a sweep, those of its first
+    variant."""
     trials, timings = batch.trials, batch.timings
     variants = [row["method"] for row in summary_rows(batch) if row.get("of", row["method"]) == method]
     mine = (np.asarray(trials["scenario"]) == scenario) & (np.asarray(trials["method"]) == variants[0])

@@ -1,4 +1,4 @@
-"""Convex solids seen from far away: which faces show, what hides what, and which part of a line is hidden."""
+"""Convex solids in parallel projection: visible faces, order of depth, and hidden parts of lines."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Solid:
 
     @cached_property
     def offsets(self) -> Floats:
-        """Of each face: normal · x <= offset inside."""
+        """Offset of each face: normal · x <= offset inside."""
         return np.array([np.max(self.vertices @ n) for n in self.normals], dtype=np.float64)
 
     @property
@@ -58,7 +58,7 @@ def normal(corners: Floats) -> Floats:
 
 
 def hidden(solid: Solid, start: Floats, end: Floats, toward: Floats) -> tuple[float, float] | None:
-    """Which part of a segment a solid hides, as fractions; None if all of it shows.
+    """The part of a segment that a solid hides, as fractions; None if all of it is visible.
 
     A point a + t (b − a) is hidden if going on by some s >= 0 towards the viewer meets the solid. Those (t, s) are a
     convex polygon, cut from a rectangle by one line for each face.
@@ -78,7 +78,7 @@ def hidden(solid: Solid, start: Floats, end: Floats, toward: Floats) -> tuple[fl
 
 
 def _cut(corners: list[tuple[float, float]], a: float, b: float, c: float) -> list[tuple[float, float]]:
-    """Keep what has a t + b s < c of a convex polygon."""
+    """Clip a convex polygon to a t + b s < c."""
     kept: list[tuple[float, float]] = []
     heights = [a * t + b * s - c for t, s in corners]
     for k, (point, height) in enumerate(zip(corners, heights, strict=True)):
@@ -106,7 +106,7 @@ def visible(solids: list[Solid], start: Floats, end: Floats, toward: Floats) -> 
 def back_to_front(solids: list[Solid], toward: Floats) -> list[Solid]:
     """Order solids so that each comes before those that hide it.
 
-    Disjoint convex solids are told apart by a face of one of them; where none tells, nearer middles come later.
+    A face of one of two disjoint convex solids decides; if none does, the solid with the nearer centre comes later.
     """
     by_depth = sorted(solids, key=lambda solid: float(solid.vertices.mean(axis=0) @ toward))
     low, high = np.array([_paper_box(solid.vertices, toward) for solid in by_depth]).reshape(-1, 2, 2).swapaxes(0, 1)
@@ -124,7 +124,7 @@ def back_to_front(solids: list[Solid], toward: Floats) -> list[Solid]:
 
 
 def _before(front: Solid, back: Solid, toward: Floats) -> bool:
-    """Whether a face of one tells that one is nearer to the eye."""
+    """Whether a face of one solid shows that the first is nearer to the eye."""
     return _beyond(back, front.vertices, back.normals @ toward > 0) or _beyond(
         front, back.vertices, front.normals @ toward < 0
     )
@@ -179,7 +179,7 @@ def faces_of_mesh(vertices: Floats, triangles: NDArray[np.int64]) -> list[Floats
 
 
 def _outlines(vertices: Floats, triangles: NDArray[np.int64]) -> list[Floats]:
-    """Outline of flat triangles that share edges; the triangles themselves where it is no single loop."""
+    """Outline of flat triangles that share edges; the triangles themselves if the outline is not a single loop."""
     edges = {(int(t[k - 1]), int(t[k])) for t in triangles for k in range(3)}
     following = {i: j for i, j in edges if (j, i) not in edges}
     loop = [next(iter(following))] if following else []

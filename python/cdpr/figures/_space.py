@@ -52,16 +52,16 @@ def scene(
     path : array_like (k, 3), Path or Result, optional
         Positions of the platform's origin, m; a ``Result`` is drawn with its raw path, dashed.
     at : array_like (3,), optional
-        Where the platform is drawn, m; default the scene's start, else the middle of its workspace.
+        Position at which the platform is drawn, m; default the scene's start, else the centre of its workspace.
     shadows : bool, str or sequence of str
-        Whether to draw where the ends of cables cannot be: of all cables, or of those named.
+        Whether to draw the shadows, where the ends of cables cannot be: of all cables, or of the named ones.
     robot : bool
         Whether to draw platform and cables; outlets are always drawn.
     labels : bool
         Whether to name obstacles, start and goal.
     view : (float, float)
-        Elevation and azimuth of the eye, degrees. What hides what is computed for it: turn the picture here, not with
-        the mouse.
+        Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
+        with the mouse.
     ax : Axes3D, optional
         Where to draw; default a new figure of the width of a column.
 
@@ -166,7 +166,7 @@ def model(
     ----------
     scene : Scene
     cable : int or str
-        The cable that is drawn in full: its name, or its number counting from 0.
+        The cable to draw in full: its name, or its number counting from 0.
     at, view, ax : optional
         As in `scene`.
 
@@ -214,7 +214,7 @@ def rewinding(
     view: View = VIEW,
     ax: Axes3D | None = None,
 ) -> Axes3D:
-    """Draw one rewinding of a path: each connection that was tried, and the path that comes out.
+    """Draw one rewinding of a path: each connection that was tried, and the resulting path.
 
     Parameters
     ----------

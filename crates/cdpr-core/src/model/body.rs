@@ -1,4 +1,4 @@
-//! Bodies from their specs, and the checks of numbers that robots and scenes share.
+//! Bodies built from their specs, and checks of numbers shared by robots and scenes.
 
 use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
@@ -16,13 +16,13 @@ pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
     }
 }
 
-/// Checks a place in space, m.
+/// Checks a point, m.
 pub fn point(place: &str, numbers: [f64; 3]) -> Result<Point, Error> {
     coordinates(place, &numbers)?;
     Ok(Point::from(numbers))
 }
 
-/// Checks a name: it stands in messages and tables, so it must be some text on one line.
+/// Checks a name: since it appears in messages and tables, it must be text on a single line and not empty.
 pub fn name(place: &str, name: &str) -> Result<(), Error> {
     if name.trim().is_empty() || name.contains(unprintable) {
         return Err(Error::invalid(place, format!("found {name:?}, expected a name on one line")));
@@ -30,12 +30,12 @@ pub fn name(place: &str, name: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Checks a name that may be left out.
+/// Checks an optional name.
 pub fn optional_name(place: &str, given: Option<&str>) -> Result<(), Error> {
     given.map_or(Ok(()), |given| name(place, given))
 }
 
-/// Checks that what these points span is large enough for the tolerances of this program, or a point.
+/// Checks that the extent of these points is large enough for the tolerances of this program, or zero.
 pub fn large_enough<'a>(
     place: &str,
     what: &str,
@@ -58,7 +58,7 @@ pub fn large_enough<'a>(
     Err(Error::invalid(place, problem))
 }
 
-/// Checks that a list is not longer than can be dealt with.
+/// Checks that a list is not too long.
 pub fn at_most(place: &str, count: usize, most: usize) -> Result<(), Error> {
     if count <= most {
         return Ok(());
@@ -95,7 +95,7 @@ pub fn wrench(place: &str, numbers: &[f64; 6]) -> Result<(), Error> {
     }
 }
 
-/// Checks the numbers of a demand of wrench feasibility.
+/// Checks the numbers of `[wrench]`.
 pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
     for (key, radius) in [("force", spec.force), ("moment", spec.moment)] {
         not_negative(key, radius.unwrap_or(0.0))?;
@@ -143,7 +143,7 @@ pub fn unit_quaternion(place: &str, [w, x, y, z]: [f64; 4]) -> Result<Rotation, 
     ))
 }
 
-/// Builds a convex body where its spec puts it. Flat bodies are allowed here.
+/// Builds a convex body at the place given by its spec. Flat bodies are allowed here.
 pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
     one_shape(place, spec)?;
     if let Some(MeshSource::File(path)) = &spec.mesh {
@@ -166,7 +166,7 @@ pub fn build(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
     Ok(body)
 }
 
-/// Checks that a body has exactly one shape, and what belongs to a mesh only with one.
+/// Checks that a body has exactly one shape, and keys for meshes only with a mesh.
 pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
     let shapes = [spec.cuboid.is_some(), spec.vertices.is_some(), spec.prism.is_some(), spec.mesh.is_some()];
     match shapes.iter().filter(|given| **given).count() {
@@ -187,7 +187,7 @@ pub fn one_shape(place: &str, spec: &BodySpec) -> Result<(), Error> {
     }
 }
 
-/// The ways to give a turn, of which at most one is used.
+/// The ways to specify a rotation; at most one may be used.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Turn {
     /// Roll, pitch and yaw, rad.
@@ -198,7 +198,7 @@ pub struct Turn {
     pub quaternion: Option<[f64; 4]>,
 }
 
-/// A turn given in one of three ways, or none.
+/// A rotation specified in one of three ways, or the identity.
 pub fn turn(place: &str, given: &Turn) -> Result<Rotation, Error> {
     let euler = |key: &str, [roll, pitch, yaw]: [f64; 3], radians: f64| {
         coordinates(&format!("{place}.{key}"), &[roll, pitch, yaw])?;
@@ -217,7 +217,7 @@ pub fn turn(place: &str, given: &Turn) -> Result<Rotation, Error> {
     }
 }
 
-/// A hint where angles in radians are larger than a turn: they are probably degrees.
+/// A hint if an angle in radians exceeds a full turn: it is probably in degrees.
 pub fn degrees_hint(place: &str, rpy: Option<[f64; 3]>) -> Option<String> {
     let large = rpy?.into_iter().find(|angle| angle.abs() > std::f64::consts::TAU)?;
     Some(format!("{place}.rpy: found {large} rad, more than a full turn; did you mean rpy_degrees?"))
@@ -259,7 +259,7 @@ fn upright_prism(place: &str, prism: &PrismSpec) -> Result<Polytope, Error> {
     if polygon.dimension() != 2 {
         return Err(Error::invalid(base, "found no area, expected at least three corners that are not on one line"));
     }
-    // A corner of the base strictly inside the polygon is strictly inside the side of no prism: look for it here.
+    // A corner strictly inside the polygon of the base does not lie strictly inside the prism, so it is checked here.
     let lifted: Vec<Point> = polygon.vertices().iter().flat_map(|v| [*v, v + Vector::z() * prism.height]).collect();
     let body = hull(place, Polytope::hull_of(&lifted))?;
     let middle = |v: &Point| v + Vector::z() * (0.5 * prism.height);

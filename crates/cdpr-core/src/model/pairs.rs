@@ -1,5 +1,5 @@
-//! What a scene demands of each pair of members: a clearance, contact at most, or nothing. Everything that keeps a
-//! distance looks it up here.
+//! The rule of a scene for each pair of bodies: a clearance, contact allowed, or ignored. All collision checks look it
+//! up here.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use super::scene::{Obstacle, PLATFORM};
 use super::spec::SceneSpec;
 use crate::error::{Error, nearest_name};
 
-/// Something that can be in contact: named in pairs and in messages.
+/// A body or cable that can be in contact; named in pairs and in messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Member {
     /// A cable, counting from 0.
@@ -20,14 +20,14 @@ pub enum Member {
     Obstacle(usize),
 }
 
-/// What a scene demands of one pair.
+/// The rule of a scene for one pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PairRule {
-    /// At least this distance of their surfaces, m.
+    /// At least this distance between their surfaces, m.
     Apart(f64),
-    /// They may touch, but not enter each other.
+    /// The two may touch but not overlap.
     Touch,
-    /// Nothing: they are not checked against each other.
+    /// The two are not checked against each other.
     Ignore,
 }
 
@@ -90,7 +90,7 @@ impl PairRules {
         }
     }
 
-    /// What is demanded of a pair.
+    /// The rule for a pair.
     pub fn between(&self, a: Member, b: Member) -> PairRule {
         let named = self.named.get(&(a.min(b), a.max(b)));
         named.copied().unwrap_or_else(|| PairRule::Apart(self.of_kind(a, b)))
@@ -106,7 +106,7 @@ impl PairRules {
         self.between(a, b) == PairRule::Ignore
     }
 
-    /// The clearance of pairs of this kind, m, whatever is demanded of this one.
+    /// The clearance of this pair's kind, m, whatever the rule for the pair itself.
     pub fn of_kind(&self, a: Member, b: Member) -> f64 {
         match (a.min(b), a.max(b)) {
             (Member::Cable(_), Member::Cable(_)) => self.cable_cable,
@@ -116,12 +116,12 @@ impl PairRules {
         }
     }
 
-    /// The pairs with a rule of their own, and the rule.
+    /// The pairs with their own rules.
     pub fn named(&self) -> impl Iterator<Item = ([Member; 2], PairRule)> {
         self.named.iter().map(|((a, b), rule)| ([*a, *b], *rule))
     }
 
-    /// The largest clearance demanded of any pair, m.
+    /// The largest clearance required of any pair, m.
     pub fn largest(&self) -> f64 {
         let kinds = [self.platform_obstacle, self.cable_obstacle, self.cable_platform, self.cable_cable];
         let named =
@@ -130,7 +130,7 @@ impl PairRules {
     }
 }
 
-/// Who can be named.
+/// The names that pairs may refer to.
 struct Names<'a> {
     robot: &'a Robot,
     obstacles: &'a [Obstacle],

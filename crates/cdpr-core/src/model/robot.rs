@@ -1,4 +1,4 @@
-//! A robot that has been checked: platform parts, cables, and what follows from them alone.
+//! A checked robot: platform parts, cables, and values derived from them.
 
 use super::body;
 use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
@@ -15,17 +15,17 @@ pub struct Cable {
     pub name: String,
     /// Where the cable leaves the frame, world, m.
     pub outlet: Point,
-    /// Where it meets the platform, platform frame, m.
+    /// Where the cable is attached to the platform, platform frame, m.
     pub attachment: Point,
-    /// Least and largest tension, N.
+    /// Minimum and maximum tension, N.
     pub tension: Option<[f64; 2]>,
     /// Diameter, m.
     pub diameter: f64,
-    /// Least and largest length, m.
+    /// Minimum and maximum length, m.
     pub length: Option<[f64; 2]>,
 }
 
-/// A cable robot: a platform of convex parts, hung on cables. Immutable; made by [`Robot::try_from`].
+/// A cable robot: a platform of convex parts that hangs on cables. Immutable; made by [`Robot::try_from`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Robot {
     spec: RobotSpec,
@@ -80,12 +80,12 @@ impl Robot {
         &self.spec
     }
 
-    /// Name, or "robot".
+    /// The name, or "robot".
     pub fn name(&self) -> &str {
         self.spec.name.as_deref().unwrap_or("robot")
     }
 
-    /// Cables, in the order of the file; they count from 0.
+    /// Cables, in the order of the file, counting from 0.
     pub fn cables(&self) -> &[Cable] {
         &self.cables
     }
@@ -95,7 +95,7 @@ impl Robot {
         self.cables.iter().map(|cable| cable.name.as_str()).collect()
     }
 
-    /// Whether mass and all tension limits are known, which wrench work needs.
+    /// Whether the mass and all tension limits are known, as required by everything about wrenches.
     pub fn knows_its_forces(&self) -> bool {
         self.mass().is_some() && self.cables.iter().all(|cable| cable.tension.is_some())
     }
@@ -110,7 +110,7 @@ impl Robot {
         &self.seams
     }
 
-    /// Mass of the platform, kg, if it was given.
+    /// Mass of the platform, kg, if given.
     pub fn mass(&self) -> Option<f64> {
         self.spec.mass
     }

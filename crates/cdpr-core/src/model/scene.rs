@@ -1,4 +1,4 @@
-//! A scene that has been checked: robot, obstacles, workspace, and the question asked of them.
+//! A checked scene: robot, obstacles, workspace and planning query.
 
 use super::body::{self, Turn};
 use super::pairs::{Member, PairRules};
@@ -13,10 +13,10 @@ use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
 use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
-/// The name that stands for the platform in messages, and in pairs such as those of `ignore`.
+/// The name of the platform in messages and in pairs such as those of `ignore`.
 pub const PLATFORM: &str = "platform";
 
-/// Gravity where a scene does not say, world axes, m/s².
+/// Default gravity, world axes, m/s².
 pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// An obstacle: convex parts under one name, m, world.
@@ -46,11 +46,10 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Checks a scene whose robot stands in place (`spec.robot` is inline).
+    /// Checks a scene with an inline robot.
     ///
-    /// # Errors
-    /// Names the key, what was found and what was expected. A start or goal that collides is no error: only planning
-    /// judges the query.
+    /// # Errors Invalid values; the error names the key, what was found and what was expected. A start or goal in
+    /// collision is not an error: only planning checks the query.
     pub fn new(spec: SceneSpec) -> Result<Self, Error> {
         if spec.version != FORMAT_VERSION {
             return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
@@ -102,35 +101,35 @@ impl Scene {
         })
     }
 
-    /// The same scene with more to say about where it is from.
+    /// The same scene with additional notes about its origin.
     pub fn with_notes(mut self, notes: Vec<String>) -> Self {
         self.notes.extend(notes);
         self
     }
 
-    /// The same scene; these notes tell of nothing to worry about.
+    /// The same scene with additional notes that need no warning.
     pub fn with_good_notes(mut self, notes: Vec<String>) -> Self {
         self.good_notes.extend(notes);
         self
     }
 
-    /// Those of the notes that tell of nothing to worry about: no warning is due.
+    /// The notes that need no warning.
     pub fn good_notes(&self) -> &[String] {
         &self.good_notes
     }
 
-    /// What the user should know about how the scene was read: meshes that are not sound, and how far the convex parts
-    /// that stand for them reach.
+    /// What the user should know about how the scene was read: defects of meshes, and how far the convex parts that
+    /// replace a mesh extend beyond it.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// The scene as plain data, the robot in place.
+    /// The scene as plain data with an inline robot.
     pub fn spec(&self) -> &SceneSpec {
         &self.spec
     }
 
-    /// Name, or "scene".
+    /// The name, or "scene".
     pub fn name(&self) -> &str {
         self.spec.name.as_deref().unwrap_or("scene")
     }
@@ -145,23 +144,24 @@ impl Scene {
         &self.obstacles
     }
 
-    /// Bodies that close the seams between abutting obstacle parts, of one obstacle or of two; `between` names the
+    /// Bodies that close the seams between abutting obstacle parts, of the same obstacle or of two; `between` gives the
     /// obstacles.
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
 
-    /// The box that every platform vertex must stay in.
+    /// The box in which every platform vertex must stay.
     pub fn workspace(&self) -> &Aabb {
         &self.workspace
     }
 
-    /// World-from-platform rotation: that of the query, else the first of the named ones, else none.
+    /// World-from-platform rotation: the one selected by the query, else the first of the named orientations, else the
+    /// identity.
     pub fn orientation(&self) -> &Rotation {
         &self.orientation
     }
 
-    /// Its name, if it is one of the named ones.
+    /// The name of the orientation, if it is one of the named orientations.
     pub fn orientation_name(&self) -> Option<&str> {
         let turn = |other: &Rotation| self.orientation.angle_to(other);
         self.orientations.iter().find(|(_, other)| turn(other) <= SAME_TURN).map(|(name, _)| name.as_str())
@@ -172,15 +172,14 @@ impl Scene {
         &self.orientations
     }
 
-    /// Whether the scene itself says at which orientation it is meant.
+    /// Whether the query selects an orientation.
     pub fn orientation_is_fixed(&self) -> bool {
         self.orientations.len() == 1 || self.spec.query.as_ref().is_some_and(|query| query.orientation.is_some())
     }
 
     /// The same scene at this orientation.
     ///
-    /// # Errors
-    /// A name that the scene does not have, a quaternion that is not of length 1.
+    /// # Errors An unknown name, or a quaternion that does not have length 1.
     ///
     /// # Example
     /// ```
@@ -198,22 +197,24 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Whether the scene names several orientations and says none.
+    /// Whether the scene lists named orientations but selects none.
     pub fn orientation_is_open(&self) -> bool {
         !self.orientation_is_fixed() && !self.orientations.is_empty()
     }
 
-    /// Whether the orientation of another scene is this one's, or one of its named ones where it says none.
+    /// Whether the orientation of another scene is that of this one or, if this one selects none, one of its named
+    /// orientations.
     pub fn has_orientation_of(&self, other: &Scene) -> bool {
         let same = |turn: &Rotation| other.orientation.angle_to(turn) <= SAME_TURN;
         same(&self.orientation)
             || (!self.orientation_is_fixed() && self.orientations.iter().any(|(_, turn)| same(turn)))
     }
 
-    /// The scene for a path that holds at this orientation, if it says one: turned to it where the scene says none.
+    /// The scene for a path with the given orientation, if any. If the scene selects none, the result is at the path's
+    /// orientation.
     ///
-    /// # Errors
-    /// The scene says another orientation itself, or neither says one where the scene names several.
+    /// # Errors The scene selects a different orientation, or neither path nor scene selects one although the scene
+    /// lists some.
     pub fn for_path_at(&self, said: Option<OrientationSource>) -> Result<Scene, Error> {
         let Some(said) = said else { return self.for_bare_path() };
         if !self.orientation_is_fixed() {
@@ -238,7 +239,8 @@ impl Scene {
         Err(Error::invalid("orientation", problem))
     }
 
-    /// The scene at each orientation that a plan may choose from: all named ones if the query says none, else its own.
+    /// The scene at each orientation among which planning may choose: all named ones if the query selects none, else
+    /// its own.
     pub fn choices(&self) -> Vec<Scene> {
         if !self.orientation_is_open() {
             return vec![self.clone()];
@@ -247,7 +249,7 @@ impl Scene {
         names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
     }
 
-    /// What is demanded of each pair of members.
+    /// The rules for pairs of bodies.
     pub fn pairs(&self) -> &PairRules {
         &self.pairs
     }
@@ -267,7 +269,7 @@ impl Scene {
         self.goal
     }
 
-    /// The demand of wrench feasibility, if given.
+    /// The requirements on wrench feasibility, if given.
     pub fn wrench(&self) -> Option<&WrenchSpec> {
         self.spec.wrench.as_ref()
     }
@@ -281,8 +283,7 @@ impl Scene {
         }
     }
 
-    /// Identifies what paths of this scene were planned against: everything but name, start, goal and the names of
-    /// orientations.
+    /// Identifies the scene of a path: covers everything except name, start, goal and the names of orientations.
     pub fn fingerprint(&self) -> String {
         let mut spec = SceneSpec { name: None, orientations: Vec::new(), query: None, ..self.spec.clone() };
         let turn = rounded(&self.orientation);
@@ -294,7 +295,7 @@ impl Scene {
     }
 }
 
-/// Hints at angles that are probably degrees. Parts of one mesh are turned alike, and give one hint.
+/// Hints at angles that are probably in degrees. The parts of a mesh share their rotation and give one hint.
 fn degrees_hints(spec: &SceneSpec, robot: &Robot) -> Vec<String> {
     let bodies = |list: &str, bodies: &[BodySpec]| -> Vec<String> {
         let hint = |(k, body): (usize, &BodySpec)| body::degrees_hint(&format!("{list}[{k}]"), body.rpy);
@@ -309,11 +310,11 @@ fn degrees_hints(spec: &SceneSpec, robot: &Robot) -> Vec<String> {
     platform.into_iter().chain(bodies("obstacles", &spec.obstacles)).chain(orientations).collect()
 }
 
-/// A rotation in digits that do not depend on how it was given.
+/// A rotation in digits that do not depend on how it was specified.
 fn rounded(rotation: &Rotation) -> [f64; 4] {
     let digits = [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (x / SAME_TURN).round() * SAME_TURN);
     let first = digits.iter().find(|x| **x != 0.0).copied().unwrap_or(1.0);
-    digits.map(|x| first.signum() * x + 0.0) // q and -q are one turn
+    digits.map(|x| first.signum() * x + 0.0) // q and -q are the same rotation
 }
 
 fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Error> {

@@ -1,4 +1,4 @@
-//! Planning where the scene leaves the orientation open.
+//! Planning for scenes that list several orientations and select none.
 
 use super::query::{Observer, Planned, Query};
 use super::{Improved, PlanOptions, PlanResult, Stats, engine_within, lower_bound, plan_by, plan_within};
@@ -7,7 +7,7 @@ use crate::geometry::Point;
 use crate::planning::Status;
 use crate::watch::Watch;
 
-/// Plans at each orientation that the scene leaves open; see [`super::plan`].
+/// Plans at each of the scene's orientations; see [`super::plan`].
 pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
     let interrupted = || observer.interrupted();
     let whole = options.watch(&interrupted);
@@ -42,7 +42,7 @@ pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observ
     Ok(Planned { result: PlanResult { stats: total, ..best.result }, ..best })
 }
 
-/// Plans at one orientation; none if no path there is shorter than the shortest so far.
+/// Plans at one orientation; `None` if no path there can be shorter than the shortest so far.
 fn at_one(
     query: &Query,
     options: &PlanOptions,
@@ -71,7 +71,7 @@ impl Planned {
         if self.result.status == Status::Solved { self.result.cost } else { f64::INFINITY }
     }
 
-    /// The shorter path; without one, the answer that tells more.
+    /// Whether this result is better: the shorter path or, without paths, the more informative status.
     fn better_than(&self, other: &Planned) -> bool {
         let rank = |status: Status| match status {
             Status::Solved => 0,
@@ -85,7 +85,7 @@ impl Planned {
 }
 
 impl Stats {
-    /// Counts and times of two runs.
+    /// The sum of the counts and times of two runs.
     fn and(&self, other: &Stats) -> Stats {
         Stats {
             nodes: self.nodes + other.nodes,

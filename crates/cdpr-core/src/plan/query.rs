@@ -1,4 +1,4 @@
-//! The question, the answer, and who watches the search.
+//! The planning query, its result, and the observer of a search.
 
 use super::PlanResult;
 use crate::collision::Checker;
@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{Scene, body};
 
-/// A planning question: from where to where in which scene.
+/// A planning query: start and goal in a scene.
 ///
 /// A scene file may give a start and a goal of its own; the query's take precedence.
 ///
@@ -22,13 +22,13 @@ use crate::model::{Scene, body};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Query<'a> {
-    /// The robot and what stands around it.
+    /// The robot and its environment.
     pub scene: &'a Scene,
-    /// Start, if not the scene's, m.
+    /// Start instead of the scene's, m.
     pub start: Option<Point>,
-    /// Goal, if not the scene's, m.
+    /// Goal instead of the scene's, m.
     pub goal: Option<Point>,
-    /// An engine compiled from the scene earlier; the options' engine and interference rule are then ignored.
+    /// An engine compiled earlier from the scene; the options' engine and interference rule are then ignored.
     pub engine: Option<&'a dyn Checker>,
 }
 
@@ -48,15 +48,14 @@ impl<'a> Query<'a> {
         Query { goal: Some(goal), ..self }
     }
 
-    /// The same, answered by an engine that was compiled from the scene earlier.
+    /// The same, using an engine compiled earlier from the scene.
     pub fn by(self, engine: &'a dyn Checker) -> Self {
         Query { engine: Some(engine), ..self }
     }
 
     /// Start and goal.
     ///
-    /// # Errors
-    /// One that is missing or not finite.
+    /// # Errors A start or goal that is missing or not finite.
     pub fn ends(&self) -> Result<[Point; 2], Error> {
         Ok([end("start", self.start, self.scene.start())?, end("goal", self.goal, self.scene.goal())?])
     }
@@ -78,7 +77,7 @@ fn end(key: &str, given: Option<Point>, of_scene: Option<Point>) -> Result<Point
     }
 }
 
-/// Watches a search. `()` watches nothing; a closure that returns true ends the search.
+/// Observes a search and can stop it. `()` does neither; a closure stops the search by returning true.
 pub trait Observer: Sync {
     /// Whether to stop; polled often, from any thread.
     fn interrupted(&self) -> bool {
@@ -97,13 +96,13 @@ impl<F: Fn() -> bool + Sync> Observer for F {
     }
 }
 
-/// The answer.
+/// The result of planning.
 pub struct Planned {
-    /// The scene at the orientation with the shortest path, where the query left it open.
+    /// The scene at the orientation with the shortest path, if the scene selected none.
     pub turned: Option<Scene>,
-    /// The engine that was compiled; none where the query had one, or the time was over before it was there.
+    /// The engine that was compiled; `None` if the query provided one or time ran out first.
     pub engine: Option<Box<dyn Checker>>,
-    /// What was found; counts and times are those of all orientations.
+    /// The result; counts and times include all orientations.
     pub result: PlanResult,
 }
 

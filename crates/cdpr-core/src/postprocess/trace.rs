@@ -19,7 +19,7 @@ pub struct Try<State> {
     pub valid: bool,
 }
 
-/// A path rewound once, with the motions checked for it.
+/// A path after one rewinding, with the motions checked for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace<State> {
     /// The path after rewinding.
