@@ -36,9 +36,9 @@ pub fn workspace(scene: &Scene) -> Aabb {
     whole
 }
 
-/// A start and a goal, rounded to centimetres, between which a path exists. They are far apart and chosen so that the
-/// path is as much longer than the straight line as possible. A start or goal of the scene is kept. `None` if no such
-/// pair was found.
+/// A start and a goal, rounded to centimetres, between which a path exists. Pairs whose straight line is blocked and
+/// that are far apart are tried first; of the pairs tried, the one with the largest ratio of path length to straight
+/// distance is returned. A start or goal of the scene is kept. `None` if no pair has a path.
 ///
 /// # Errors
 /// As [`engine_within`].

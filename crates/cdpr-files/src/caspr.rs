@@ -1,7 +1,8 @@
-//! Robots from CASPR (Lau et al., <https://github.com/darwinlau/CASPR>): a cables file and a bodies file make a model.
+//! Robots from CASPR (Lau et al., <https://github.com/darwinlau/CASPR>), whose models consist of a cables file and a
+//! bodies file.
 //!
-//! What is read: a single rigid link that moves freely, and straight cables from the base to it. Attachments are given
-//! against the joint or against the centre of mass; the platform frame here is that of the joint.
+//! Supported are a single rigid link that moves freely and straight cables between the base and the link. Attachments
+//! are given relative to the joint or to the centre of mass; the platform frame here is that of the joint.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -14,7 +15,7 @@ use super::xml::{at, attribute, child, children, numbers, parse, read};
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::model::{CableSpec, RobotSpec};
 
-/// Joints that leave the link free to move in space.
+/// Joints with which the link moves freely in space.
 const FREE_JOINTS: [&str; 2] = ["SPATIAL_", "T_XYZ"];
 
 /// Imports a model from one of its two files, or from their folder.
@@ -94,7 +95,7 @@ fn only_cables_file(folder: &Path) -> Result<PathBuf, Error> {
     }
 }
 
-/// The platform: what the bodies file says about the one link.
+/// The platform: the only link of the bodies file.
 struct Link {
     mass: f64,
     center_of_mass: [f64; 3],
@@ -150,7 +151,7 @@ fn link_notes(links: Node, link: Node, joint: Node, physical: Node) -> Result<Ve
     Ok(notes)
 }
 
-/// A set of cables, the names of the other sets of the file, and what is not carried over.
+/// A cable set, the names of the other sets in the file, and what is not carried over.
 struct CableSet {
     id: String,
     others: Vec<String>,
@@ -226,7 +227,7 @@ fn cable(node: Node, link: &Link, unread: &mut BTreeSet<String>) -> Result<Cable
     })
 }
 
-/// A name that says what it names: CASPR often has the number alone.
+/// A descriptive name: in CASPR it is often just a number.
 fn cable_name(name: &str) -> String {
     if name.chars().all(|c| c.is_ascii_digit()) { format!("cable {name}") } else { name.to_string() }
 }

@@ -1,12 +1,12 @@
-//! Text in CSV files. A spreadsheet takes a cell that begins like a formula for one and runs it, wherever its text came
-//! from; such text gets an apostrophe in front, which spreadsheets understand as "this is text".
+//! Text in CSV files. A spreadsheet evaluates a cell that begins like a formula, wherever its text came from. Such text
+//! is preceded by an apostrophe, which spreadsheets understand as "this is text".
 
 use std::borrow::Cow;
 
-/// What formulas begin with, and the apostrophe itself, so that what is quoted can be told from what is not.
+/// Characters with which formulas begin, and the apostrophe itself, so that quoting is unambiguous.
 const SPECIAL: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\''];
 
-/// Text as a cell. Numbers are no text and need none of this.
+/// Text as a cell. Numbers need no quoting.
 pub fn cell(text: &str) -> Cow<'_, str> {
     if text.starts_with(SPECIAL) { Cow::Owned(format!("'{text}")) } else { Cow::Borrowed(text) }
 }

@@ -12,7 +12,7 @@ use cdpr_core::fixed_length::FixedLength;
 use cdpr_core::model::{BodySpec, CableSpec, RobotSpec};
 use cdpr_core::numerics::MOST_XML_BYTES;
 
-/// What is read of the file; the rest is listed as not carried over.
+/// The parts of the file that are read; the rest is listed as not carried over.
 #[derive(Deserialize)]
 struct Model {
     platform: Platform,

@@ -1,4 +1,4 @@
-//! Robots of other programs, by the kind of their file, and robot files to write them to.
+//! Import of robots from other programs, by file type, and writing of robot files.
 
 use std::path::{Path, PathBuf};
 
@@ -12,31 +12,31 @@ use cdpr_core::geometry::{Point, Polytope, PolytopeError};
 use cdpr_core::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
 use cdpr_core::words::small_length;
 
-/// What an import may be told.
+/// Options of an import.
 #[derive(Debug, Clone, Default)]
 pub struct ImportOptions {
-    /// CASPR: the bodies file, where it does not stand beside the cables file under the same name.
+    /// CASPR: the bodies file, if it is not beside the cables file under the same name.
     pub bodies: Option<PathBuf>,
-    /// CASPR: the cable set; default the one that the file names.
+    /// CASPR: the cable set; default: the file's own default.
     pub cable_set: Option<String>,
-    /// A mesh of the platform in its frame, and its unit, instead of what the source says.
+    /// A mesh of the platform in the platform frame, and its unit, instead of the shape in the source.
     pub platform: Option<(PathBuf, Unit)>,
 }
 
-/// A robot of another program.
+/// A robot imported from another program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Imported {
-    /// The robot as it goes into a file; a mesh given for the platform is named.
+    /// The robot as written to a file; refers to the mesh if one was given for the platform.
     pub robot: RobotSpec,
-    /// The robot with that mesh as convex parts, sound.
+    /// The checked robot, with the mesh replaced by convex parts.
     pub whole: RobotSpec,
-    /// Where it is from, in words.
+    /// Description of the source.
     pub origin: String,
-    /// What was not carried over, or otherwise than it stood.
+    /// What was not carried over or was changed.
     pub notes: Vec<String>,
 }
 
-/// A robot as a reader found it, where it is from, and what was not carried over.
+/// A robot as read, its source, and what was not carried over.
 pub(super) struct Source {
     pub robot: RobotSpec,
     pub origin: String,
@@ -46,11 +46,11 @@ pub(super) struct Source {
 /// Imports a robot: CASPR (one of the two XML files of a model, or their folder), or the YAML of the Gazebo simulator
 /// cdpr.
 ///
-/// The platform frame is that of the source. Where the source says nothing of the platform's shape, it is the hull of
-/// the attachments.
+/// The platform frame is that of the source. If the source does not define the platform's shape, the hull of the
+/// attachments is used.
 ///
-/// # Errors
-/// Names the file, the element with its line, what was found and what was expected.
+/// # Errors Unsupported or invalid contents; the error names the file, the element with its line, what was found and
+/// what was expected.
 pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
     Loader::PATIENT.import(path, options)
 }
@@ -58,8 +58,7 @@ pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Er
 impl Loader<'_> {
     /// As [`import_robot`].
     ///
-    /// # Errors
-    /// As [`import_robot`], and the watch's.
+    /// # Errors As [`import_robot`], and those of the watch.
     pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
         let Source { robot, origin, notes } = match extension(path).as_deref() {
             Some("yaml" | "yml") => gazebo::import(path)?,
@@ -92,7 +91,7 @@ pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
     vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
 }
 
-/// Refuses an attachment inside the hull of the others: the platform must have another shape.
+/// Rejects an attachment inside the hull of the others: the hull is then not the platform's shape.
 fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
     let [BodySpec { vertices: Some(corners), .. }] = &robot.platform[..] else { return Ok(()) };
     let points: Vec<Point> = corners.iter().copied().map(Point::from).collect();
@@ -108,17 +107,15 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
 
 /// Checks that robots can be written under this name.
 ///
-/// # Errors
-/// Another extension.
+/// # Errors An unknown extension.
 pub fn check_robot_name(path: &Path) -> Result<(), Error> {
     Notation::of(path).map(drop)
 }
 
-/// Writes an imported robot as a robot file, by extension; in TOML its origin and notes stand above it. A mesh is
-/// named relative to the file.
+/// Writes an imported robot as a robot file in the format given by the extension; in TOML, comments at the top give its
+/// source and notes. The path of a mesh is relative to the file.
 ///
-/// # Errors
-/// Another extension, or a file that cannot be written.
+/// # Errors An unknown extension, or a file that cannot be written.
 pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
     let notation = Notation::of(path)?;
     let mut imported = imported.clone();
@@ -134,7 +131,7 @@ pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
     write_atomically(path, text.as_bytes())
 }
 
-/// The robot file in TOML: a line for each place, comments on top.
+/// The robot file in TOML: one line per point, comments at the top.
 pub fn robot_toml(imported: &Imported) -> String {
     let one_line = |text: &str| text.replace(char::is_control, " ");
     let mut text = format!("# {}.\n", one_line(&imported.origin));

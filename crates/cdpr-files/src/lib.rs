@@ -1,4 +1,4 @@
-//! Reading and writing files: scenes, robots of this and of other programs, meshes, paths, tables.
+//! Reading and writing files: scenes, robots (also of other programs), meshes, paths, tables.
 
 mod caspr;
 pub mod csv_cell;
@@ -32,7 +32,7 @@ pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions
 pub use text::save_table;
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};
 
-/// The examples of the crate's page are tested.
+/// Tests the examples in the crate's README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

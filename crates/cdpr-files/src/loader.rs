@@ -1,9 +1,9 @@
-//! Reading that its caller can stop.
+//! Interruptible reading of files.
 
 use cdpr_core::watch::Watch;
 
-/// Reads files as the functions of this crate do, and ends early when its watch asks: parts of large meshes take
-/// seconds to find.
+/// Reads files like the functions of this crate, but stops when its watch requests it: decomposing large meshes takes
+/// seconds.
 ///
 /// # Example
 /// ```
@@ -18,12 +18,12 @@ pub struct Loader<'a> {
 }
 
 impl Loader<'static> {
-    /// Never ends early.
+    /// A loader that never stops early.
     pub const PATIENT: Self = Loader { watch: Watch::NONE };
 }
 
 impl<'a> Loader<'a> {
-    /// A loader within a watch.
+    /// A loader with a watch.
     pub fn new(watch: Watch<'a>) -> Self {
         Loader { watch }
     }

@@ -1,5 +1,5 @@
-//! Bodies that are given as meshes, replaced by the convex parts that stand for them. What it takes time to find is
-//! kept beside the file, and found again by the contents of the file and what was asked.
+//! Replaces bodies given as meshes by convex parts. Decompositions that take time are cached beside the file, under a
+//! key made from the contents of the file and the settings.
 
 use std::path::{Path, PathBuf};
 
@@ -21,21 +21,21 @@ use cdpr_core::numerics::{
 use cdpr_core::watch::Watch;
 use cdpr_core::words::{count, length};
 
-/// What there is to be said about the meshes of a scene or robot.
+/// Remarks about the meshes of a scene or robot.
 #[derive(Debug, Default)]
 pub(super) struct Told {
-    /// The workspace, if there is one to compare sizes with.
+    /// The workspace, if there is one, to compare sizes with.
     pub workspace: Option<WorkspaceSpec>,
     /// What the user should know.
     pub notes: Vec<String>,
-    /// Those of the notes that tell of nothing to worry about.
+    /// The notes that need no warning.
     pub good: Vec<String>,
-    /// What may be wrong with it, and explain an error.
+    /// Possible causes of a later error.
     pub hints: Vec<String>,
 }
 
-/// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
-/// places in messages stay right.
+/// Replaces every mesh by its convex parts: the first part in place of the mesh, the others after all bodies, so that
+/// indices in messages stay correct.
 pub(super) fn in_place(
     bodies: &mut Vec<BodySpec>,
     list: &str,
@@ -78,7 +78,7 @@ pub(super) fn in_place(
     Ok(())
 }
 
-/// A hint where a mesh without `units` dwarfs the workspace: its coordinates are probably millimetres.
+/// A hint if a mesh without `units` is much larger than the workspace: its coordinates are probably in millimetres.
 fn units_hint(body: &BodySpec, parts: &Parts, workspace: Option<&WorkspaceSpec>) -> Option<String> {
     let WorkspaceSpec { min, max } = workspace.filter(|_| body.units.is_none())?;
     let corners: Vec<Point> = parts.parts.iter().flatten().map(|v| Point::from(*v)).collect();
@@ -103,12 +103,12 @@ fn tolerance(body: &BodySpec, place: &str) -> Result<Option<f64>, Error> {
     body.tolerance.map(|length| positive(&format!("{place}.tolerance"), length)).transpose()
 }
 
-/// Corners of convex parts, m, and what is to be said about them.
+/// Corners of convex parts, m, and remarks about them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Parts {
     parts: Vec<Vec<[f64; 3]>>,
     notes: Vec<String>,
-    /// Whether they are just the mesh, and that is sound.
+    /// Whether the parts equal the mesh and the mesh has no defects.
     exact: bool,
 }
 
@@ -178,7 +178,7 @@ fn largest_side(points: &[Point]) -> f64 {
     (aabb.max - aabb.min).amax()
 }
 
-/// How the parts stand for the mesh; nothing where it is one convex body.
+/// How closely the parts cover the mesh; `None` if the mesh is a single convex body.
 fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<String> {
     let bodies: usize = parts.iter().map(|p| p.bodies.len()).sum();
     let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
@@ -199,7 +199,7 @@ fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<
     Some(format!("{} in {}, {beyond}", count(mesh.triangles.len(), "triangle"), count(bodies, "convex part")))
 }
 
-/// What is wrong with a piece whose parts reach too far to be of use; nothing if there is none.
+/// Describes a piece whose parts extend too far beyond it to be useful; `None` if there is none.
 fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faults) -> Option<String> {
     let share = |k: usize| parts[k].reach / extent(&pieces[k]);
     let useless = (0..pieces.len()).filter(|k| parts[*k].reach > asked[*k] && share(*k) > USELESS_REACH);
@@ -220,7 +220,7 @@ fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faul
     Some(format!("{found}; {expected}: repair the mesh (no self-intersections, no holes) or replace it"))
 }
 
-/// Where parts reach farther than asked, by how much; nothing where none do.
+/// Describes where parts exceed the tolerance, and by how much; `None` if none do.
 fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
     let missed: Vec<(f64, f64)> = asked
         .iter()
@@ -242,7 +242,7 @@ fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
     ))
 }
 
-/// What the file of kept parts holds. The sum tells whether it is whole.
+/// Contents of the cache file. The checksum detects changes and truncation.
 #[derive(Serialize, Deserialize)]
 struct Kept {
     key: String,
@@ -251,7 +251,7 @@ struct Kept {
     parts: Parts,
 }
 
-/// Identifies a decomposition: the mesh, what was asked, and the way it is done.
+/// Identifies a decomposition: the mesh, the settings, and the version of the method.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
     const METHOD: &str = "convex parts 6";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
@@ -268,14 +268,14 @@ fn sum(parts: &Parts) -> String {
     hex(&[serde_json::to_string(parts).expect("parts are finite").as_bytes()])
 }
 
-/// Parts kept beside a file; none if there are none, or not these, or they were changed.
+/// Parts from the cache beside a file; `None` if there are none, or if they are for another key or were changed.
 fn kept_parts(path: &Path, key: &str) -> Option<Parts> {
     let kept: Kept = serde_json::from_slice(&read_bytes_at_most(path, MOST_MESH_BYTES).ok()?).ok()?;
     let parts = kept.parts;
     (kept.key == key && kept.sum == sum(&parts) && !parts.parts.is_empty()).then_some(parts)
 }
 
-/// Keeps parts beside a file. A folder that cannot be written only costs the time of finding them again.
+/// Caches parts beside a file. If the folder cannot be written, they are just computed again next time.
 fn keep(path: &Path, key: &str, parts: &Parts) {
     let kept = Kept { key: key.to_string(), sum: sum(parts), parts: parts.clone() };
     let text = serde_json::to_string(&kept).expect("parts are finite");

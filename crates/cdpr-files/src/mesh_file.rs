@@ -12,12 +12,12 @@ use cdpr_core::model::Scene;
 use cdpr_core::regions::{NamedMesh, Regions, unused};
 use cdpr_view::regions_page;
 
-/// The formats of region files, by extension.
+/// The formats of region files, selected by extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RegionFormat {
-    /// `.obj`: one object for each region, under its name.
+    /// `.obj`: one named object per region.
     Obj,
-    /// `.ply`, text: one surface; each face has the number of its region, and comments have their names.
+    /// `.ply`, text: one surface; each face has the number of its region, and comments give the names.
     Ply,
     /// `.stl`, binary: one surface without names, coordinates in single precision (about seven digits).
     Stl,
@@ -26,7 +26,7 @@ pub enum RegionFormat {
 }
 
 impl RegionFormat {
-    /// By the file's extension; ask before the work is done.
+    /// The format for the file's extension; call this before doing any work.
     ///
     /// # Errors
     /// Another extension.
@@ -41,7 +41,7 @@ impl RegionFormat {
     }
 }
 
-/// Writes regions of a scene in the format that the extension names. Coordinates are in metres.
+/// Writes regions of a scene in the format given by the extension. Coordinates are in metres.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
@@ -59,7 +59,7 @@ fn title(scene: &Scene, regions: &Regions) -> String {
     one_line(&format!("forbidden regions of {}, space: {}, unit: m", scene.name(), regions.space.name()))
 }
 
-/// A name in a comment: names are free text and must not end the line.
+/// A name for a comment: names are free text and must not end the line.
 fn one_line(name: &str) -> String {
     name.replace(char::is_control, " ")
 }
@@ -83,7 +83,7 @@ fn obj(scene: &Scene, regions: &Regions) -> String {
     text
 }
 
-/// A name that every reader takes for one word: "cable 3 / pillar" becomes "cable_3_pillar".
+/// A name that every reader treats as one word: "cable 3 / pillar" becomes "cable_3_pillar".
 fn object_name(name: &str) -> String {
     let words = name.split(|c: char| !(c.is_alphanumeric() || c == '-' || c == '.')).filter(|word| !word.is_empty());
     let joined = words.collect::<Vec<_>>().join("_");
@@ -111,7 +111,7 @@ fn ply(scene: &Scene, regions: &Regions) -> String {
 }
 
 fn stl(regions: &Regions) -> Vec<u8> {
-    // Rounded first, so that triangles which rounding flattens are gone and their neighbours still meet.
+    // Rounded first, so that triangles flattened by rounding are removed and their neighbours still meet.
     let whole = merged(regions).in_single_precision();
     let single = |v: [f64; 3]| stl_io::Vertex::new(v.map(|x| x as f32));
     let triangle = |t: &[usize; 3]| {

@@ -9,11 +9,10 @@ use cdpr_core::geometry::{Point, TriangleMesh};
 use cdpr_core::model::MeshSpec;
 use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES, WORDS_PER_TRIANGLE};
 
-/// Loads a mesh, in the unit of its file. Polygons of more than three corners become triangles.
+/// Loads a mesh, in the unit of its file. Polygons with more than three corners are triangulated.
 ///
-/// # Errors
-/// Another extension, a file that is not what its extension says, no triangles or too many, coordinates that are not
-/// finite. Holes and the like are no errors; see [`cdpr_core::geometry::pieces`].
+/// # Errors An unknown extension, a file in a different format, no triangles or too many, coordinates that are not
+/// finite. Holes and similar defects are not errors; see [`cdpr_core::geometry::pieces`].
 ///
 /// # Example
 /// ```
@@ -50,7 +49,7 @@ fn format_of(path: &Path) -> Result<Reader, Error> {
     }
 }
 
-/// A mesh given in place.
+/// An inline mesh.
 pub(super) fn mesh_of(spec: &MeshSpec) -> Result<TriangleMesh, Error> {
     let vertices = spec.vertices.iter().copied().map(Point::from).collect();
     checked(TriangleMesh { vertices, triangles: spec.triangles.clone() })
@@ -75,7 +74,7 @@ fn checked(mesh: TriangleMesh) -> Result<TriangleMesh, Error> {
     if let Some(k) = triangles.iter().position(|t| t.iter().any(|i| !vertices[*i].iter().all(|x| x.is_finite()))) {
         return refuse(format!("triangle {k} has a coordinate that is not finite, expected finite numbers"));
     }
-    // Corners that no triangle uses do not matter, and may be anywhere.
+    // Vertices that no triangle uses do not matter and may be anywhere.
     let mut place = vec![None; vertices.len()];
     let mut used = Vec::new();
     let mut moved = |i: usize| {
@@ -107,7 +106,7 @@ fn stl(bytes: &[u8]) -> Result<TriangleMesh, Error> {
     if is_binary {
         bytes[..5].fill(b' '); // some headers begin with "solid", which would read as text
     } else if is_text {
-        bytes.insert(5, b' '); // "solid" alone in a line is a name left out
+        bytes.insert(5, b' '); // "solid" alone in a line: the name was omitted
     } else if let Some(told) = told {
         let problem = format!("ends after {} of {told} triangles", (bytes.len() - STL_HEADER) / STL_TRIANGLE);
         return Err(Error::invalid("", format!("{problem}, or is not an STL file")));
@@ -141,14 +140,14 @@ fn obj(bytes: &[u8]) -> Result<TriangleMesh, Error> {
     Ok(whole)
 }
 
-/// A polygon, convex or not, as triangles; of one that cuts itself some are missing.
+/// Triangulates a polygon, convex or not; for a polygon that intersects itself, some triangles are missing.
 fn triangles_of(polygon: &[usize], vertices: &[Point]) -> Vec<[usize; 3]> {
     if let [a, b, c] = polygon {
         return vec![[*a, *b, *c]];
     }
     let Some(places) = polygon.iter().map(|i| vertices.get(*i).map(|p| [p.x, p.y, p.z])).collect::<Option<Vec<_>>>()
     else {
-        return vec![[usize::MAX; 3]]; // told with the other corners that do not exist
+        return vec![[usize::MAX; 3]]; // reported with the other corners that do not exist
     };
     let (mut flat, mut found) = (Vec::new(), Vec::<usize>::new());
     if earcut::utils3d::project3d_to_2d(&places, places.len(), &mut flat) {

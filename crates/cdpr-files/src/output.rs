@@ -1,8 +1,9 @@
-//! Writing files, whole or not at all where that is possible.
+//! Writing files atomically where possible.
 //!
-//! An ordinary file is written beside the old one and renamed over it, so nobody ever reads half of it. A link is followed first.
-//! Some files cannot be replaced like that and are written in place: those in a folder that cannot be written, those that
-//! have several names or another owner, which renaming would change, and pipes and devices, such as those of the shell's `>(command)`.
+//! A regular file is written to a temporary file beside it, which then replaces it, so that no reader ever sees half of
+//! it. Links are followed first. Some files cannot be replaced and are written in place: files in a folder that cannot
+//! be written, files with several names or another owner, which renaming would change, and pipes and devices, such as
+//! those of the shell's `>(command)`.
 
 use std::ffi::OsStr;
 use std::fs::{self, Metadata, OpenOptions};
@@ -13,26 +14,24 @@ use tempfile::NamedTempFile;
 
 use cdpr_core::error::{Error, printable};
 
-/// What the names of temporary files begin with.
+/// Prefix of the names of temporary files.
 const TEMPORARY: &str = ".cdpr-";
 
-/// Most links that are followed from one file to the next.
+/// Maximum number of links followed.
 const MOST_LINKS: usize = 40;
 
-/// Writes a file whole or not at all, where it can be replaced; see the module.
+/// Writes a file atomically if it can be replaced; see the module.
 ///
-/// # Errors
-/// As [`check_target`], and what goes wrong while writing.
+/// # Errors As [`check_target`], and failures while writing.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
     let mut file = Output::begin(path)?;
     file.write_all(contents).map_err(|e| unwritable(path, e.kind()))?;
     file.finish()
 }
 
-/// Checks that a file can be written, without touching it: ask before the work is done.
+/// Checks that a file can be written, without touching it; call this before doing any work.
 ///
-/// # Errors
-/// A folder in its place, a folder that is missing or cannot be written, a file that is read-only.
+/// # Errors The path is a folder, its folder is missing or cannot be written, or the file is read-only.
 ///
 /// # Example
 /// ```
@@ -45,10 +44,9 @@ pub fn check_target(path: &Path) -> Result<(), Error> {
     target(path).map(drop)
 }
 
-/// Checks that a folder can be made or written.
+/// Checks that a folder can be created or written.
 ///
-/// # Errors
-/// Something else in its place or above it, a folder that cannot be written.
+/// # Errors The path or one of its parents is not a folder or cannot be written.
 pub fn check_folder(path: &Path) -> Result<(), Error> {
     match path.ancestors().find(|above| above.as_os_str().is_empty() || above.exists()) {
         Some(above) => check_parent(path, &named_or_here(above)),
@@ -61,11 +59,11 @@ pub fn is_stream(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
-/// Where contents go.
+/// Where contents are written.
 enum Target {
-    /// A file that is not there yet.
+    /// A file that does not exist yet.
     New(PathBuf),
-    /// A file to replace, or where that cannot be done, to write in place.
+    /// A file to replace or, if that is not possible, to write in place.
     Old(PathBuf, Metadata),
     /// A pipe or a device, or a file in a folder that cannot be written.
     InPlace(PathBuf),
@@ -95,7 +93,7 @@ fn target(path: &Path) -> Result<Target, Error> {
     }
 }
 
-/// The file that a link which leads nowhere yet stands for, or the path itself.
+/// The target of a link whose target does not exist yet, or the path itself.
 fn end_of_links(path: &Path) -> Result<PathBuf, Error> {
     let mut end = path.to_path_buf();
     for _ in 0..MOST_LINKS {
@@ -111,7 +109,7 @@ fn named_or_here(folder: &Path) -> PathBuf {
     if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder.to_path_buf() }
 }
 
-/// Checks the folder of a file that is to be made.
+/// Checks the folder of a file to be created.
 fn check_parent(path: &Path, folder: &Path) -> Result<(), Error> {
     let name = printable(&folder.to_string_lossy()).into_owned();
     let problem = match fs::metadata(folder) {
@@ -126,7 +124,7 @@ fn check_parent(path: &Path, folder: &Path) -> Result<(), Error> {
     Err(Error::file(path, format!("cannot be written: {problem}")))
 }
 
-/// Whether files can be made in a folder. Root could also where nobody is meant to.
+/// Whether files can be created in a folder. Permissions are checked too, since root can write anywhere.
 fn writable(folder: &Path) -> Result<(), ErrorKind> {
     if fs::metadata(folder).is_ok_and(|found| found.permissions().readonly()) {
         return Err(ErrorKind::PermissionDenied);
@@ -144,17 +142,16 @@ pub struct Output {
 }
 
 enum To {
-    /// A temporary file that takes the place of this one in the end.
+    /// A temporary file that replaces this one at the end.
     Beside(NamedTempFile, PathBuf),
-    /// What will be written over this file in the end.
+    /// The contents, which are written over this file at the end.
     InPlace(Vec<u8>, PathBuf),
 }
 
 impl Output {
-    /// Begins a file; nothing of it can be seen before [`Output::finish`].
+    /// Begins a file; nothing is visible before [`Output::finish`].
     ///
-    /// # Errors
-    /// A place where no file can be written.
+    /// # Errors No file can be written at this path.
     pub fn begin(path: &Path) -> Result<Self, Error> {
         let new = |file: &Path| temporary_beside(file).map_err(|e| unwritable(path, e.kind()));
         let to = match target(path)? {
@@ -173,8 +170,7 @@ impl Output {
 
     /// Puts the file in its place.
     ///
-    /// # Errors
-    /// A full disk, or what else keeps the system from writing.
+    /// # Errors A full disk, or any other failure to write.
     pub fn finish(self) -> Result<(), Error> {
         let written = match self.to {
             To::Beside(temporary, file) => {
@@ -215,7 +211,7 @@ fn write_in_place(path: &Path, contents: &[u8]) -> io::Result<()> {
     }
 }
 
-/// A file in the same folder, to be renamed when it is complete; its mode is what the umask leaves.
+/// A temporary file in the same folder, to be renamed when it is complete; its mode follows the umask.
 fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     let folder = named_or_here(path.parent().unwrap_or(Path::new("")));
     let mut builder = tempfile::Builder::new();
@@ -225,12 +221,12 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Whether a file of this name is a temporary one, left behind by a process that was killed.
+/// Whether a file with this name is a temporary one, left behind by a process that was killed.
 pub fn is_temporary(name: &OsStr) -> bool {
     name.as_encoded_bytes().starts_with(TEMPORARY.as_bytes())
 }
 
-/// Gives a file the mode of the one it is to replace; false if it could not take its place, having another owner.
+/// Gives a file the mode of the one it will replace; false if it cannot replace it because the owners differ.
 #[cfg(unix)]
 fn keep_mode(temporary: &NamedTempFile, old: &Metadata) -> io::Result<bool> {
     use std::os::unix::fs::MetadataExt;
@@ -257,7 +253,7 @@ fn several_names(_: &Metadata) -> bool {
     false
 }
 
-/// Reports only the kind of an I/O error: its full text would name the temporary file.
+/// Reports only the kind of an I/O error, since its full text would name the temporary file.
 fn unwritable(path: &Path, problem: ErrorKind) -> Error {
     Error::file(path, format!("cannot be written: {problem}"))
 }

@@ -9,7 +9,7 @@ use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::watch::Watch;
 
-/// Loads a scene; a robot file it names is read relative to the scene file.
+/// Loads a scene; the path of a robot file is relative to the scene file.
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
@@ -17,7 +17,7 @@ pub fn load_scene(path: &Path) -> Result<Scene, Error> {
     Loader::PATIENT.scene(path)
 }
 
-/// A scene from text; robot files it names are read relative to `folder`.
+/// Reads a scene from text; paths of robot files are relative to `folder`.
 ///
 /// # Errors
 /// As [`load_scene`].
@@ -33,7 +33,7 @@ pub fn load_robot(path: &Path) -> Result<Robot, Error> {
     Loader::PATIENT.robot(path)
 }
 
-/// A robot from text; mesh files it names are read relative to `folder`.
+/// Reads a robot from text; paths of mesh files are relative to `folder`.
 ///
 /// # Errors
 /// As [`load_robot`].
@@ -45,7 +45,7 @@ impl Loader<'_> {
     /// As [`load_scene`].
     ///
     /// # Errors
-    /// As [`load_scene`], and the watch's.
+    /// As [`load_scene`], and those of the watch.
     pub fn scene(&self, path: &Path) -> Result<Scene, Error> {
         let notation = Notation::of(path)?;
         let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
@@ -58,15 +58,15 @@ impl Loader<'_> {
     /// As [`scene_from_text`].
     ///
     /// # Errors
-    /// As [`load_scene`], and the watch's.
+    /// As [`load_scene`], and those of the watch.
     pub fn scene_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
         in_place(text::parse(text, notation)?, folder, &self.watch)
     }
 
-    /// A scene from plain data; files it names are read relative to `folder`.
+    /// Makes a scene from plain data; paths of files are relative to `folder`.
     ///
     /// # Errors
-    /// As [`load_scene`], and the watch's.
+    /// As [`load_scene`], and those of the watch.
     pub fn scene_from_spec(&self, spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
         in_place(spec, folder, &self.watch)
     }
@@ -74,7 +74,7 @@ impl Loader<'_> {
     /// As [`load_robot`].
     ///
     /// # Errors
-    /// As [`load_robot`], and the watch's.
+    /// As [`load_robot`], and those of the watch.
     pub fn robot(&self, path: &Path) -> Result<Robot, Error> {
         Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
     }
@@ -82,7 +82,7 @@ impl Loader<'_> {
     /// As [`robot_from_text`].
     ///
     /// # Errors
-    /// As [`load_robot`], and the watch's.
+    /// As [`load_robot`], and those of the watch.
     pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
         let mut spec: RobotSpec = text::parse(text, notation)?;
         mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Told::default(), &self.watch)?;
@@ -90,7 +90,7 @@ impl Loader<'_> {
     }
 }
 
-/// A robot file with its meshes in place; what is to be said about them goes to the notes.
+/// A robot file with its meshes replaced by convex parts; remarks about them are added to the notes.
 fn robot_spec(path: &Path, told: &mut Told, watch: &Watch) -> Result<RobotSpec, Error> {
     let notation = Notation::of(path)?;
     let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
@@ -102,7 +102,7 @@ fn robot_spec(path: &Path, told: &mut Told, watch: &Watch) -> Result<RobotSpec, 
     Ok(spec)
 }
 
-/// Reads the robot file, if the scene names one, and all meshes, and checks the whole.
+/// Reads the robot file, if any, and all meshes, and checks the scene.
 pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch) -> Result<Scene, Error> {
     let mut told = Told { workspace: Some(spec.workspace.clone()), ..Told::default() };
     match &mut spec.robot {

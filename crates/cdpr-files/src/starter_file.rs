@@ -1,4 +1,4 @@
-//! A new scene around a robot file and meshes, commented, with files named relative to it.
+//! Writes a new, commented scene around a robot file and meshes, with relative paths to these files.
 
 use std::path::{Path, PathBuf};
 
@@ -14,24 +14,24 @@ use cdpr_core::numerics::MAX_COORDINATE;
 use cdpr_core::proposal;
 use cdpr_core::watch::{Interrupt, Watch};
 
-/// What a new scene is made of.
+/// The contents of a new scene.
 #[derive(Debug, Clone)]
 pub struct Starter {
     /// Robot file.
     pub robot: PathBuf,
-    /// Mesh files, an obstacle each.
+    /// Mesh files, one obstacle each.
     pub obstacles: Vec<PathBuf>,
     /// Unit of the meshes.
     pub units: Unit,
-    /// Start of the question, m; otherwise one is found.
+    /// Start, m; if omitted, a suitable one is chosen.
     pub start: Option<Point>,
-    /// Goal of the question, m; otherwise one is found.
+    /// Goal, m; if omitted, a suitable one is chosen.
     pub goal: Option<Point>,
 }
 
-/// A scene that is to be written to `output`: the box of [`proposal::workspace`], `[wrench]` if the robot has a mass and
-/// tension limits, start and goal as given or by [`proposal::query`]. Returns it as plain data, files named relative to
-/// `output`, as a scene, and whether a path of its question was found.
+/// Makes a scene to be written to `output`: the workspace of [`proposal::workspace`], `[wrench]` if the robot has a
+/// mass and tension limits, start and goal as given or from [`proposal::query`]. Returns plain data with paths relative
+/// to `output`, the scene, and whether a path from start to goal was found.
 ///
 /// # Errors
 /// As [`super::load_scene`]; [`Error::interrupted`].
@@ -48,7 +48,7 @@ pub fn starter_scene(
     }
     let around = proposal::workspace(&dense);
     spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
-    // The meshes are there already, as convex parts.
+    // The meshes have already been replaced by convex parts.
     let whole = SceneSpec { workspace: spec.workspace.clone(), wrench: spec.wrench.clone(), ..dense.spec().clone() };
     let scene = Scene::new(whole.clone())?;
     let query = proposal::query(&scene, interrupted)?;
@@ -59,7 +59,7 @@ pub fn starter_scene(
     Ok((spec, scene, query.is_some()))
 }
 
-/// The scene but for its workspace, wrench and missing ends.
+/// The scene without workspace, wrench and missing start or goal.
 fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
     let whole_world = [MAX_COORDINATE; 3];
     let given = starter.start.is_some() || starter.goal.is_some();

@@ -1,6 +1,6 @@
-//! Cables along a path as CSV. Columns of a cable have its name and their unit: `s,x,y,z,length of winch 1 (m),…,tension of
-//! winch 1 (N),…,capacity_margin,force_margin,moment_margin`; the others are in m, N and N·m. What does not exist is left
-//! empty.
+//! Cables along a path as CSV. The headers of a cable's columns contain its name and the unit: `s,x,y,z,length of winch
+//! 1 (m),…,tension of winch 1 (N),…,capacity_margin,force_margin,moment_margin`; the other columns are in m, N and N·m.
+//! Undefined entries are empty.
 
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub fn tensions_csv(cables: &[&str], rows: &[TensionRow]) -> String {
     table(header.collect(), rows.iter().map(record))
 }
 
-/// The rows as CSV text where tensions are not known.
+/// The rows as CSV text if tensions are not known.
 pub fn lengths_csv(cables: &[&str], rows: &[LengthRow]) -> String {
     table(place_header(cables).collect(), rows.iter().map(|row| place_record(row).collect()))
 }
@@ -61,7 +61,7 @@ fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String
     String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers and names are text")
 }
 
-/// Writes the rows as a CSV file, whole or not at all.
+/// Writes the rows as a CSV file, atomically.
 ///
 /// # Errors
 /// A name that does not end in .csv, a file that cannot be written.
@@ -70,7 +70,7 @@ pub fn save_tensions(path: &Path, cables: &[&str], rows: &[TensionRow]) -> Resul
     write_atomically(path, tensions_csv(cables, rows).as_bytes())
 }
 
-/// Checks that a name is one for tensions.
+/// Checks that a file name is suitable for tensions.
 ///
 /// # Errors
 /// A name that does not end in .csv.

@@ -1,4 +1,4 @@
-//! Text files: reading with the file named in every error, TOML or JSON by extension.
+//! Text files, TOML or JSON by extension; every error names the file.
 
 use std::fs::File;
 use std::io::Read;
@@ -11,7 +11,7 @@ use cdpr_core::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// How many files of a folder are looked at for a name like that of a missing one.
+/// Maximum number of files of a folder that are searched for a name similar to a missing one.
 const MANY_FILES: usize = 10_000;
 
 /// The two notations of structured files.
@@ -24,7 +24,7 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// By the file's extension.
+    /// The notation for the file's extension.
     pub fn of(path: &Path) -> Result<Self, Error> {
         match extension(path).as_deref() {
             Some("toml") => Ok(Notation::Toml),
@@ -34,12 +34,12 @@ impl Notation {
     }
 }
 
-/// The extension of a file's name, in small letters.
+/// The extension of a file name, in lower case.
 pub fn extension(path: &Path) -> Option<String> {
     path.extension()?.to_str().map(str::to_ascii_lowercase)
 }
 
-/// What to say of a file that has another extension.
+/// The error for a file with an unknown extension.
 pub fn other_extension(path: &Path, expected: &str) -> Error {
     let found = path.extension().map_or("(none)".to_string(), |e| format!(".{}", e.to_string_lossy()));
     Error::file(path, format!("found the extension {found}, expected {expected}"))
@@ -53,7 +53,7 @@ pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }
 
-/// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
+/// The error for a file that cannot be read; for a missing file, it suggests a similar name in the same folder.
 fn unreadable(path: &Path, error: &std::io::Error) -> Error {
     if let (std::io::ErrorKind::NotFound, Ok(end)) = (error.kind(), std::fs::read_link(path)) {
         return Error::file(path, format!("cannot be read: it is a link to {}, which does not exist", end.display()));
@@ -72,20 +72,19 @@ fn near_file(path: &Path) -> Option<String> {
     nearest_name(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_string)
 }
 
-/// All of a stream as text, up to [`MOST_TEXT_BYTES`]; `name` stands for it in messages.
+/// The whole stream as text, up to [`MOST_TEXT_BYTES`]; messages call it `name`.
 ///
-/// # Errors
-/// A stream that cannot be read, holds more, or no text in UTF-8.
+/// # Errors A stream that cannot be read, is longer, or is not text in UTF-8.
 pub fn read_stream(stream: impl Read, name: &Path) -> Result<String, Error> {
     text_of(bytes_of(stream, name, MOST_TEXT_BYTES)?, name)
 }
 
-/// The whole file as text, refused if it is larger than `most` bytes.
+/// The whole file as text; an error if it is larger than `most` bytes.
 pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
     text_of(read_bytes_at_most(path, most)?, path)
 }
 
-/// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
+/// The whole file; an error if it is larger than `most` bytes, beyond which nothing is read.
 pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     bytes_of(open(path)?, path, most)
 }
@@ -99,14 +98,14 @@ fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error>
     Ok(bytes)
 }
 
-/// Bytes as text; the mark that some editors put before it is dropped.
+/// Bytes as text, without the byte order mark that some editors add.
 fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
     let text = String::from_utf8(bytes).map_err(|_| Error::file(name, "is not text in UTF-8"))?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
 }
 
-/// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
-/// let the program wait for ever, and a device may have no end.
+/// Opens a regular file. Anything else is rejected before it is opened: the program would wait for ever for a pipe
+/// without a writer or a terminal, and a device may have no end.
 pub(super) fn open(path: &Path) -> Result<File, Error> {
     let kind = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?.file_type();
     if kind.is_dir() {
@@ -118,10 +117,9 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
     File::open(path).map_err(|e| unreadable(path, &e))
 }
 
-/// Opens a table that is read row by row; one beyond any use is refused, since a row may be as long as the file.
+/// Opens a table that is read row by row; an absurdly large one is rejected, since a row may be as long as the file.
 ///
-/// # Errors
-/// A file that is none, cannot be read, or is too large.
+/// # Errors Not a regular file, a file that cannot be read, or one that is too large.
 pub fn open_table(path: &Path) -> Result<File, Error> {
     let file = open(path)?;
     if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
@@ -168,8 +166,8 @@ fn parse_json<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     Ok(value)
 }
 
-/// What the JSON reader says, and where. In a single line only the column tells anything, and that only where the text
-/// itself is at fault: otherwise the key does.
+/// The JSON reader's message and place. In a text of a single line only the column is informative, and only for syntax
+/// errors; otherwise the key gives the place.
 fn message_and_place(error: &serde_json::Error, text: &str) -> (String, Option<String>) {
     let (line, column) = (error.line(), error.column());
     let whole = error.to_string();
@@ -191,7 +189,7 @@ fn with_place(message: &str, place: Option<String>) -> String {
     place.map_or(message.to_string(), |place| format!("{message} ({place})"))
 }
 
-/// Serde's "invalid type: string "a", expected f64" as people say it: "found the string "a", expected a number".
+/// Rewords serde's "invalid type: string "a", expected f64" as "found the string "a", expected a number".
 fn in_plain_words(message: &str) -> String {
     let mismatch = message.strip_prefix("invalid type: ").or_else(|| message.strip_prefix("invalid value: "));
     let Some((found, expected)) = mismatch.and_then(|rest| rest.rsplit_once(", expected ")) else {
@@ -231,7 +229,7 @@ fn with_suggestion(message: &str) -> String {
     }
 }
 
-/// A file as another file names it, relative to its folder.
+/// The path of a file relative to the folder of another file, as the latter refers to it.
 pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
     let absolute =
         |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("cannot be found: {e}")));
@@ -240,10 +238,9 @@ pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
     Ok(near.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/"))
 }
 
-/// Writes a table of the file formats, such as a scene's or a robot's, in the notation that the extension names.
+/// Writes data of a file format, such as a scene or a robot, in the notation given by the extension.
 ///
-/// # Errors
-/// Another extension, or a file that cannot be written; nothing half-written is left.
+/// # Errors An unknown extension, or a file that cannot be written; no partial file is left.
 ///
 /// # Example
 /// ```

@@ -20,14 +20,14 @@ use cdpr_core::numerics::MAP_NODES;
 use cdpr_core::wrench::map::{Grid, Margins};
 use cdpr_core::wrench::{MapIdentity, WrenchMap};
 
-/// What the metadata of a map say it is.
+/// The format name in the metadata of a map.
 const FORMAT: &str = "cdpr wrench map";
-/// Version of the files written.
+/// Format version of the files written.
 const VERSION: u32 = 1;
 /// Longest metadata read, bytes (NumPy takes four for a character): far above those of any robot.
 const LONGEST_METADATA: usize = 1 << 26;
 
-/// The formats of wrench maps, by extension.
+/// The formats of wrench maps, selected by extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapFormat {
     /// `.npz`: arrays for NumPy, and for [`load_wrench_map`].
@@ -37,7 +37,7 @@ pub enum MapFormat {
 }
 
 impl MapFormat {
-    /// By the file's extension; ask before the work is done.
+    /// The format for the file's extension; call this before doing any work.
     ///
     /// # Errors
     /// Another extension.
@@ -58,7 +58,7 @@ struct Metadata {
     identity: MapIdentity,
 }
 
-/// Writes a map in the format that the extension names.
+/// Writes a map in the format given by the extension.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
@@ -70,10 +70,9 @@ pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
     write_atomically(path, &bytes)
 }
 
-/// Reads a map from an .npz file. With an identity at hand, a map of another robot, load or demand is refused.
+/// Reads a map from an .npz file. If an identity is given, a map with another robot, load or requirement is an error.
 ///
-/// # Errors
-/// A file that cannot be read, is no wrench map, or is cut short; a map with another identity.
+/// # Errors A file that cannot be read, is not a wrench map, or is truncated; a map with another identity.
 ///
 /// # Example
 /// ```
@@ -120,8 +119,7 @@ pub fn wrench_map_to_npz(map: &WrenchMap) -> Vec<u8> {
 
 /// A map from the bytes of an .npz file.
 ///
-/// # Errors
-/// Bytes that are no wrench map, or are cut short.
+/// # Errors Bytes that are not a wrench map or are truncated.
 pub fn wrench_map_from_npz(bytes: &[u8]) -> Result<WrenchMap, Error> {
     read_npz(Cursor::new(bytes))
 }
@@ -152,7 +150,7 @@ fn metadata(identity: &MapIdentity) -> String {
     serde_json::to_string(&metadata).expect("plain data")
 }
 
-/// Stored, as `numpy.savez` does: margins hardly compress.
+/// Stored uncompressed, as by `numpy.savez`: margins hardly compress.
 fn begin(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str) -> io::Result<()> {
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
     zip.start_file(npyz::npz::file_name_from_array_name(name), options).map_err(io::Error::other)
@@ -223,8 +221,7 @@ fn numbers(
     read_array(zip, name, |shape, _| fits(shape) && few(shape))
 }
 
-/// Reads an array to its end, where the checksum is; `fits` judges its shape and the bytes of an element before any of
-/// them is read.
+/// Reads an array to its end, where the checksum is; `fits` checks its shape and element size before any data is read.
 fn read_array<T: npyz::Deserialize>(
     zip: &mut ZipArchive<impl Read + Seek>,
     name: &str,
@@ -256,7 +253,7 @@ fn read_array<T: npyz::Deserialize>(
     }
 }
 
-/// ImageData with raw appended data. Written here, since `vtkio` keeps origin and spacing in single precision, which
+/// ImageData with raw appended data. Written by hand, since `vtkio` keeps origin and spacing in single precision, which
 /// would move the nodes.
 fn vti(map: &WrenchMap) -> Vec<u8> {
     let Grid { origin, step, counts: [nx, ny, nz] } = map.grid();

@@ -1,5 +1,5 @@
-//! XML of other programs, read without trust: size and number of elements are bounded, and a document type is skipped:
-//! nothing that it names is fetched, and one that declares anything is refused.
+//! Reads untrusted XML: size and number of elements are limited. A document type is skipped, so that nothing it refers
+//! to is fetched, and rejected if it declares anything.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use super::text;
 use cdpr_core::error::Error;
 use cdpr_core::numerics::{MOST_XML_BYTES, MOST_XML_NODES};
 
-/// The text of an XML file with its document type blanked out, so that places stay where they are.
+/// The text of an XML file with its document type replaced by blanks, so that positions do not change.
 pub(super) fn read(path: &Path) -> Result<String, Error> {
     let text = text::read_at_most(path, MOST_XML_BYTES)?;
     let text = text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text);
@@ -61,7 +61,7 @@ pub(super) fn children<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<
     node.children().filter(Node::is_element)
 }
 
-/// The one child element of this name.
+/// The only child element with this name.
 pub(super) fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Result<Node<'a, 'i>, Error> {
     let mut found = children(node).filter(|n| n.has_tag_name(name));
     match (found.next(), found.next()) {
@@ -82,7 +82,7 @@ pub(super) fn numbers<const N: usize>(node: Node) -> Result<[f64; N], Error> {
     })
 }
 
-/// An attribute that must be there.
+/// A required attribute.
 pub(super) fn attribute<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, Error> {
     node.attribute(name).ok_or_else(|| at(node, format!("found no attribute {name}, expected one")))
 }

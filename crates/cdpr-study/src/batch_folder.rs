@@ -1,9 +1,10 @@
-//! The folder of a run: rows as they come, from which the tables are made.
+//! The folder of a run: rows as they are computed, and the tables made from them.
 //!
-//! `rows/` holds one file for each method and scenario, to which a trial appends its lines in one write. A run that was
-//! killed leaves at most one torn trial at the end of each; resuming cuts it off. One that was killed before it wrote
-//! `run.json` has not begun, and its folder is as good as new. `trials.csv`, `timings.csv`, `history.csv` where the
-//! experiment asks for it, and `summary.json` are written whole, when a run ends or is interrupted.
+//! `rows/` holds one file per method and scenario, to which each trial appends its lines in one write. A run that was
+//! killed leaves at most one incomplete trial at the end of each file; resuming truncates it. If a run was killed
+//! before it wrote `run.json`, it has not begun, and its folder counts as empty. `trials.csv`, `timings.csv`,
+//! `history.csv` (if the experiment requests it) and `summary.json` are written as a whole when a run ends or is
+//! interrupted.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -19,11 +20,11 @@ use cdpr_core::error::Error;
 use cdpr_files::output::{Output, is_temporary, write_atomically};
 use cdpr_files::text;
 
-/// The file that says which run a folder belongs to.
+/// The file that identifies the run of a folder.
 const RUN_FILE: &str = "run.json";
-/// The folder of rows as they come.
+/// The folder of the rows.
 const ROWS: &str = "rows";
-/// The file in it that a process at work holds locked.
+/// The file in it that a working process keeps locked.
 const LOCK: &str = "lock";
 
 /// The folder of a run.
@@ -31,18 +32,17 @@ const LOCK: &str = "lock";
 pub struct BatchFolder {
     path: PathBuf,
     run: RunFile,
-    /// Trials of each group whose rows are complete.
+    /// Number of trials of each group whose rows are complete.
     done: Vec<usize>,
-    /// Locked as long as this lives; the system unlocks it however the process ends.
+    /// Locked during the lifetime of this value; the system unlocks it however the process ends.
     _lock: File,
 }
 
 impl BatchFolder {
-    /// Makes the folder of a run of these trials, or with `resume` goes on with one that is there.
+    /// Creates the folder of a run of these trials, or continues an existing run with `resume`.
     ///
-    /// # Errors
-    /// A folder that is not empty without `resume`; with it, one of another experiment or of another first trial, or
-    /// without any run in it; a folder that cannot be written; no trials.
+    /// # Errors Without `resume`, a folder that is not empty; with `resume`, a folder without a run, or with a run of
+    /// another experiment or another first trial; a folder that cannot be written; no trials.
     pub fn open(path: &Path, experiment: &Experiment, trials: Range<usize>, resume: bool) -> Result<Self, Error> {
         BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
@@ -73,7 +73,7 @@ impl BatchFolder {
         write_atomically(&self.path.join(RUN_FILE), format!("{json}\n").as_bytes())
     }
 
-    /// Runs what is missing, then writes the tables; interrupted, it writes those of the rows that are there.
+    /// Runs the missing trials, then writes the tables; if interrupted, the tables of the rows so far.
     ///
     /// # Errors
     /// As [`run`], and files that cannot be written.
@@ -95,12 +95,12 @@ impl BatchFolder {
         }
     }
 
-    /// Trials whose rows are there, of all methods and scenarios.
+    /// Number of trials whose rows are complete, over all methods and scenarios.
     pub fn done(&self) -> usize {
         self.done.iter().sum()
     }
 
-    /// Cuts a torn trial off the rows of a group; how many are complete.
+    /// Truncates an incomplete trial at the end of a group's rows; returns the number of complete ones.
     fn recover(&self, group: usize) -> Result<usize, Error> {
         let path = self.path.join(ROWS).join(file_name(group));
         let problem = |e: std::io::Error| Error::file(&path, format!("cannot be read: {e}"));
@@ -136,7 +136,8 @@ impl BatchFolder {
         self.write_tables()
     }
 
-    /// Writes `trials.csv`, `timings.csv`, `history.csv` if asked for, and `summary.json`, sorted by the names of scenario and method.
+    /// Writes `trials.csv`, `timings.csv`, `history.csv` if requested, and `summary.json`, sorted by the names of
+    /// scenario and method.
     fn write_tables(&self) -> Result<(), Error> {
         let open = |group: usize| -> Result<Box<dyn Read>, Error> {
             let path = self.path.join(ROWS).join(file_name(group));
@@ -157,10 +158,9 @@ impl BatchFolder {
     }
 }
 
-/// Puts the runs of ranges of trials together: complete ones of one experiment, that follow each other without a gap.
+/// Merges runs of ranges of trials: complete runs of one experiment whose ranges follow each other without a gap.
 ///
-/// # Errors
-/// Says which folder does not fit and why; a folder to write that is not empty.
+/// # Errors A folder that does not fit (the error names it and the reason); an output folder that is not empty.
 pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
     let mut runs = folders.iter().map(|path| Ok((run_file(path)?, path))).collect::<Result<Vec<_>, Error>>()?;
     runs.sort_by_key(|(run, _)| run.first_trial);
@@ -226,8 +226,8 @@ fn run_file(folder: &Path) -> Result<RunFile, Error> {
     Ok(run)
 }
 
-/// Whether a folder holds nothing but what a run that was killed before it began may have left: a folder of rows
-/// without rows, and unfinished files.
+/// Whether a folder contains at most what a run that was killed before it began may have left: an empty folder of rows,
+/// and unfinished files.
 fn as_good_as_new(path: &Path) -> Result<bool, Error> {
     let rows = path.join(ROWS);
     let left = |name: &OsStr| (name == ROWS && rows.is_dir()) || is_temporary(name);
@@ -241,7 +241,7 @@ fn holds_only(folder: &Path, known: impl Fn(&OsStr) -> bool) -> Result<bool, Err
     Ok(names.iter().all(|name| known(name)))
 }
 
-/// The run that is there, if it is the wanted one; refuses to go on with another.
+/// The existing run, if it is the wanted one; an error otherwise.
 fn same_run(path: &Path, wanted: &RunFile) -> Result<RunFile, Error> {
     let found = run_file(path)?;
     if found.fingerprint != wanted.fingerprint || found.layout.groups != wanted.layout.groups {
@@ -258,7 +258,7 @@ fn same_run(path: &Path, wanted: &RunFile) -> Result<RunFile, Error> {
     Ok(found)
 }
 
-/// Keeps other processes out: two that append to the same rows would spoil them.
+/// Keeps other processes out: two processes that append to the same rows would corrupt them.
 fn locked(folder: &Path, path: &Path) -> Result<File, Error> {
     let unwritable = |e: std::io::Error| Error::file(path, format!("cannot be written: {e}"));
     let file = OpenOptions::new().write(true).create(true).truncate(false).open(path).map_err(unwritable)?;

@@ -1,4 +1,4 @@
-//! The tables of a run, made from its rows, and rows in memory: what one process hands to another.
+//! The tables of a run, made from its rows, and rows in memory, which processes exchange.
 
 use std::io::{Read, Write};
 use std::ops::Range;
@@ -17,7 +17,7 @@ use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::numerics::MOST_TRIALS;
 use cdpr_files::csv_cell::cell;
 
-/// What a folder says about its run.
+/// The description of a run in its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RunFile {
     pub version: u32,
@@ -26,16 +26,16 @@ pub(super) struct RunFile {
     pub first_trial: usize,
     pub end_trial: usize,
     pub layout: Layout,
-    /// How its methods plan; empty in files of before 0.2.
+    /// How its methods plan; empty in files from before 0.2.
     #[serde(default)]
     pub rules: Vec<Rules>,
-    /// What ran its trials, each once; several where it was resumed or merged from elsewhere.
+    /// The programs and machines that ran its trials, without duplicates; several if it was resumed or merged.
     #[serde(default)]
     pub origins: Vec<Origin>,
 }
 
 impl RunFile {
-    /// The run of these trials; there must be some.
+    /// The run of these trials, of which there must be at least one.
     pub fn of(experiment: &Experiment, trials: &Range<usize>) -> Result<Self, Error> {
         if trials.is_empty() {
             let problem = format!("found {} to {}, expected at least one trial", trials.start, trials.end);
@@ -53,7 +53,7 @@ impl RunFile {
         })
     }
 
-    /// Checks what a file says: a range of trials that an experiment can have, and groups of some methods.
+    /// Checks the contents of a file: a valid range of trials, and groups with at least one method.
     pub fn check(&self) -> Result<(), Error> {
         let RunFile { version, first_trial, end_trial, layout, .. } = self;
         if *version != FORMAT_VERSION {
@@ -71,7 +71,7 @@ impl RunFile {
         self.first_trial..self.end_trial
     }
 
-    /// Notes what ran trials.
+    /// Records what ran the trials.
     pub fn ran_on(&mut self, origin: Origin) {
         if !self.origins.contains(&origin) {
             self.origins.push(origin);
@@ -81,8 +81,8 @@ impl RunFile {
 
 /// The rows of a range of trials, in memory.
 ///
-/// The rows of each group (a method in a scenario) are lines of CSV; those of ranges that follow each other, one after
-/// the other, are the rows of the whole.
+/// The rows of each group (a method in a scenario) are lines of CSV; concatenating the rows of consecutive ranges gives
+/// the rows of the whole.
 ///
 /// # Example
 /// ```
@@ -113,7 +113,7 @@ pub struct Tables {
     pub trials: Vec<u8>,
     /// `timings.csv`
     pub timings: Vec<u8>,
-    /// `history.csv`, if the experiment asks for it.
+    /// `history.csv`, if the experiment requests it.
     pub history: Option<Vec<u8>>,
     /// `summary.json`
     pub summary: Value,
@@ -135,10 +135,9 @@ impl BatchRows {
         Ok(BatchRows { run: about, groups })
     }
 
-    /// Rows that were run elsewhere, by group.
+    /// Rows that were computed elsewhere, by group.
     ///
-    /// # Errors
-    /// Another number of groups, or of rows in one of them; no trials.
+    /// # Errors A wrong number of groups, or of rows in one of them; no trials.
     pub fn new(experiment: &Experiment, trials: Range<usize>, groups: Vec<Vec<u8>>) -> Result<Self, Error> {
         let mut run = RunFile::of(experiment, &trials)?;
         run.ran_on(origin_here(None));
@@ -156,7 +155,7 @@ impl BatchRows {
         self.groups
     }
 
-    /// The tables, the same bytes as in a folder of the run.
+    /// The tables, byte for byte as in a folder of the run.
     ///
     /// # Errors
     /// Rows that are not those of the trials.
@@ -168,7 +167,7 @@ impl BatchRows {
         Ok(Tables { trials, timings, history, summary })
     }
 
-    /// Writes the folder of the run, as the command line does.
+    /// Writes the folder of the run, like the command line.
     ///
     /// # Errors
     /// A folder that is not empty or cannot be written.
@@ -185,8 +184,8 @@ pub(super) fn lines(rows: &[Row]) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|e| Error::invalid("rows", e.to_string()))
 }
 
-/// Writes the tables of trials, of timings and, if asked for, of their history, sorted by the names of scenario and method;
-/// the summary. `place` is where the rows are, for messages; `open` reads those of a group.
+/// Writes the tables of trials, of timings and, if requested, of their history, sorted by the names of scenario and
+/// method; returns the summary. `place` is the location of the rows, for messages; `open` reads the rows of a group.
 pub(super) fn write_tables<'a>(
     run: &RunFile,
     place: &Path,
@@ -270,7 +269,7 @@ pub(super) const TRIAL_COLUMNS: [&str; 11] = [
     "motion_checks",
 ];
 const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
-/// Of a method that is swept the variants share one history, under the method's own name.
+/// The variants of a swept method share one history, under the name of the method.
 const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
 
 fn trial_columns(row: &Row) -> impl Serialize + '_ {

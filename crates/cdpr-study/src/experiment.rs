@@ -1,4 +1,4 @@
-//! An experiment that has been checked, and the layout of its results.
+//! A checked experiment, and the layout of its results.
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -16,64 +16,64 @@ use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::watch::{TimeUnit, time_budget};
 
-/// Level of confidence intervals unless the experiment gives one.
+/// Default level of confidence intervals.
 const CONFIDENCE: f64 = 0.95;
 
 /// A checked experiment. Immutable; made by [`Experiment::new`].
 #[derive(Debug, Clone)]
 pub struct Experiment {
-    /// Name, for messages.
+    /// Name used in messages.
     pub name: String,
-    /// Everything random flows from it.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// Trials of each method in each scenario.
+    /// Number of trials of each method in each scenario.
     pub trials: usize,
-    /// Where is planned.
+    /// The scenarios.
     pub scenarios: Vec<Scenario>,
-    /// How is planned.
+    /// The methods.
     pub methods: Vec<Method>,
-    /// What the results look like.
+    /// The layout of the results.
     pub layout: Layout,
-    /// Identifies what the rows depend on: everything but name, number of trials, tests and confidence.
+    /// Identifies everything that the rows depend on: all except name, number of trials, tests and confidence.
     pub fingerprint: String,
-    /// The experiment as data with its scenes in place, so that it can be sent where their files are not.
+    /// The experiment as data with inline scenes, so that it can be sent to machines without the scene files.
     pub portable: ExperimentSpec,
 }
 
-/// A scene for all trials, or one for each.
+/// One scene for all trials, or one for each.
 #[derive(Debug, Clone)]
 pub struct Scenario {
-    /// Name in tables.
+    /// Name used in tables.
     pub name: String,
-    /// The scene, or the base around which scenes are drawn.
+    /// The scene, or the base of random scenes.
     pub scene: Scene,
     /// Draws a trial's scene.
     pub random: Option<RandomScenes>,
 }
 
-/// A planner, and one or more things done to its raw path.
+/// A planner, and one or more ways to process its raw path.
 #[derive(Debug, Clone)]
 pub struct Method {
     /// Name; its random numbers derive from it.
     pub name: String,
-    /// The planner, without rewinding.
+    /// The planner, without post-processing.
     pub options: PlanOptions,
-    /// Names in tables, and what is done to the raw path.
+    /// Names used in tables, and the processing of the raw path.
     pub variants: Vec<(String, Processing)>,
-    /// What the variants of a sweep differ in; empty without a sweep.
+    /// The settings in which the variants of a sweep differ; empty without a sweep.
     pub sweep: Vec<Swept>,
 }
 
-/// What the tables of a run look like; kept beside its rows.
+/// The layout of the tables of a run, stored beside its rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Layout {
     /// Scenario and variants of each pair of scenario and method, in order of work within a trial.
     pub groups: Vec<Group>,
-    /// Comparisons asked for.
+    /// Requested comparisons.
     pub t_tests: Vec<TTestSpec>,
     /// Level of confidence intervals.
     pub confidence: f64,
-    /// Whether rows hold when the path got better.
+    /// Whether rows record when the path improved.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub history: bool,
 }
@@ -85,15 +85,15 @@ pub struct Group {
     pub scenario: String,
     /// Names of the methods.
     pub methods: Vec<String>,
-    /// Where each of them stands in its sweep; empty without one.
+    /// The place of each of them in its sweep; empty without a sweep.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sweep: Vec<Swept>,
 }
 
-/// Where a variant stands in its sweep.
+/// The place of a variant in its sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Swept {
-    /// Name of the method that is swept.
+    /// Name of the swept method.
     pub of: String,
     /// Step of rewinding, m, if it is swept.
     pub step: Option<f64>,
@@ -103,7 +103,7 @@ pub struct Swept {
     pub repeats: Option<usize>,
 }
 
-/// How a method plans and what it holds to, with defaults written out; recorded beside its rows.
+/// How a method plans and checks, including defaults; recorded beside its rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rules {
     /// Name of the method.
@@ -118,11 +118,11 @@ pub struct Rules {
     pub interference: String,
     /// Step of rewinding, m.
     pub step: f64,
-    /// What is done to the path, unless it is swept.
+    /// Post-processing of the path, unless it is swept.
     pub post: String,
-    /// How often rewinding runs, unless that is swept.
+    /// Number of times that rewinding runs, unless it is swept.
     pub repeats: usize,
-    /// Time after which a trial ends, ms.
+    /// Time limit of a trial, ms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
     /// What is swept.
@@ -137,7 +137,7 @@ impl Experiment {
         methods.map(|(method, spec)| Rules::of(method, spec)).collect()
     }
 
-    /// Checks an experiment; `load` reads a scene that it names.
+    /// Checks an experiment; `load` reads scene files that it refers to.
     ///
     /// # Errors
     /// Names the key, what was found and what was expected.
@@ -194,7 +194,7 @@ fn sound_confidence(confidence: f64) -> Result<(), Error> {
     Err(Error::invalid("confidence", format!("found {confidence}, expected a number between 0 and 1")))
 }
 
-/// Refuses more combinations of scenarios, methods and what is swept than tables can hold, before any is made.
+/// Rejects more combinations of scenarios, methods and sweeps than tables can hold, before any is made.
 fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
     let variants = |method: &MethodSpec| {
         let sweep = method.sweep.clone().unwrap_or_default();
@@ -214,8 +214,8 @@ fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
 }
 
 impl Layout {
-    /// Checks a layout from a file: a sound confidence, and for each group its methods and, if any, where they stand in
-    /// a sweep.
+    /// Checks a layout from a file: a valid confidence level, and for each group its methods and, if any, their places
+    /// in a sweep.
     pub(crate) fn check(&self) -> Result<(), Error> {
         sound_confidence(self.confidence)?;
         for (k, Group { methods, sweep, .. }) in self.groups.iter().enumerate() {
@@ -274,7 +274,7 @@ impl Method {
         body::name("name", &spec.name)?;
         let defaults = PlanOptions::default();
         let step = spec.step.unwrap_or(defaults.step);
-        // Experiments repeat the paper unless told otherwise.
+        // By default, experiments repeat the paper.
         let planner = chosen(spec.planner.as_deref(), Planner::ModifiedRrt)?;
         let options = PlanOptions {
             planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
@@ -291,10 +291,10 @@ impl Method {
     }
 }
 
-/// A way of rewinding by its name in tables, and where it stands in the sweep.
+/// A way of rewinding, its name in tables, and its place in the sweep.
 type Variant = ((String, Processing), Swept);
 
-/// All combinations of a sweep, or the one way of rewinding of a method without.
+/// All combinations of a sweep, or the single way of rewinding of a method without one.
 fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
     let (post, repeats) = (post_of(spec, planner), repeats_of(spec));
     let sweep = spec.sweep.clone().unwrap_or_default();
@@ -367,7 +367,7 @@ fn fingerprint(spec: &ExperimentSpec, scenarios: &[Scenario]) -> String {
     let random: Vec<_> = spec.scenarios.iter().map(|s| &s.random).collect();
     let mut rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
     if spec.history {
-        rows["history"] = true.into(); // absent otherwise: what is known of older runs stays true
+        rows["history"] = true.into(); // absent otherwise, so that fingerprints of older runs stay valid
     }
     let text = rows.to_string();
     fingerprint_of(&text)

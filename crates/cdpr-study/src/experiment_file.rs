@@ -7,7 +7,7 @@ use cdpr_core::error::{Error, name_of_file};
 use cdpr_files::Loader;
 use cdpr_files::text::{self, Notation};
 
-/// Loads an experiment; scenes it names are read relative to its file.
+/// Loads an experiment; paths of scenes are relative to its file.
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
@@ -15,7 +15,7 @@ pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
     load_experiment_by(&Loader::PATIENT, path)
 }
 
-/// An experiment from text; scenes it names are read relative to `folder`, or to where the program runs.
+/// Reads an experiment from text; paths of scenes are relative to `folder`, or to the working directory.
 ///
 /// # Errors
 /// As [`load_experiment`].
@@ -23,10 +23,10 @@ pub fn experiment_from_text(text: &str, notation: Notation, folder: Option<&Path
     experiment_from_text_by(&Loader::PATIENT, text, notation, folder)
 }
 
-/// As [`load_experiment`], by a loader that its watch can end early.
+/// As [`load_experiment`], with an interruptible loader.
 ///
 /// # Errors
-/// As [`load_experiment`], and the watch's.
+/// As [`load_experiment`], and those of the watch.
 pub fn load_experiment_by(loader: &Loader, path: &Path) -> Result<Experiment, Error> {
     let notation = Notation::of(path)?;
     let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
@@ -36,10 +36,10 @@ pub fn load_experiment_by(loader: &Loader, path: &Path) -> Result<Experiment, Er
     checked(spec, Some(path.parent().unwrap_or(Path::new("."))), loader).map_err(|e| e.in_file(path))
 }
 
-/// As [`experiment_from_text`], by a loader that its watch can end early.
+/// As [`experiment_from_text`], with an interruptible loader.
 ///
 /// # Errors
-/// As [`load_experiment`], and the watch's.
+/// As [`load_experiment`], and those of the watch.
 pub fn experiment_from_text_by(
     loader: &Loader,
     text: &str,

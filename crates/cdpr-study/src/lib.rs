@@ -1,5 +1,5 @@
-//! Experiments: scenarios × methods × trials, on all cores, with the same rows whatever the number of threads; their
-//! statistics; and a finished run as a page.
+//! Experiments: scenarios × methods × trials, on all cores, with the same rows for any number of threads; their
+//! statistics; and a report of a finished run as a page.
 
 pub mod batch_folder;
 pub mod batch_tables;
@@ -30,7 +30,8 @@ pub use summary::Summary;
 
 use hmac_sha256::Hash;
 
-/// The seed that belongs to these words and to no others: a stream of its own for every trial, whatever runs beside it.
+/// A seed derived from these words, different for different words, so that every trial has its own stream of random
+/// numbers.
 ///
 /// # Example
 /// ```

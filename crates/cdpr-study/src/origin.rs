@@ -1,17 +1,18 @@
-//! Which program ran trials, and on what machine, as run and summary files record it: without that, times say nothing.
+//! The program and the machine that ran trials, as recorded in run and summary files; without them times are
+//! meaningless.
 
 use std::fs;
 
 use serde::{Deserialize, Serialize};
 
-/// A program at work on a machine; [`origin_here`] gives this one.
+/// A program on a machine; [`origin_here`] describes this one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Origin {
-    /// cdpr.
+    /// Name of the program, cdpr.
     pub program: String,
-    /// Its version.
+    /// Version of the program.
     pub version: String,
-    /// The processor, as the system names it; none where it does not.
+    /// The processor, as named by the system, if it is known.
     pub cpu: Option<String>,
     /// The instruction set, such as x86_64.
     pub architecture: String,
@@ -19,7 +20,7 @@ pub struct Origin {
     pub os: String,
     /// Logical cores that the program may use.
     pub cores: usize,
-    /// Threads that ran trials; none where rows were run elsewhere and handed over.
+    /// Threads that ran trials; `None` if rows were computed elsewhere.
     pub threads: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Reads what a run left, and writes its report.
+//! Reads the results of a run and writes its report.
 
 use std::fs;
 use std::io::BufReader;
@@ -26,8 +26,7 @@ struct TrialRow {
 
 /// Reads `summary.json` and `trials.csv` of a folder that `cdpr batch` or `cdpr merge` wrote.
 ///
-/// # Errors
-/// Names the file that is missing, or in which something else was found than expected.
+/// # Errors A missing or invalid file; the error names it.
 pub fn load_study(folder: &Path) -> Result<Study, Error> {
     let path = folder.join("summary.json");
     if !path.is_file() {
@@ -52,7 +51,7 @@ fn costs(path: &Path) -> Result<Costs, Error> {
     Ok(costs)
 }
 
-/// Writes each plot as SVG and as PNG into a folder, which is made if it is not there.
+/// Writes each plot as SVG and as PNG to a folder, which is created if necessary.
 ///
 /// # Errors
 /// A folder or file that cannot be written.

@@ -1,7 +1,7 @@
-//! Runs the trials of an experiment on several threads and hands over their rows in order.
+//! Runs the trials of an experiment on several threads and delivers their rows in order.
 //!
-//! Trial 0 of every method in every scenario comes first, then trial 1 of all: so a rate measured early holds to the
-//! end. A trial draws from a stream of its own, so neither threads nor interruptions change a row.
+//! Trial 0 of every method in every scenario comes first, then trial 1 of all, so that the rate of progress stays the
+//! same to the end. Each trial has its own stream of random numbers, so neither threads nor interruptions change a row.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,9 +20,9 @@ use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_within, plan, post_
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::watch::{Interrupt, Watch, thread_count};
 
-/// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
+/// Maximum number of trials finished ahead of the oldest unfinished one; limits memory.
 const AHEAD: usize = 4096;
-/// Time between two looks at whether the caller wants to stop.
+/// Time between two checks whether the caller wants to stop.
 const PATIENCE: Duration = Duration::from_millis(20);
 
 /// How a trial ended.
@@ -31,13 +31,13 @@ const PATIENCE: Duration = Duration::from_millis(20);
 pub enum TrialStatus {
     /// A path was found.
     Solved,
-    /// The samples or the time ran out first.
+    /// Samples or time ran out first.
     BudgetSpent,
     /// The start is not a valid state.
     StartInvalid,
     /// The goal is not a valid state.
     GoalInvalid,
-    /// The program failed; the progress says how.
+    /// The program failed; the progress gives the reason.
     Failed,
 }
 
@@ -50,7 +50,7 @@ pub struct Row {
     pub method: String,
     /// Number of the trial.
     pub trial: usize,
-    /// Seed of the trial: planning the scene with it gives the same path.
+    /// Seed of the trial: planning the scene with it reproduces the path.
     pub seed: u64,
     /// How it ended.
     pub status: TrialStatus,
@@ -70,12 +70,12 @@ pub struct Row {
     pub planning_seconds: Option<f64>,
     /// Time of rewinding, s.
     pub post_seconds: Option<f64>,
-    /// When the planner's path got better, if the experiment asks for it; stands with the first variant of a sweep alone.
+    /// When the planner's path improved, if the experiment requests it; only in the first variant of a sweep.
     #[serde(with = "milestones")]
     pub history: Vec<Milestone>,
 }
 
-/// Milestones as one field of CSV: `seconds samples cost`, semicolons between them.
+/// Milestones as one field of CSV: `seconds samples cost`, separated by semicolons.
 mod milestones {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
@@ -101,28 +101,28 @@ mod milestones {
     }
 }
 
-/// How a run goes about it.
+/// Options of a run.
 pub struct RunOptions<'a> {
-    /// Threads; none means all there are.
+    /// Number of threads; `None` means the number of cores.
     pub threads: Option<usize>,
-    /// Asked often; true ends the run with [`Error::interrupted`], all rows so far handed over.
+    /// Polled often; true ends the run with [`Error::interrupted`] after all rows so far have been delivered.
     pub interrupted: &'a Interrupt<'a>,
-    /// Told after each trial.
+    /// Called after each trial.
     pub progress: &'a mut dyn FnMut(Progress),
 }
 
-/// How far a run has come.
+/// Progress of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
-    /// Trials done, of all methods and scenarios.
+    /// Number of finished trials, over all methods and scenarios.
     pub done: usize,
-    /// Trials to do.
+    /// Total number of trials.
     pub total: usize,
-    /// What went wrong in the trial just done, if the program failed.
+    /// The reason, if the program failed in the trial just finished.
     pub failure: Option<String>,
 }
 
-/// Where the rows of a trial go: its group, and a row for each variant.
+/// Receives the rows of a trial: its group, and one row per variant.
 pub type Sink<'a> = dyn FnMut(usize, &[Row]) -> Result<(), Error> + 'a;
 
 /// A trial of a method in a scenario.
@@ -132,7 +132,7 @@ struct Unit {
     trial: usize,
 }
 
-/// How many threads these options ask for.
+/// The number of threads that these options request.
 ///
 /// # Errors
 /// Zero threads, or too many.
@@ -141,10 +141,9 @@ pub fn threads_of(options: &RunOptions) -> Result<usize, Error> {
     Ok(threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)))
 }
 
-/// Runs all trials below `end` that are not done yet; `next[group]` is the first one of a group that is not.
+/// Runs all unfinished trials below `end`; `next[group]` is the first unfinished trial of a group.
 ///
-/// # Errors
-/// What the sink answers, a scenario in which no free scene is found, zero threads, [`Error::interrupted`].
+/// # Errors Errors of the sink, a scenario for which no free scene is found, zero threads, [`Error::interrupted`].
 pub fn run(
     experiment: &Experiment,
     next: &[usize],
@@ -193,12 +192,12 @@ pub fn run(
             Ok(())
         })();
         queue.stop();
-        drop(results); // threads that wait to hand over a result find nobody there, and end
+        drop(results); // threads waiting to deliver a result find the receiver gone and end
         written
     })
 }
 
-/// What a trial came to.
+/// The result of a trial.
 struct Trial {
     group: usize,
     rows: Vec<Row>,
@@ -231,7 +230,7 @@ impl Iterator for Units<'_> {
     }
 }
 
-/// Hands out units, and holds threads back that are too far ahead of what has been written.
+/// Distributes units and holds back threads that are too far ahead of what has been written.
 struct Queue<'a> {
     state: Mutex<QueueState<'a>>,
     moved: Condvar,
@@ -277,7 +276,7 @@ impl<'a> Queue<'a> {
 
 type Handover = SyncSender<(usize, Result<Trial, Error>)>;
 
-/// What one thread does.
+/// The work of one thread.
 fn work(experiment: &Experiment, queue: &Queue, sender: &Handover) {
     let mut engines = Engines::default();
     while let Some((index, unit)) = queue.take() {
@@ -294,7 +293,7 @@ fn work(experiment: &Experiment, queue: &Queue, sender: &Handover) {
     }
 }
 
-/// Engines that this thread has compiled: threads share none, so that they do not fight over its hint.
+/// Engines compiled by this thread. Threads share none, so that they do not contend for an engine's hint.
 #[derive(Default)]
 struct Engines {
     fixed: BTreeMap<usize, Vec<Compiled>>,

@@ -1,4 +1,4 @@
-//! JSON Schemas of all file formats that people write.
+//! JSON Schemas of all file formats that users write.
 
 use schemars::schema_for;
 

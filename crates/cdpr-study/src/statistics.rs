@@ -7,16 +7,16 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// Size, mean and variance of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
-    /// How many values.
+    /// Number of values.
     pub n: usize,
-    /// Their mean; NaN of none.
+    /// Mean; NaN without values.
     pub mean: f64,
-    /// Their variance with n - 1 in the denominator; NaN of fewer than two.
+    /// Variance with n - 1 in the denominator; NaN for fewer than two values.
     pub variance: f64,
 }
 
 impl Moments {
-    /// Of these values, in two passes.
+    /// Computes the summary of these values in two passes.
     pub fn of(values: &[f64]) -> Self {
         let n = values.len();
         let mean = values.iter().sum::<f64>() / n as f64;
@@ -30,7 +30,7 @@ impl Moments {
         self.variance.sqrt()
     }
 
-    /// Confidence interval of the mean at this level, after Student; NaN of fewer than two values.
+    /// Student's confidence interval of the mean at this level; NaN for fewer than two values.
     ///
     /// # Example
     /// ```
@@ -50,7 +50,7 @@ fn student(df: f64) -> Option<StudentsT> {
     StudentsT::new(0.0, 1.0, df).ok().filter(|_| df.is_finite())
 }
 
-/// The quantile of sorted values, linear between neighbours (type 7 of Hyndman and Fan, 1996); NaN of none.
+/// Quantile of sorted values, linear between neighbours (type 7 of Hyndman and Fan, 1996); NaN without values.
 pub fn quantile(sorted: &[f64], p: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let at = p.clamp(0.0, 1.0) * last as f64;
@@ -59,21 +59,21 @@ pub fn quantile(sorted: &[f64], p: f64) -> f64 {
     low + (high - low) * (at - below as f64)
 }
 
-/// How the variances of two samples are taken.
+/// How the variances of two samples are treated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Comparison {
-    /// Each its own (Welch, 1947).
+    /// Separate variances (Welch, 1947).
     #[default]
     Welch,
-    /// One, estimated from both (Student).
+    /// A common variance, estimated from both samples (Student).
     Pooled,
 }
 
 /// A two-sample t-test of equal means, two-sided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TTest {
-    /// The statistic, mean of a less mean of b over its standard error.
+    /// The statistic: mean of a minus mean of b, divided by its standard error.
     pub t: f64,
     /// Degrees of freedom.
     pub df: f64,
@@ -81,7 +81,8 @@ pub struct TTest {
     pub p: f64,
 }
 
-/// Compares the means of two samples; all numbers are NaN where a sample has fewer than two values or both no variance.
+/// Compares the means of two samples; all results are NaN if a sample has fewer than two values or neither has any
+/// variance.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,4 @@
-//! What the rows of a run say: statistics of each method in each scenario, and the comparisons asked for.
+//! Summary of the rows of a run: statistics of each method in each scenario, and the requested comparisons.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use super::run::{Row, TrialStatus};
 use super::statistics::{Moments, quantile, t_test};
 use crate::experiment_spec::Measure;
 
-/// Quantiles of every summary, beside median, least and largest.
+/// Quantiles of every summary, besides median, minimum and maximum.
 const QUANTILES: [(&str, f64); 4] = [("q05", 0.05), ("q25", 0.25), ("q75", 0.75), ("q95", 0.95)];
 
 /// Gathers rows, one method of one scenario after the other.
@@ -23,7 +23,7 @@ pub struct Summary {
 type Samples = [(&'static str, Vec<f64>); 6];
 
 impl Summary {
-    /// Adds all rows of a method in a scenario. Unsolved trials are counted and left out of the statistics.
+    /// Adds all rows of a method in a scenario. Unsolved trials are counted but left out of the statistics.
     pub fn add(
         &mut self,
         (scenario, method): (&str, &str),
@@ -62,7 +62,7 @@ impl Summary {
         self.methods.push(Value::Object(entry));
     }
 
-    /// The whole as JSON; numbers that do not exist are null.
+    /// The whole summary as JSON; undefined numbers are null.
     pub fn json(&self, layout: &Layout, experiment: &str, fingerprint: &str) -> Value {
         let tests: Vec<Value> = layout.t_tests.iter().map(|test| self.tested(test)).collect();
         json!({

@@ -1,5 +1,4 @@
-//! What a page shows besides the scene and its path: the numbers that it plots along the path, shadows, and the
-//! wrench-feasible workspace.
+//! Additional contents of a page: plots along the path, shadows, and the wrench-feasible workspace.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -20,30 +19,30 @@ use cdpr_core::wrench::map::Grid;
 use cdpr_core::wrench::tensions::even_steps;
 use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
 
-/// Steps along a path at which its plots are computed: about one a pixel.
+/// Number of steps of the plots along a path: about one per pixel.
 const STEPS: f64 = 300.0;
 
-/// Numbers along a path, one column for each plot. Three or four digits more than a plot can show are left out.
+/// Numbers along a path, one column per plot, rounded to a few more digits than a plot can show.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Motion {
-    /// Way along the path, m.
+    /// Distance along the path, m.
     s: Vec<f32>,
-    /// For each cable its length, m.
+    /// Length of each cable, m.
     lengths: Vec<Vec<f32>>,
-    /// Gap of the pair with the least room beyond what is required of it, m; empty where there is nothing to keep away from.
+    /// Gap of the pair with the smallest room beyond its required gap, m; empty if there are no pairs to check.
     clearance: Vec<f32>,
-    /// What is required of that pair, m.
+    /// Required gap of that pair, m.
     required: Vec<f32>,
-    /// Which pair, as indices into `pairs`.
+    /// That pair, as an index into `pairs`.
     tightest: Vec<usize>,
-    /// Names of the pairs that have the least room somewhere.
+    /// Names of the pairs that have the smallest room somewhere.
     pairs: Vec<Vec<String>>,
-    /// For each cable its tension, N, none where the loads cannot be balanced; empty where the robot has no mass or no
+    /// Tension of each cable, N, `None` where the loads cannot be balanced; empty if the robot has no mass or no
     /// tension limits.
     tensions: Vec<Vec<Option<f32>>>,
-    /// For each cable the least and the largest tension, N.
+    /// Minimum and maximum tension of each cable, N.
     tension_limits: Vec<[f64; 2]>,
-    /// One for each measure of a scene with `[wrench]`; empty for robots of so many cables that they would take long.
+    /// One per measure of a scene with `[wrench]`; empty for robots with so many cables that it would take too long.
     margins: Vec<Margins>,
 }
 
@@ -52,14 +51,14 @@ pub(super) struct Motion {
 struct Margins {
     measure: &'static str,
     unit: &'static str,
-    /// Margin beyond what is demanded, none where a cable has no direction.
+    /// Margin beyond the required one, `None` where a cable has no direction.
     values: Vec<Option<f32>>,
 }
 
-/// What a path is plotted by; none for a path that goes nowhere.
+/// The plots of a path; `None` for a path of length zero.
 ///
-/// # Errors
-/// As [`Constraints::within`]; a tension solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+/// # Errors As [`Constraints::within`]; a tension solver that could not decide; [`Error::interrupted`],
+/// [`Error::out_of_time`].
 pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = path_length(waypoints);
     if !(length > 0.0) {
@@ -83,7 +82,7 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
         positions.par_iter().map(|position| watch.check().map(|()| tightest(&constraints, position))).collect();
     for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
         let known = motion.pairs.iter().position(|pair| *pair == culprits);
-        // What is kept up to the tolerance of the engines must not look broken.
+        // A gap that is kept to within the tolerance of the engines must not look violated.
         let kept = value >= required - TOUCH_DEPTH;
         motion.clearance.push(if kept { value.max(required) } else { value } as f32);
         motion.required.push(required as f32);
@@ -142,21 +141,21 @@ fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
     (0..cables).map(|cable| rows.iter().map(|row| row[cable].clone()).collect()).collect()
 }
 
-/// Edges of a search tree beyond which a page shows only some of them, so that it stays below 2 MB.
+/// Maximum number of tree edges on a page, which keeps it below 2 MB; of larger trees only some are shown.
 const MOST_EDGES: usize = 8000;
 
 /// Edges of a search tree, each as the positions of its ends.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Edges {
-    /// Every how many edges one is shown, 1 where all are.
+    /// Every `stride`-th edge is shown; 1 if all are.
     every: usize,
-    /// How many the tree has.
+    /// Number of edges of the tree.
     count: usize,
     /// x, y, z of both ends, edge after edge, m.
     ends: Vec<f32>,
 }
 
-/// A search tree as the page draws it; none if it has no edges.
+/// A search tree as drawn on the page; `None` if it has no edges.
 pub(super) fn tree(tree: &SearchTree<Point>) -> Option<Edges> {
     let count = tree.edges().count();
     let every = count.div_ceil(MOST_EDGES);
@@ -164,12 +163,12 @@ pub(super) fn tree(tree: &SearchTree<Point>) -> Option<Edges> {
     (count > 0).then(|| Edges { every, count, ends: ends() })
 }
 
-/// Triangles of shadows beyond which a page goes without them, so that it stays below 2 MB.
+/// Maximum number of shadow triangles on a page, which keeps it below 2 MB; beyond it shadows are omitted.
 const MOST_TRIANGLES: usize = 6000;
-/// Pairs of a cable and an obstacle beyond which shadows are not even computed.
+/// Maximum number of pairs of a cable and an obstacle; beyond it shadows are not even computed.
 const MOST_SHADOWS: usize = 2000;
 
-/// The shadows of a scene in the space of attachments; none if there are none or too many.
+/// The shadows of a scene in the space of attachments; `None` if there are none or too many.
 pub(super) fn shadows(scene: &Scene, watch: &Watch) -> Result<Option<Value>, Error> {
     let parts: usize = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
     if parts == 0 || parts * scene.robot().cables().len() > MOST_SHADOWS {
@@ -180,42 +179,43 @@ pub(super) fn shadows(scene: &Scene, watch: &Watch) -> Result<Option<Value>, Err
     Ok((1..=MOST_TRIANGLES).contains(&triangles).then(|| regions_value(&found, false)))
 }
 
-/// Regions as the page reads them; `shown` tells whether they are visible at first.
+/// Regions in the format of the page; `shown` is whether they are initially visible.
 pub(super) fn regions_value(regions: &Regions, shown: bool) -> Value {
     json!({ "space": regions.space, "shown": shown, "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>() })
 }
 
-/// Most steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
+/// Maximum number of steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
 const MOST_MAP_STEPS: f64 = 16.0;
-/// With fewer steps a map would say nothing, and the page goes without it.
+/// With fewer steps a map would be meaningless, so the page omits it.
 const LEAST_MAP_STEPS: f64 = 6.0;
-/// Positions times choices of five cables, of which each may span a facet: about two seconds on two cores.
+/// Maximum number of positions times choices of five cables, each of which may span a facet: about two seconds on two
+/// cores.
 const MARGIN_WORK: f64 = 4e6;
 
-/// In how many ways five cables are chosen.
+/// Number of ways to choose five cables.
 fn choices(cables: usize) -> f64 {
     (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product()
 }
 
-/// How fine a map of a robot with this many cables is; none if it would take too long.
+/// Number of steps of the map of a robot with this many cables; `None` if it would take too long.
 fn map_steps(cables: usize) -> Option<f64> {
     let steps = ((MARGIN_WORK / choices(cables)).cbrt() - 1.0).floor();
     (steps >= LEAST_MAP_STEPS).then_some(steps.min(MOST_MAP_STEPS))
 }
 
-/// A coarse grid over the positions where the platform is in the workspace.
+/// A coarse grid over the positions at which the platform is inside the workspace.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Feasible {
     origin: [f64; 3],
     step: f64,
     counts: [usize; 3],
-    /// Margin beyond what is demanded, z fastest; none where it is not positive.
+    /// Margin beyond the required one, z fastest; `None` where it is not positive.
     margins: Vec<Option<f32>>,
     measure: &'static str,
     unit: &'static str,
 }
 
-/// Where a scene with `[wrench]` has the wrenches that it demands; none for other scenes.
+/// The region in which a scene with `[wrench]` meets its requirements; `None` for other scenes.
 ///
 /// # Errors
 /// As [`measures`]; [`Error::interrupted`], [`Error::out_of_time`].
@@ -226,7 +226,7 @@ pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>,
     let longest = (max - min).max();
     let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
     let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
-    // Where one measure of several fails, the whole demand does.
+    // If one of several measures fails, the requirements are not met.
     let margin = |node: usize| {
         watch.check()?;
         let position = grid.position(node);

@@ -1,7 +1,7 @@
 //! One self-contained HTML page that shows a scene with its path or its forbidden regions; it opens offline.
 //!
-//! What is not asked for but helps to see is computed here: the plots along the path, shadows, the wrench-feasible
-//! workspace. A part of it that cannot be computed is left out; whoever asks for a page has checked path and scene before.
+//! Additional contents are computed here: plots along the path, shadows, the wrench-feasible workspace. A part that
+//! cannot be computed is left out; callers have already checked path and scene.
 //!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
 //! scene as JSON.
@@ -24,10 +24,10 @@ const TEMPLATE: &str = include_str!("assets/template.html");
 const STYLE: &str = include_str!("assets/viewer.css");
 const SCRIPT: &str = include_str!("assets/viewer.js");
 
-/// What to show of a path.
+/// The path to show.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ShownPath {
-    /// How planning ended, in the words of the path file.
+    /// How planning ended, as in a path file.
     pub status: Option<String>,
     /// The final path, m.
     pub waypoints: Vec<Point>,
@@ -39,11 +39,11 @@ pub struct ShownPath {
     pub raw_cost: Option<f64>,
     /// Name of the planner.
     pub planner: Option<String>,
-    /// Its search tree; empty where it is not known, as with paths from files.
+    /// Its search tree; empty if it is not known, as for paths from files.
     pub tree: Arc<SearchTree<Point>>,
 }
 
-/// The page for a scene, a path and what is wrong with it.
+/// The page for a scene, a path and its violations.
 ///
 /// # Example
 /// ```
@@ -75,7 +75,7 @@ pub fn page_within(
     Ok(filled(scene, &data))
 }
 
-/// What a page shows besides, left out where it cannot be computed; only who stops ends it all.
+/// Additional contents, left out if they cannot be computed; only an interruption or the deadline is an error.
 fn extra<T>(found: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
     match found {
         Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Err(error),
@@ -83,7 +83,7 @@ fn extra<T>(found: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
     }
 }
 
-/// The page for a scene and its forbidden regions: translucent, and switched on and off by cable.
+/// The page for a scene and its forbidden regions, which are translucent and can be switched on and off by cable.
 ///
 /// # Example
 /// ```
@@ -108,7 +108,7 @@ fn filled(scene: &Scene, data: &Value) -> String {
 
 fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> Value {
     let q = scene.orientation();
-    let waypoints = path.map_or(&[][..], |path| &path.waypoints); // they may go from and to other places than the scene's
+    let waypoints = path.map_or(&[][..], |path| &path.waypoints); // start and goal may differ from the scene's
     let cable = |c: &cdpr_core::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
     let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
     json!({
@@ -148,7 +148,7 @@ fn region(NamedMesh { name, kind, culprits, mesh }: &NamedMesh) -> Value {
     json!({ "name": name, "kind": kind, "culprits": culprits, "vertices": vertices, "triangles": mesh.triangles })
 }
 
-/// JSON that cannot end the script element it stands in.
+/// JSON that cannot end the enclosing script element.
 fn inert(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
     for c in json.chars() {
@@ -160,12 +160,12 @@ fn inert(json: &str) -> String {
     out
 }
 
-/// Text with the characters escaped that mean something in HTML.
+/// Text with the special characters of HTML escaped.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Replaces placeholders in one pass, so that nothing inside a replacement is taken for a placeholder.
+/// Replaces placeholders in one pass, so that nothing inside a replacement is treated as a placeholder.
 fn fill(template: &str, parts: &[(&str, &str)]) -> String {
     let mut places: Vec<(usize, &str, &str)> = parts
         .iter()

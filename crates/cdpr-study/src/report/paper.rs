@@ -1,4 +1,4 @@
-//! What the paper prints, from `paper.toml` beside this file.
+//! The numbers printed in the paper, from `paper.toml` beside this file.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -15,7 +15,7 @@ pub(super) struct Paper {
     experiments: Vec<Printed>,
 }
 
-/// What the paper prints about one experiment.
+/// The paper's numbers for one experiment.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Printed {
@@ -28,7 +28,7 @@ pub(super) struct Printed {
     pub p_values: BTreeMap<String, String>,
     #[serde(default)]
     pub claims: Vec<Claim>,
-    /// Average gap of the two orders of rewinding, percentage points.
+    /// Average difference between the two orders of rewinding, percentage points.
     pub order_gap: Option<f64>,
 }
 
@@ -42,7 +42,7 @@ pub(super) struct Means {
     pub cost: Option<[f64; 2]>,
 }
 
-/// A quotient of two means.
+/// A ratio of two means.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Claim {
@@ -58,7 +58,7 @@ pub(super) struct Claim {
 static PAPER: LazyLock<Paper> =
     LazyLock::new(|| toml::from_str(include_str!("paper.toml")).expect("checked by a test"));
 
-/// What the paper prints about the experiment of this name.
+/// The paper's numbers for the experiment with this name.
 pub(super) fn printed(experiment: &str) -> Option<(&'static Paper, &'static Printed)> {
     let paper = &*PAPER;
     paper

@@ -1,4 +1,4 @@
-//! Plots of a study: drawn once, as SVG or as PNG.
+//! Plots of a study, as SVG or PNG.
 
 use std::error::Error as StdError;
 use std::ops::Range;
@@ -19,13 +19,13 @@ const WIDTH: u32 = 900;
 const HEIGHT: u32 = 420;
 /// Height of a row of a box plot, pixels.
 const ROW: u32 = 46;
-/// Largest number on an axis, in its unit: beyond it ticks are no longer apart from each other.
+/// Largest number on an axis, in its unit; beyond it ticks can no longer be distinguished.
 const LARGEST_DRAWN: f64 = 1e12;
-/// Least width of an axis, as a share of the numbers on it.
+/// Smallest range of an axis relative to the numbers on it.
 const NARROWEST_DRAWN: f64 = 1e-9;
-/// Boxes in one plot; of longer sweeps every k-th variant is shown.
+/// Maximum number of boxes in one plot; for longer sweeps every k-th variant is shown.
 const MOST_BOXES: usize = 12;
-/// Colours that people with colour blindness tell apart (Okabe and Ito, 2008).
+/// Colours that colour-blind readers can distinguish (Okabe and Ito, 2008).
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -38,7 +38,7 @@ const COLOURS: [RGBColor; 6] = [
 /// A plot that has not been drawn yet.
 #[derive(Debug, Clone)]
 pub struct Plot {
-    /// Title; also what the file is named for.
+    /// Title; the file is named after it.
     pub title: String,
     axis: String,
     kind: Kind,
@@ -50,12 +50,12 @@ enum Kind {
     Curves { x: String, series: Vec<(String, Vec<(f64, f64)>)> },
 }
 
-/// Whether a number can stand on an axis; from a file that was tampered with it may be anything.
+/// Whether a number can be shown on an axis; a file that was tampered with may contain anything.
 fn drawable(number: &f64) -> bool {
     number.abs() <= LARGEST_DRAWN
 }
 
-/// Five quantiles and what lies beyond the outer ones.
+/// Five quantiles and the outliers.
 #[derive(Debug, Clone)]
 struct BoxOf {
     name: String,
@@ -111,7 +111,7 @@ fn boxes<'a>(title: String, axis: &str, values: impl Iterator<Item = (&'a str, V
     (!shown.is_empty()).then(|| Plot { title, axis: axis.to_string(), kind: Kind::Boxes(shown) })
 }
 
-/// What a sweep does to reduction and time, over its steps or its repeats.
+/// Reduction and time of a sweep over its steps or its repeats.
 fn curves(title: &str, variants: &[(&MethodSummary, &Swept)]) -> Vec<Plot> {
     let over_step = variants.iter().any(|(_, s)| s.step.is_some());
     let x = |s: &Swept| if over_step { s.step } else { s.repeats.map(|r| r as f64) };
@@ -263,7 +263,7 @@ impl Plot {
     }
 }
 
-/// A range around all of these, never so narrow that ticks on it could not be told apart.
+/// A range around all of these, wide enough that ticks can be distinguished.
 fn padded(ranges: impl Iterator<Item = Range<f64>>) -> Range<f64> {
     let (low, high) = ranges
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| (low.min(range.start), high.max(range.end)));

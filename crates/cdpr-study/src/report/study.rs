@@ -1,4 +1,4 @@
-//! A finished run as the report sees it: `summary.json` and the costs in `trials.csv`.
+//! The data of a report on a finished run: `summary.json` and the costs in `trials.csv`.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::experiment_spec::Measure;
 use crate::{Origin, Rules, Swept};
 
-/// What `summary.json` and `trials.csv` say.
+/// The contents of `summary.json` and `trials.csv`.
 #[derive(Debug, Clone)]
 pub struct Study {
     /// `summary.json`
@@ -31,7 +31,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// By how much of the raw path the final one is shorter, %.
+    /// Reduction of the path's length by post-processing, % of the raw length.
     pub fn reduction(&self) -> f64 {
         if self.raw > 0.0 { 100.0 * (1.0 - self.cost / self.raw) } else { 0.0 }
     }
@@ -50,10 +50,10 @@ pub struct SummaryFile {
     pub methods: Vec<MethodSummary>,
     /// Comparisons.
     pub t_tests: Vec<TestSummary>,
-    /// How the methods plan; empty in files of before 0.2.
+    /// How the methods plan; empty in files from before 0.2.
     #[serde(default)]
     pub rules: Vec<Rules>,
-    /// What ran the trials.
+    /// The programs and machines that ran the trials.
     #[serde(default)]
     pub origins: Vec<Origin>,
 }
@@ -65,7 +65,7 @@ pub struct MethodSummary {
     pub scenario: String,
     /// Name of the method.
     pub method: String,
-    /// Where it stands in its sweep.
+    /// Its place in its sweep.
     pub sweep: Option<Swept>,
     /// Trials.
     pub n: usize,
@@ -79,7 +79,7 @@ pub struct MethodSummary {
     pub raw_cost: Described,
     /// Length of the final path, m.
     pub cost: Described,
-    /// By how much of the raw path the final one is shorter.
+    /// Reduction of the path's length by post-processing, relative to the raw length.
     pub reduction: Described,
     /// Waypoints of the final path.
     pub waypoints: Described,
@@ -97,7 +97,7 @@ impl MethodSummary {
     }
 }
 
-/// Statistics of one measure; none where there are too few numbers.
+/// Statistics of one measure; `None` if there are too few numbers.
 #[derive(Debug, Clone, Deserialize)]
 #[allow(missing_docs)] // named as in the file
 pub struct Described {
@@ -113,7 +113,7 @@ pub struct Described {
     pub max: Option<f64>,
 }
 
-/// A comparison and its answer.
+/// A comparison and its result.
 #[derive(Debug, Clone, Deserialize)]
 pub struct TestSummary {
     /// Its letter.
@@ -132,7 +132,7 @@ pub struct TestSummary {
     pub p: Option<f64>,
 }
 
-/// A method of a sweep in a scenario: what its variants share.
+/// A swept method in a scenario: the common part of its variants.
 pub(super) type Family<'a> = (&'a str, &'a str);
 
 impl Study {
@@ -157,7 +157,7 @@ impl Study {
         self.costs.get(&(method.scenario.clone(), method.method.clone())).map_or(&[], Vec::as_slice)
     }
 
-    /// How far the orders of rewinding are apart, for each number of repeats and step.
+    /// Differences between the orders of rewinding, for each number of repeats and step.
     pub(super) fn order_gaps(&self) -> Vec<OrderGap<'_>> {
         let mut gaps = Vec::new();
         for variants in self.families().values() {
@@ -174,26 +174,26 @@ impl Study {
     }
 }
 
-/// How far two orders of rewinding are apart on the same raw paths, in percentage points of the raw length.
+/// Differences between two orders of rewinding on the same raw paths, in percentage points of the raw length.
 pub(super) struct OrderGap<'a> {
     pub backward: &'a MethodSummary,
     pub trials: usize,
-    /// Backward less forward, mean.
+    /// Mean of backward minus forward.
     pub difference: f64,
     /// Mean of the absolute differences.
     pub gap: f64,
     pub largest: f64,
     /// Shares of trials in which they differ by more than 0.01, 1 and 5 points, %.
     pub beyond: [f64; 3],
-    /// What keeping the better one gains over backward first, and over forward first.
+    /// Gain of keeping the better result over backward first, and over forward first.
     pub gains: [f64; 2],
 }
 
-/// Differences that are told apart, percentage points; the first is what counts as different at all.
+/// Thresholds for differences, percentage points; below the first, results count as equal.
 pub(super) const APART: [f64; 3] = [0.01, 1.0, 5.0];
 
 impl<'a> OrderGap<'a> {
-    /// None without a trial that both solved.
+    /// `None` without a trial that both solved.
     fn of(name: &'a MethodSummary, backward: &[Cost], forward: &[Cost]) -> Option<Self> {
         let known: BTreeMap<usize, f64> = forward.iter().map(|c| (c.trial, c.reduction())).collect();
         let pairs = backward.iter().filter_map(|c| Some(c.reduction() - known.get(&c.trial)?));

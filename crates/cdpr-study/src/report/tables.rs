@@ -1,4 +1,4 @@
-//! Tables of a report as HTML. Every text from a file goes through `escaped`.
+//! Tables of a report as HTML. All text from files goes through `escaped`.
 
 use super::paper::{Claim, Printed};
 use super::study::{APART, Described, MethodSummary, Study};
@@ -7,7 +7,7 @@ use crate::{Origin, Rules};
 use cdpr_core::words::count;
 use cdpr_view::escaped;
 
-/// A table from its head and rows; cells are HTML.
+/// A table from its header and rows; cells are HTML.
 pub(super) fn table(head: &[&str], rows: &[Vec<String>]) -> String {
     let line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
         let cells: String = cells.map(|cell| format!("<{tag}>{cell}</{tag}>")).collect();
@@ -36,7 +36,7 @@ fn cell(number: Option<f64>, scale: f64) -> String {
     number.map_or("–".to_string(), |number| four(scale * number))
 }
 
-/// Name, unit and scale of what is described, and where it stands.
+/// Name with unit, scale, and location of a measure.
 type Column = (&'static str, f64, fn(&MethodSummary) -> &Described);
 
 const MEASURES: [Column; 6] = [
@@ -48,7 +48,7 @@ const MEASURES: [Column; 6] = [
     ("Waypoints of the final path", 1.0, |m| &m.waypoints),
 ];
 
-/// A table for each measure, all scenarios and methods.
+/// One table per measure, with all scenarios and methods.
 pub(super) fn statistics(study: &Study) -> String {
     let interval = format!("{} % interval of the mean", 100.0 * study.summary.confidence);
     let head = [
@@ -88,7 +88,7 @@ pub(super) fn statistics(study: &Study) -> String {
     MEASURES.iter().map(one).collect()
 }
 
-/// What ran the trials, a paragraph each.
+/// The programs and machines that ran the trials, one paragraph each.
 pub(super) fn origins(study: &Study) -> String {
     let line = |origin: &Origin| {
         let Origin { program, version, cpu, architecture, os, cores, threads } = origin;
@@ -215,7 +215,7 @@ fn percentage(study: &Study, claim: &Claim) -> Option<[f64; 3]> {
     Some([p, x.min(y), x.max(y)])
 }
 
-/// How far the orders of rewinding are apart; empty without a sweep over both.
+/// Differences between the orders of rewinding; empty without a sweep over both.
 pub(super) fn orders(study: &Study, printed: Option<&Printed>) -> String {
     let gaps = study.order_gaps();
     if gaps.is_empty() {
