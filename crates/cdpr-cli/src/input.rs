@@ -1,4 +1,4 @@
-//! Reading: scenes, paths and experiments from files, or from standard input where `-` stands for the file.
+//! Reads scenes, paths and experiments from files, or from standard input if the file name is `-`.
 
 use std::fs::File;
 use std::io::Read;
@@ -16,18 +16,18 @@ use crate::args::{PathArgs, SceneArgs, Strict};
 use crate::output::{Console, count, is_dash};
 use crate::progress::interrupted;
 
-/// How standard input is called in messages.
+/// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";
-/// Where files that the shell has opened are found: those of `<(command)`, for instance. Somebody is at their other end, so
-/// reading them does not wait for ever, as it may with any other pipe.
+/// Folders of files opened by the shell, for instance those of `<(command)`. A process is writing to them, so reading
+/// does not wait for ever, as it may for other pipes.
 const OPENED_BY_SHELL: [&str; 2] = ["/dev/fd/", "/proc/self/fd/"];
 
-/// Ends on Ctrl-C: meshes can take seconds.
+/// A loader that stops on Ctrl-C, since meshes can take seconds.
 pub fn loader() -> Loader<'static> {
     Loader::new(Watch::on(&interrupted))
 }
 
-/// The scene, turned as asked for. Files that one from standard input names are relative to where the program runs.
+/// The scene, at the requested orientation. Paths in a scene from standard input are relative to the working directory.
 pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let clock = Instant::now();
     let scene = match stream_of(&args.scene)? {
@@ -43,7 +43,7 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     }
 }
 
-/// A path, and its scene at the orientation of the path.
+/// A path, and its scene at the path's orientation.
 pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
         return Err(only_one());
@@ -56,7 +56,7 @@ fn only_one() -> Error {
     Error::invalid("", "found - for both scene and path; only one of them can be standard input")
 }
 
-/// A path of a scene, and the scene at the orientation of the path. Warns of a path that was planned for another scene.
+/// A path of a scene, and the scene at the path's orientation. Warns if the path was planned for another scene.
 pub fn path(
     scene: &Scene,
     args: &SceneArgs,
@@ -98,13 +98,13 @@ fn is_standard_input(path: &Path) -> bool {
     is_dash(path) || path.as_os_str() == "/dev/stdin"
 }
 
-/// Something to read that is no file.
+/// An input stream.
 struct Stream<'a> {
     name: &'a Path,
     bytes: Box<dyn Read>,
 }
 
-/// The stream that stands in the place of a file, if one does.
+/// The stream to read instead of a file, if the name refers to one.
 fn stream_of(path: &Path) -> Result<Option<Stream<'_>>, Error> {
     if is_standard_input(path) {
         return Ok(Some(Stream { name: Path::new(STANDARD_INPUT), bytes: Box::new(std::io::stdin()) }));

@@ -1,4 +1,4 @@
-//! `cdpr`: plan, check and look at paths of cable-driven parallel robots from the shell.
+//! `cdpr`: plan, check and view paths of cable-driven parallel robots from the shell.
 
 mod args;
 mod commands;
@@ -17,12 +17,12 @@ use clap::Parser;
 use output::Console;
 use progress::INTERRUPTED_STATUS;
 
-/// Exit status of bad input.
+/// Exit status for bad input.
 const BAD_INPUT_STATUS: u8 = 2;
-/// Exit status of a bug in this program: EX_SOFTWARE of sysexits.h.
+/// Exit status for a bug in this program: EX_SOFTWARE of sysexits.h.
 const BUG_STATUS: u8 = 70;
 
-/// How a command that ran to its end answers.
+/// The answer of a command that ran to completion.
 enum Answer {
     Yes,
     No,
@@ -63,13 +63,14 @@ fn status(error: &Error) -> u8 {
     }
 }
 
-/// The same error about arguments that are fit for a terminal: its message repeats them.
+/// The same error with arguments made safe for a terminal, since its message repeats them.
 fn without_control_characters(error: clap::Error) -> clap::Error {
     let arguments = std::env::args_os().map(|argument| printable(&argument.to_string_lossy()).into_owned());
     Cli::try_parse_from(arguments).err().unwrap_or(error)
 }
 
-/// Prints only where a panic happened, since [`caught`] prints its message. With `RUST_BACKTRACE` set, Rust's own output stays.
+/// Prints only the location of a panic, since [`caught`] prints its message. With `RUST_BACKTRACE` set, Rust's own
+/// output is kept.
 fn say_where_panics_are() {
     if std::env::var_os("RUST_BACKTRACE").is_none() {
         panic::set_hook(Box::new(|bug| {

@@ -1,5 +1,5 @@
-//! Printing: results to standard output, talk to standard error, both without colours unless they are terminals. A reader
-//! that has gone away is no error.
+//! Printing: results to standard output, other messages to standard error, both in colour only on a terminal. A closed
+//! pipe is not an error.
 
 use std::io::Write;
 use std::path::Path;
@@ -14,23 +14,23 @@ pub use cdpr_core::words::count;
 
 use crate::progress::writing;
 
-/// What stands for standard input or output in the place of a file.
+/// The file name that means standard input or output.
 pub const STANDARD: &str = "-";
-/// Other names of standard output. Opened as files they would be written over, not appended to.
+/// Other names of standard output. If opened as files, they would be overwritten instead of appended to.
 const STANDARD_OUTPUTS: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 const GOOD: Style = AnsiColor::Green.on_default().bold();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 const NOTE: Style = AnsiColor::Yellow.on_default();
 
-/// How much is said beside the result.
+/// How much is printed besides the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Talk {
-    /// Nothing but errors.
+    /// Only errors.
     Quiet,
-    /// What was written, what is special, what to do next.
+    /// Files written, remarks, next steps.
     Usual,
-    /// Also what was read, and how a search got on.
+    /// Also files read and the progress of the search.
     Verbose,
 }
 
@@ -38,22 +38,22 @@ pub enum Talk {
 #[derive(Debug, Clone, Copy)]
 pub struct Console {
     talk: Talk,
-    /// Standard output is taken by a file; results go where talk goes.
+    /// A file is written to standard output, so results go to standard error.
     taken: bool,
 }
 
 impl Console {
-    /// With so much talk.
+    /// A console that prints this much.
     pub fn new(talk: Talk) -> Self {
         Console { talk, taken: false }
     }
 
-    /// The same, where this file may be standard output.
+    /// The same, taking into account that this file may be standard output.
     pub fn beside(self, output: Option<&Path>) -> Self {
         Console { taken: self.taken || output.is_some_and(is_standard_output), ..self }
     }
 
-    /// How much is said.
+    /// How much is printed.
     pub fn talk(&self) -> Talk {
         self.talk
     }
@@ -77,17 +77,17 @@ impl Console {
         }
     }
 
-    /// Says something that is not part of the result.
+    /// Prints a message that is not part of the result.
     pub fn say(&self, text: &str) {
         self.tell(Talk::Usual, &printable_lines(text));
     }
 
-    /// Says what only the curious want to know.
+    /// Prints details, only with `--verbose`.
     pub fn detail(&self, text: &str) {
         self.tell(Talk::Verbose, &printable_lines(text));
     }
 
-    /// Says what is special.
+    /// Prints a remark.
     pub fn note(&self, text: &str) {
         self.tell(Talk::Usual, &format!("{NOTE}note:{NOTE:#} {}", printable_lines(text)));
     }
@@ -98,34 +98,34 @@ impl Console {
         }
     }
 
-    /// Says what puts an answer in doubt; also where all else is quiet.
+    /// Prints a warning that casts doubt on the result, even with `--quiet`.
     pub fn warning(&self, text: &str) {
         let _ = writeln!(anstream::stderr(), "{BAD}warning:{BAD:#} {}", printable(text));
     }
 
-    /// Says what is special about a scene, besides what is exempt from a clearance.
+    /// Prints remarks about a scene, except those about pairs exempt from a clearance.
     pub fn notes(&self, constraints: &Constraints) {
         constraints.notes.iter().for_each(|note| self.note(note));
     }
 
-    /// Says all that is special about a scene, where the answer does not list what is exempt.
+    /// Prints all remarks about a scene, for commands whose result does not list exempt pairs.
     pub fn remarks(&self, constraints: &Constraints) {
         constraints.remarks().iter().for_each(|note| self.note(note));
     }
 
-    /// Says what went wrong; also where all else is quiet.
+    /// Prints an error, even with `--quiet`.
     pub fn error(&self, error: &Error) {
         let _ = writeln!(anstream::stderr(), "{BAD}cdpr:{BAD:#} {error}");
     }
 
-    /// Writes a file, or standard output, and says so; `hint` is what to do with it.
+    /// Writes a file, or to standard output, and reports it; `hint` is what to do with the file.
     pub fn write(&self, path: &Path, contents: &[u8], hint: &str) -> Result<(), Error> {
         if is_standard_output(path) {
             let mut out = std::io::stdout();
             arrived(out.write_all(contents).and_then(|()| out.flush()));
             return Ok(());
         }
-        // A pipe may wait for its reader; nothing half done is left there if the program ends meanwhile.
+        // Writing to a pipe may block, and no partial file is left there if the program ends meanwhile.
         let writing = (!cdpr_files::is_stream(path)).then(writing);
         cdpr_files::write_atomically(path, contents)?;
         drop(writing);
@@ -133,14 +133,14 @@ impl Console {
         Ok(())
     }
 
-    /// Says that a file was written.
+    /// Reports that a file was written.
     pub fn wrote(&self, path: &Path, hint: &str) {
         let gap = if hint.is_empty() { "" } else { " " };
         self.say(&format!("wrote {}{gap}{hint}", path.display()));
     }
 }
 
-/// Ends the program where a result was lost; but a reader that has gone away has seen enough.
+/// Ends the program with an error if a result could not be written, but not if the reader closed the pipe.
 fn arrived(written: std::io::Result<()>) {
     if let Err(error) = written
         && error.kind() != std::io::ErrorKind::BrokenPipe
@@ -150,26 +150,26 @@ fn arrived(written: std::io::Result<()>) {
     }
 }
 
-/// A path for JSON, which knows Unicode only.
+/// A path for JSON, which is limited to Unicode.
 pub fn lossy(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Prints help or the version, no line wider than the terminal.
+/// Prints help or the version, with lines no wider than the terminal.
 pub fn print_help(help: &clap::builder::StyledStr) {
     let lines = help.ansi().to_string();
     let text: String = lines.split_inclusive('\n').map(|line| wrapped(line, columns())).collect();
     arrived(write!(anstream::stdout(), "{text}").and_then(|()| std::io::stdout().flush()));
 }
 
-/// Width of the terminal as clap takes it, which does not wrap usage and names of options.
+/// Width of the terminal as determined by clap, which does not wrap the usage line and option names.
 fn columns() -> usize {
     let named = || std::env::var("COLUMNS").ok()?.parse().ok();
     let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
     width.or_else(named).unwrap_or(100)
 }
 
-/// A line, maybe with colours, broken between words where it is wider than this.
+/// Wraps a line, possibly with colours, between words.
 fn wrapped(line: &str, width: usize) -> String {
     let wide = |text: &str| anstream::adapter::strip_str(text).to_string().trim_end().chars().count();
     if wide(line) <= width {
@@ -199,12 +199,12 @@ pub fn is_standard_output(path: &Path) -> bool {
     is_dash(path) || STANDARD_OUTPUTS.iter().any(|name| path.as_os_str() == *name)
 }
 
-/// Whether what is written goes to standard output, a pipe or a device that has no extension to tell the format.
+/// Whether output goes to standard output, a pipe or a device, which have no extension to select the format.
 pub fn is_stream(path: &Path) -> bool {
     is_standard_output(path) || (path.extension().is_none() && cdpr_files::is_stream(path))
 }
 
-/// Lines of text fit for a terminal, whatever names and paths they hold.
+/// Makes lines of text safe for a terminal, whatever names and paths they contain.
 fn printable_lines(text: &str) -> String {
     let keep = |c: char| c == '\n' || c == '\t';
     text.split_inclusive(keep)
@@ -215,7 +215,7 @@ fn printable_lines(text: &str) -> String {
         .collect()
 }
 
-/// An answer whose first words are shown in the colour of yes or no.
+/// An answer whose first words are coloured by yes or no.
 pub struct Verdict {
     pub good: bool,
     pub words: &'static str,
@@ -232,18 +232,18 @@ impl Verdict {
     }
 }
 
-/// A position for people.
+/// A position as readable text.
 pub fn position(p: &Point) -> String {
     format!("({}, {}, {})", short(p.x), short(p.y), short(p.z))
 }
 
-/// A length for people, m: up to four decimals.
+/// A length as readable text, m: up to four decimals.
 pub fn short(number: f64) -> String {
     let text = format!("{number:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-/// A force or moment for people, three decimals, never minus zero.
+/// A force or moment as readable text: three decimals, never minus zero.
 pub fn thousandths(number: f64) -> String {
     format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0)
 }

@@ -1,4 +1,4 @@
-//! Long work: a sign of life on a terminal, and Ctrl-C.
+//! Long work: progress on a terminal, and Ctrl-C.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,19 +9,19 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::output::{Console, Talk};
 use cdpr_core::watch::Interrupt;
 
-/// Set by Ctrl-C; long work asks for it.
+/// Set by Ctrl-C; polled by long work.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Held while a file is written, so that none is left half done.
+/// Held while a file is written, so that no partial file is left.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// How long work may take to come to an end of its own, with its best answer, once it is asked to stop.
+/// Time that work has to end by itself, with its best result, after an interruption.
 const GRACE: Duration = Duration::from_millis(70);
 
 /// Exit status of a command that was interrupted.
 pub const INTERRUPTED_STATUS: u8 = 130;
 
-/// Asks long work to stop, and ends the program soon if it does not; the second time at once.
+/// Requests long work to stop, and ends the program soon after if it does not; on the second call, immediately.
 pub fn interrupt() {
     if INTERRUPTED.swap(true, Ordering::Relaxed) {
         std::process::exit(INTERRUPTED_STATUS.into());
@@ -33,7 +33,7 @@ pub fn interrupt() {
     });
 }
 
-/// While this is held, an interruption does not end the program from outside.
+/// While this is held, an interruption does not end the program.
 pub fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -43,13 +43,14 @@ pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
 }
 
-/// A bar on standard error, if that is a terminal. The work comes in an even mixture, so the remaining time holds.
+/// A progress bar on standard error, if that is a terminal. The trials are evenly mixed, so the estimate of the
+/// remaining time is reliable.
 pub fn bar(out: &Console) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} trials, {elapsed}, about {eta} left (Ctrl-C stops)");
     shown(out, ProgressBar::new(0)).with_style(style.expect("a sound template"))
 }
 
-/// The bar, unless all is quiet.
+/// The progress bar, unless `--quiet` is given.
 fn shown(out: &Console, bar: ProgressBar) -> ProgressBar {
     if out.talk() == Talk::Quiet {
         bar.set_draw_target(ProgressDrawTarget::hidden());
@@ -57,8 +58,8 @@ fn shown(out: &Console, bar: ProgressBar) -> ProgressBar {
     bar
 }
 
-/// Runs work that may take long. After half a second a line on standard error, if that is a terminal, says what is
-/// being done and for how long; the work asks its argument whether to stop.
+/// Runs work that may take long. After half a second, a line on standard error, if that is a terminal, shows what is
+/// being done and for how long; the work polls its argument for interruptions.
 pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&Interrupt) -> T) -> T {
     let style = ProgressStyle::with_template("{spinner} {msg} {elapsed} (Ctrl-C stops)").expect("a sound template");
     let sign = shown(out, ProgressBar::new_spinner()).with_style(style).with_message(doing.to_string());

@@ -1,9 +1,9 @@
-//! What asks the program to stop: Ctrl-C, SIGTERM and SIGHUP.
+//! Signals that request the program to stop: Ctrl-C, SIGTERM and SIGHUP.
 
-/// Has `stop` called on each of these signals. A SIGHUP that is ignored from the start stays ignored: `nohup cdpr ... &` goes
-/// on when its terminal is closed.
+/// Calls `stop` on each of these signals. If SIGHUP is ignored at the start, it stays ignored, so that `nohup cdpr ...
+/// &` continues when its terminal is closed.
 pub fn on_request_to_stop(stop: fn()) {
-    // Without a handler Ctrl-C would still end the program, but without the best answer so far.
+    // Without a handler Ctrl-C would still end the program, but without the best result so far.
     let set = || drop(ctrlc::set_handler(stop));
     #[cfg(unix)]
     keeping_ignored_hangup(set);

@@ -47,8 +47,7 @@ pub fn other_extension(path: &Path, expected: &str) -> Error {
 
 /// The whole file as text, up to [`MOST_TEXT_BYTES`].
 ///
-/// # Errors
-/// A file that cannot be read, is larger, not a regular file, or no text in UTF-8.
+/// # Errors A file that cannot be read, is too large, is not a regular file, or is not text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }

@@ -1,4 +1,4 @@
-//! Experiments: rows as bytes, so that processes can hand them to each other.
+//! Experiments: rows as bytes, so that processes can exchange them.
 
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
@@ -14,17 +14,17 @@ use pyo3::prelude::*;
 use crate::convert::serialized;
 use crate::errors::{answered, interruptible};
 
-/// Least time between two calls of a progress function: each needs the interpreter.
+/// Minimum time between two calls of a progress function, each of which needs the interpreter.
 const PERIOD: Duration = Duration::from_millis(50);
 
 /// A checked experiment.
 #[pyclass(frozen, module = "cdpr._core")]
 pub struct Experiment(cdpr_study::Experiment);
 
-/// Rows of each group, and what went wrong in trials that failed.
+/// Rows of each group, and the reasons of trials that failed.
 type Ran = (Vec<Vec<u8>>, Vec<String>);
 
-/// trials.csv, timings.csv, history.csv where the experiment asks for it, summary.json.
+/// trials.csv, timings.csv, history.csv if the experiment requests it, summary.json.
 type Tables = (Vec<u8>, Vec<u8>, Option<Vec<u8>>, String);
 
 #[pymethods]
@@ -35,37 +35,38 @@ impl Experiment {
         interruptible(py, |stop| load_experiment_by(&Loader::new(Watch::on(stop)), &path)).map(Experiment)
     }
 
-    /// An experiment from JSON text; scene files are read relative to where the program runs.
+    /// An experiment from JSON text; paths of scene files are relative to the working directory.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
         interruptible(py, |stop| experiment_from_text_by(&Loader::new(Watch::on(stop)), text, Notation::Json, None))
             .map(Experiment)
     }
 
-    /// The experiment as JSON text, its scenes in place.
+    /// The experiment as JSON text, with inline scenes.
     fn to_json(&self) -> String {
         serialized(&self.0.portable)
     }
 
-    /// Its name.
+    /// Name of the experiment.
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
     }
 
-    /// Trials of each method in each scenario.
+    /// Number of trials of each method in each scenario.
     #[getter]
     fn trials(&self) -> usize {
         self.0.trials
     }
 
-    /// Pairs of scenario and method.
+    /// Number of pairs of scenario and method.
     #[getter]
     fn groups(&self) -> usize {
         self.0.layout.groups.len()
     }
 
-    /// Runs the trials from `first` up to `end`; `progress` is told how many are done, and of how many.
+    /// Runs the trials from `first` up to `end`; `progress` is called with the number of finished trials and the total
+    /// number.
     fn run(
         &self,
         py: Python<'_>,
@@ -97,7 +98,7 @@ impl Experiment {
         }
     }
 
-    /// `trials.csv`, `timings.csv`, `history.csv` if the experiment asks for it, and `summary.json` of rows.
+    /// `trials.csv`, `timings.csv`, `history.csv` if the experiment requests it, and `summary.json`, made from rows.
     fn tables(&self, py: Python<'_>, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<Tables> {
         let made = py.detach(|| answered(|| BatchRows::new(&self.0, first..end, rows)?.tables()))?;
         Ok((made.trials, made.timings, made.history, made.summary.to_string()))

@@ -1,4 +1,5 @@
-//! Rows of C-contiguous (n, 3) arrays as points, without a copy of the array, numbers as such arrays; names and answers.
+//! Conversions: rows of C-contiguous (n, 3) arrays as points, without copying the array; numbers as such arrays; names
+//! and results.
 
 use cdpr_core::Choice;
 use cdpr_core::geometry::{Point, Rotation};
@@ -29,17 +30,17 @@ pub fn triples<'py, T: numpy::Element>(py: Python<'py>, numbers: Vec<T>) -> PyRe
     PyArray1::from_vec(py, numbers).reshape([rows, 3])
 }
 
-/// A choice by its name.
+/// A choice from its name.
 pub fn named<T: Choice>(name: &str) -> PyResult<T> {
     answered(|| T::named(name))
 }
 
-/// An answer as JSON text.
+/// A result as JSON text.
 pub fn serialized(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).expect("answers are finite")
 }
 
-/// A turn as w x y z.
+/// A rotation as w x y z.
 pub fn quaternion(turn: &Rotation) -> [f64; 4] {
     [turn.w, turn.i, turn.j, turn.k]
 }

@@ -1,4 +1,4 @@
-//! What there is to draw of a scene.
+//! Geometry for drawing a scene.
 
 use cdpr_core::geometry::{Polytope, Vector};
 use serde_json::{Value, json};

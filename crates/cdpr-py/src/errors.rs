@@ -1,4 +1,4 @@
-//! Errors of the core as exceptions of `cdpr.exceptions`, and Ctrl-C during long calls.
+//! Converts errors of the core to exceptions of `cdpr.exceptions`, and handles Ctrl-C during long calls.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -34,19 +34,19 @@ pub fn raised(error: Error) -> PyErr {
     })
 }
 
-/// Time between two looks at whether a signal has come.
+/// Time between two checks for signals.
 const PERIOD: Duration = Duration::from_millis(20);
-/// Stack of the thread that works, bytes: as large as that of a main thread usually is.
+/// Stack size of the working thread, bytes: the usual size for a main thread.
 pub const STACK: usize = 8 << 20;
 
-/// Runs short work. A panic within it comes out as an `InternalError`: PyO3 would raise a `PanicException`, which no
-/// `except Exception` catches.
+/// Runs short work. A panic in it raises an `InternalError`; PyO3 would raise a `PanicException`, which `except
+/// Exception` does not catch.
 pub fn answered<T>(work: impl FnOnce() -> Result<T, Error>) -> PyResult<T> {
     caught(work).map_err(raised)
 }
 
-/// Runs long work with the interpreter released. The work polls its argument, on any thread; Ctrl-C, or whatever a signal
-/// handler raises, then comes out as its exception.
+/// Runs long work with the interpreter released. The work polls its argument, on any thread; on Ctrl-C, or if a signal
+/// handler raises, that exception is raised.
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> Result<T, Error> + Send) -> PyResult<T> {
     match interruptible_with_rest(py, work) {
         (_, Some(signal)) => Err(signal),
@@ -54,7 +54,8 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> R
     }
 }
 
-/// As [`interruptible`], for work that nothing can stop: on Ctrl-C it is left alone, and its answer with it.
+/// As [`interruptible`], for work that cannot be stopped: on Ctrl-C it continues on its thread and its result is
+/// discarded.
 pub fn abandonable<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Error> + Send + 'static,
@@ -73,10 +74,11 @@ pub fn abandonable<T: Send + 'static>(
     })
 }
 
-/// As [`interruptible`], for work that has an answer even if it is stopped: the answer beside the signal.
+/// As [`interruptible`], for work that has a result even if it is stopped: returns the result and the exception of the
+/// signal.
 ///
-/// Python delivers signals to the thread that runs the interpreter, so that one waits and asks for them, and the work runs
-/// beside it: it may then spend its time in anything that polls, on as many threads as it likes.
+/// Python delivers signals to the thread that runs the interpreter. That thread therefore waits and polls for signals,
+/// while the work runs on another thread and may use any number of threads itself.
 pub fn interruptible_with_rest<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&Interrupt) -> Result<T, Error> + Send,

@@ -1,4 +1,4 @@
-//! Robots, paths and texts from and to files.
+//! Reading and writing robots, paths and texts.
 
 use cdpr_core::Choice;
 use cdpr_core::watch::Watch;
@@ -9,20 +9,20 @@ use crate::convert::{named, quaternion, serialized};
 use crate::errors::{answered, interruptible};
 use crate::scene::Scene;
 
-/// Checks a robot given as JSON text, and gives it back with its meshes as convex parts.
+/// Checks a robot given as JSON text and returns it with its meshes replaced by convex parts.
 #[pyfunction]
 pub fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
     let robot = interruptible(py, |stop| Loader::new(Watch::on(stop)).robot_from_text(text, Notation::Json, None))?;
     Ok(serialized(robot.spec()))
 }
 
-/// Writes a robot file of a robot given as JSON text.
+/// Writes a robot given as JSON text to a robot file.
 #[pyfunction]
 pub fn save_robot(path: std::path::PathBuf, text: &str) -> PyResult<()> {
     answered(|| cdpr_files::save_table(&path, cdpr_files::robot_from_text(text, Notation::Json, None)?.spec()))
 }
 
-/// A robot of another program as JSON text, and what was not carried over.
+/// Imports a robot from another program: JSON text, and what was not carried over.
 #[pyfunction]
 pub fn import_robot(
     py: Python<'_>,
@@ -45,10 +45,10 @@ pub fn load_robot(py: Python<'_>, path: std::path::PathBuf) -> PyResult<String> 
     Ok(serialized(robot.spec()))
 }
 
-/// Waypoints, orientation, all that the file says as JSON, and a warning if it was planned for another scene.
+/// Waypoints, orientation, the whole contents of the file as JSON, and a warning if it was planned for another scene.
 type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
 
-/// The waypoints of a path file as rows, and its orientation; strictly, a file of another scene is an error.
+/// The waypoints of a path file as rows, and its orientation; with `strict`, a path for another scene is an error.
 #[pyfunction]
 pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
     let (loaded, of_scene) = answered(|| {
@@ -76,13 +76,13 @@ pub fn schema(of: &str) -> PyResult<String> {
     answered(|| Ok(cdpr_study::schema(Choice::named(of)?).to_string()))
 }
 
-/// Checks that a file can be written, before the work for it is done.
+/// Checks that a file can be written, before any work is done.
 #[pyfunction]
 pub fn check_target(path: std::path::PathBuf) -> PyResult<()> {
     answered(|| cdpr_files::check_target(&path))
 }
 
-/// Writes a text file whole or not at all.
+/// Writes a text file atomically.
 #[pyfunction]
 pub fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
     answered(|| cdpr_files::write_atomically(&path, text.as_bytes()))

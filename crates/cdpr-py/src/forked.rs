@@ -1,5 +1,5 @@
-//! rayon in processes that were forked, as `multiprocessing` does by default on Linux up to Python 3.13: of a process that
-//! is forked only the calling thread goes on, so rayon's threads are missing, and work for them would never end.
+//! rayon in forked processes, which `multiprocessing` uses by default on Linux up to Python 3.13. Only the calling
+//! thread survives a fork, so rayon's threads are missing and work for them would never end.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -9,15 +9,15 @@ use crate::errors::STACK;
 
 /// The process that loaded this module.
 static LOADED_BY: OnceLock<u32> = OnceLock::new();
-/// Threads of a forked process, and which process that is: it may be forked in its turn.
+/// The threads of a forked process, and its process id, since it may be forked in turn.
 static OWN_THREADS: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
-/// Notes which process loads this module.
+/// Records which process loads this module.
 pub fn loaded() {
     LOADED_BY.get_or_init(std::process::id);
 }
 
-/// Runs work that may use rayon: in a forked process with threads of its own.
+/// Runs work that may use rayon, in a forked process with its own threads.
 pub fn with_living_threads<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     match own_threads(std::process::id()) {
         Some(threads) => threads.install(work),
@@ -25,7 +25,8 @@ pub fn with_living_threads<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     }
 }
 
-/// None in the process that loaded this module, whose threads rayon starts itself, and where none can be started.
+/// `None` in the process that loaded this module, where rayon starts its threads itself, and if no threads can be
+/// started.
 fn own_threads(process: u32) -> Option<Arc<ThreadPool>> {
     if LOADED_BY.get() == Some(&process) {
         return None;
@@ -35,7 +36,7 @@ fn own_threads(process: u32) -> Option<Arc<ThreadPool>> {
         Some((of, threads)) if *of == process => Some(threads.clone()),
         _ => {
             let threads = Arc::new(ThreadPoolBuilder::new().stack_size(STACK).build().ok()?);
-            // Threads of the process before would be waited for, and they are not here.
+            // Dropping them would wait for threads of the parent process, which do not exist here.
             std::mem::forget(known.replace((process, threads.clone())));
             Some(threads)
         }

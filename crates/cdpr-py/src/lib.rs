@@ -1,5 +1,4 @@
-//! Python bindings: numbers in, numbers out. Everything that reads like an interface is in the Python package around
-//! it.
+//! Python bindings: numbers in, numbers out. The Python package around them is the interface.
 
 mod batch;
 mod convert;
@@ -20,10 +19,10 @@ use pyo3::prelude::*;
 use convert::points;
 use errors::{abandonable, answered, interruptible};
 
-/// Points whose hulls are made in well below a millisecond, less than a thread is worth.
+/// Number of points up to which hulls take well below a millisecond, so that a thread is not worthwhile.
 const FEW_POINTS: usize = 200;
 
-/// Distance of the convex hulls of two vertex lists, with nearest points and overlap depth.
+/// Distance between the convex hulls of two vertex lists, with nearest points and overlap depth.
 #[pyfunction]
 fn polytope_distance(
     py: Python<'_>,
@@ -40,7 +39,7 @@ fn polytope_distance(
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
-/// Fails as a bug would, on this thread or on another one, so that a test can see what becomes of it.
+/// Fails like a bug, on this thread or on another, for tests.
 #[pyfunction]
 fn panic(py: Python<'_>, thread: &str) -> PyResult<()> {
     let bug = || -> Result<(), Error> { panic!("this is a test") };

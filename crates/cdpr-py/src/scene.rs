@@ -25,7 +25,7 @@ use crate::drawing::drawn;
 use crate::errors::{answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
 
-/// A checked scene, with the engines compiled for it so far.
+/// A checked scene and the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
 pub struct Scene(pub cdpr_core::Scene, Mutex<Vec<Compiled>>);
 
@@ -69,24 +69,24 @@ impl Scene {
         interruptible(py, |stop| Loader::new(Watch::on(stop)).scene(&path)).map(Scene::of)
     }
 
-    /// A scene from JSON text, the robot in place.
+    /// A scene from JSON text, with an inline robot.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
         interruptible(py, |stop| Loader::new(Watch::on(stop)).scene_from_text(text, Notation::Json, None))
             .map(Scene::of)
     }
 
-    /// The scene as JSON text, the robot in place.
+    /// The scene as JSON text, with an inline robot.
     fn to_json(&self) -> String {
         serialized(self.0.spec())
     }
 
-    /// Writes a scene file, the robot in place.
+    /// Writes a scene file with an inline robot.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
         answered(|| cdpr_files::save_table(&path, self.0.spec()))
     }
 
-    /// Identifies what paths of this scene are planned against.
+    /// Identifies the scene for paths planned in it.
     fn fingerprint(&self) -> PyResult<String> {
         answered(|| Ok(self.0.fingerprint()))
     }
@@ -96,8 +96,8 @@ impl Scene {
         self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
     }
 
-    /// The scene for a path that holds at this orientation, if it says one (none if it is the scene itself), and a warning
-    /// if the path was planned for another scene, given by name and fingerprint; an error if that is asked for.
+    /// The scene for a path with this orientation, if any (`None` if it is the scene itself), and a warning if the path
+    /// was planned for another scene, given by name and fingerprint; with `strict`, an error instead.
     #[pyo3(signature = (orientation, orientation_name=None, planned_for=None, strict=false))]
     fn for_path(
         &self,
@@ -118,7 +118,7 @@ impl Scene {
         Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
     }
 
-    /// Notes that are good news, such as a mesh that is filled exactly.
+    /// Notes that need no warning, such as a mesh that is filled exactly.
     fn good_notes(&self) -> Vec<String> {
         self.0.good_notes().to_vec()
     }
@@ -180,7 +180,7 @@ impl Scene {
         quaternion(self.0.orientation())
     }
 
-    /// Least and greatest coordinates of the positions at which the platform is inside the workspace.
+    /// Smallest and largest coordinates of the positions at which the platform is inside the workspace.
     fn position_box(&self, py: Python<'_>) -> PyResult<([f64; 3], [f64; 3])> {
         let (min, max) = interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.position_box();
         Ok((min.into(), max.into()))
@@ -203,7 +203,7 @@ impl Scene {
         Ok(PyArray1::from_vec(py, answers))
     }
 
-    /// The violations of a motion as JSON, those that begin first first.
+    /// The violations of a motion as JSON, in the order in which they begin.
     fn violations(
         &self,
         py: Python<'_>,
@@ -257,7 +257,7 @@ impl Scene {
         })
     }
 
-    /// The result of planning as JSON, as in a path file, and its search tree: states (n, 3) and parents (n,).
+    /// The result of planning as JSON, as in a path file, and the search tree: states (n, 3) and parents (n,).
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
     fn plan<'py>(
         &self,
@@ -316,7 +316,7 @@ impl Scene {
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
-    /// A length that no path between two positions falls below, m.
+    /// Lower bound on the length of every path between two positions, m.
     fn lower_bound(&self, py: Python<'_>, start: Option<[f64; 3]>, goal: Option<[f64; 3]>) -> PyResult<f64> {
         let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
             let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
@@ -334,7 +334,7 @@ impl Scene {
         Ok(interruptible(py, bounds)?.into_iter().fold(f64::INFINITY, f64::min))
     }
 
-    /// The path made shorter, as JSON.
+    /// The shortened path, as JSON.
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.rewind
     fn shorten(
         &self,
@@ -355,7 +355,7 @@ impl Scene {
         answered(|| Ok(cdpr_files::path_json(&self.0, &shorter).to_string()))
     }
 
-    /// The path rewound once, and every motion asked about: starts, ends, answers.
+    /// The path after one rewinding, and every motion checked: starts, ends, results.
     fn rewind_tries<'py>(
         &self,
         py: Python<'py>,
@@ -377,8 +377,9 @@ impl Scene {
         ))
     }
 
-    /// What there is to draw, as JSON: obstacles by name, world; platform and attachments around the platform's origin,
-    /// turned as in the scene. Each part has vertices and faces, corners counter-clockwise seen from outside.
+    /// Geometry for drawing, as JSON: obstacles by name, world; platform and attachments relative to the platform's
+    /// origin, at the scene's orientation. Each part has vertices and faces, with corners counter-clockwise seen from
+    /// outside.
     fn bodies(&self) -> PyResult<String> {
         answered(|| Ok(drawn(&self.0)))
     }
@@ -402,7 +403,7 @@ impl Scene {
         found.meshes.iter().map(arrays).collect()
     }
 
-    /// Writes forbidden regions in the format that the extension names.
+    /// Writes forbidden regions in the format given by the extension.
     fn save_regions(
         &self,
         py: Python<'_>,
@@ -419,7 +420,7 @@ impl Scene {
     }
 
     /// A self-contained page that shows the scene and, if given, a path.
-    #[allow(clippy::too_many_arguments)] // one per thing shown
+    #[allow(clippy::too_many_arguments)] // one per item shown
     fn page(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Searches: what they find on the way, and their trees as arrays.
+//! Searches: improvements found on the way, and search trees as arrays.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -35,7 +35,7 @@ pub fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
     Ok(SearchTree { states, parents })
 }
 
-/// Runs a search and calls back with every better path; a Ctrl-C that comes when there is a path ends the search with it.
+/// Runs a search with a callback for every better path; on Ctrl-C, the search ends with its best path, if it has one.
 pub fn observed<T: Send>(
     py: Python<'_>,
     on_improvement: Option<&Py<PyAny>>,

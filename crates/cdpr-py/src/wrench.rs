@@ -29,7 +29,7 @@ impl Statics {
 
 #[pymethods]
 impl Statics {
-    /// A robot as JSON text, how it is turned, and what acts on it.
+    /// Makes it from a robot as JSON text, its orientation, gravity and load.
     #[new]
     fn new(
         robot: &str,
@@ -62,7 +62,7 @@ impl Statics {
             for (k, position) in positions.iter().enumerate() {
                 let matrix = kinematics::wrench_matrix(&self.robot, &self.loads.orientation, position);
                 let matrix = matrix.map_err(|e| e.under(&format!("positions[{k}]")))?;
-                numbers.extend(matrix.transpose().iter()); // column by column of the transpose: row by row
+                numbers.extend(matrix.transpose().iter()); // columns of the transpose are rows
             }
             Ok(())
         })?;

@@ -42,7 +42,7 @@ impl Map {
         .map(Map)
     }
 
-    /// Loads a map; refused if it is not of this scene.
+    /// Loads a map; an error if it does not match this scene.
     #[staticmethod]
     fn load(
         path: std::path::PathBuf,
@@ -77,7 +77,7 @@ impl Map {
         self.0.grid().origin.into()
     }
 
-    /// Distance of nodes.
+    /// Distance between nodes.
     fn step(&self) -> f64 {
         self.0.grid().step
     }

@@ -27,7 +27,8 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
         progress.failure.iter().for_each(|failure| bar.suspend(|| out.say(&format!("failed: {failure}"))));
     };
     let options = RunOptions { threads: args.threads, interrupted: &interrupted, progress: &mut progress };
-    // Trials look at the clock themselves, and the tables of those that are done are to be written.
+    // Trials check the clock themselves, and after an interruption the tables of the finished trials must still be
+    // written.
     let writing = writing();
     let ended = folder.run(&experiment, options);
     drop(writing);
@@ -46,7 +47,7 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
     }
 }
 
-/// Prints what `summary.json` says.
+/// Prints the contents of `summary.json`.
 pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(), Error> {
     let text = cdpr_files::text::read(&folder.join("summary.json"))?;
     if format == Format::Json {

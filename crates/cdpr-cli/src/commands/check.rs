@@ -47,7 +47,7 @@ fn violation_line(v: &PathViolation) -> String {
     format!("  segment {} at {:.3}: {}", v.segment, v.violation.at, v.violation.sentence())
 }
 
-/// The nearest approach and what is exempt in words.
+/// The nearest approach and the exempt pairs in words.
 pub fn nearest_lines(nearest: &Nearest) -> Vec<String> {
     let line = |what: &str, nearest: &PathClearance| {
         let (gap, culprits) = (length(nearest.value), nearest.culprits.join(" and "));
@@ -61,10 +61,10 @@ pub fn nearest_lines(nearest: &Nearest) -> Vec<String> {
     of_all.chain(of_others).chain(exempt_lines(&measured)).collect()
 }
 
-/// Longest list of exempt pairs that is printed in full, counted separately for pairs that are not checked at all.
+/// Maximum number of exempt pairs printed; unchecked pairs are counted separately.
 const MOST_EXEMPT: usize = 12;
 
-/// Exempt pairs in words, with their nearest approach on a path, m, where there is one.
+/// Exempt pairs in words, with their nearest approach on a path, m, if there is one.
 pub fn exempt_lines(exempt: &[(&Exemption, Option<f64>)]) -> Vec<String> {
     let (unchecked, checked): (Vec<&_>, Vec<&_>) = exempt.iter().partition(|(e, _)| e.reason == Reason::Ignore);
     let line = |(exemption, gap): &&(&Exemption, Option<f64>)| {
@@ -80,7 +80,7 @@ pub fn exempt_lines(exempt: &[(&Exemption, Option<f64>)]) -> Vec<String> {
     checked.iter().take(MOST_EXEMPT).map(line).chain(more).chain(unchecked).collect()
 }
 
-/// The scarcest wrenches and the range of tensions in words.
+/// The smallest wrench margin and the range of tensions in words.
 pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
     let PathWrench { min_wrench_margin: least, tension_range } = wrench;
     let place = |at: f64, segment: usize| format!("at {at:.3} of segment {segment}");

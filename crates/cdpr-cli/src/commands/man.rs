@@ -10,7 +10,7 @@ use crate::output::{Console, count};
 
 pub fn run(args: &ManArgs, out: &Console) -> Result<Answer, Error> {
     let mut program = Cli::command();
-    program.build(); // gives the subcommands their whole names and the global options
+    program.build(); // adds full names and global options to the subcommands
     let Some(folder) = &args.output else {
         out.result(String::from_utf8_lossy(&page(&program)).trim_end());
         return Ok(Answer::Yes);

@@ -34,7 +34,7 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
     Ok(Answer::Yes)
 }
 
-/// The scene as a file of this name.
+/// The scene in the notation for this file name.
 fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Result<String, Error> {
     let Some(robot) = &args.robot else { return example(notation) };
     let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);

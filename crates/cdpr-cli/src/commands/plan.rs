@@ -93,7 +93,7 @@ fn excess_line(cost: f64, bound: f64) -> String {
     format!("no path is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
 }
 
-/// The scene with the start and goal that were really asked for.
+/// The scene with the start and goal of the query.
 fn shown_scene(scene: &Scene, [start, goal]: [Point; 2]) -> Result<Scene, Error> {
     let mut spec = scene.spec().clone();
     let query = spec.query.get_or_insert_default();
@@ -160,7 +160,7 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     Verdict::yes("solved:", rest)
 }
 
-/// An orientation as on the command line.
+/// An orientation as given on the command line.
 fn words(orientation: &OrientationSource) -> String {
     match orientation {
         OrientationSource::Named(name) => format!("{name:?}"),
@@ -196,8 +196,8 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
     }
 }
 
-/// The cable and obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable that ends at the
-/// place of contact comes as near as the platform does.
+/// The cable and the obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable
+/// attached at the point of contact comes as close as the platform.
 fn stands_beside<'a>(scene: &Scene, found: &'a PlanResult) -> Option<[&'a str; 2]> {
     let beside = |reason: &&Violation| reason.kind == Kind::CableObstacle && reason.gap >= Some(-TOUCH_DEPTH);
     let reason = found.reason.as_ref().filter(beside)?;

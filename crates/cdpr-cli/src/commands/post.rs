@@ -13,7 +13,7 @@ use crate::input;
 use crate::output::{Console, count, is_stream, scene_line, short};
 use crate::progress::{interrupted, with_sign_of_life, writing};
 
-/// Checks that a path can be written under this name, before the work is done.
+/// Checks that a path can be written under this name, before any work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
     path.filter(|path| !is_stream(path)).map_or(Ok(()), cdpr_files::check_path_name)
 }

@@ -15,7 +15,7 @@ use crate::input;
 use crate::output::{Console, is_stream, lossy};
 use crate::progress::interrupted;
 
-/// What to do with a page.
+/// What the user can do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";
 
 pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
@@ -41,7 +41,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     Ok(Answer::Yes)
 }
 
-/// Checks that a page can be written under this name, before the work is done.
+/// Checks that a page can be written under this name, before any work is done.
 pub fn check_page_name(path: &Path) -> Result<(), Error> {
     match cdpr_files::text::extension(path).as_deref() {
         Some("html" | "htm") => Ok(()),

@@ -29,7 +29,7 @@ pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     }
 }
 
-/// What the cables can produce, and what they must.
+/// The scene's statics and required wrenches.
 fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error> {
     let statics = Statics::new(scene.robot(), &Loads::of(scene)).map_err(|e| e.in_file(&args.scene.scene))?;
     Ok((statics, constraint::required_of(scene, args.force, args.moment)?))
@@ -97,7 +97,7 @@ fn tensions(
     Ok(if rows.iter().all(|row| row.tensions.is_some()) { Answer::Yes } else { Answer::No })
 }
 
-/// Prints rows along a path as asked: JSON, a summary beside a CSV file, or else the CSV itself.
+/// Prints rows along a path as requested: JSON, a summary if a CSV file is written, or the CSV itself.
 fn print_rows(
     args: &WrenchArgs,
     json: &serde_json::Value,
@@ -161,10 +161,10 @@ fn saturated(report: &WrenchReport) -> String {
     if sides.is_empty() { "no cable (the set is flat)".to_string() } else { sides.join("; ") }
 }
 
-/// Where a number of a cable is found along a path.
+/// A number of a cable, with its place along a path.
 type Found<'a> = Option<(f64, &'a str, f64)>;
 
-/// The least and the greatest of numbers, each with its cable and place.
+/// The smallest and the largest number, each with its cable and place.
 fn extremes<'a>(numbers: impl Iterator<Item = (f64, &'a str, f64)>) -> [Found<'a>; 2] {
     let all: Vec<(f64, &str, f64)> = numbers.collect();
     [all.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied(), all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).copied()]
