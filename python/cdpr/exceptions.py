@@ -16,7 +16,7 @@ class CdprError(Exception):
 
 
 class InputError(CdprError, ValueError):
-    """Bad input: a value, a key, a shape. The message says what was found, where, and what is expected.
+    """Bad input: a value, a key, a shape. The message states what was found, where, and what is expected.
 
     Examples
     --------

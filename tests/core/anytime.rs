@@ -96,7 +96,7 @@ fn a_long_run_finds_nothing_much_better_on_random_scenes() {
     assert!(solved >= 12, "{solved}");
 }
 
-/// Random moves of the points of a finely divided path, by less and less, kept where it is shorter and valid.
+/// Random moves of the points of a finely divided path, of decreasing size, kept if the path is shorter and valid.
 fn slowly_shortened(engine: &dyn Validity, path: &[Point], seed: u64) -> Vec<Point> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut path = path.to_vec();
@@ -191,7 +191,7 @@ fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
             }
         }
     }
-    // Less than half of what the sum with a cube has too much.
+    // Less than half of the excess of the sum with a cube.
     assert!(near > 10_000 && 2 * (held - near) < cubes - near, "{near} {held} {cubes}");
 }
 
@@ -385,7 +385,7 @@ fn limits_and_settings_end_it() {
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
 }
 
-/// A guide that knows nothing, and counts how often it is asked for samples.
+/// A guide without information that counts how often samples are requested.
 #[derive(Default)]
 struct Asked(std::sync::atomic::AtomicUsize);
 

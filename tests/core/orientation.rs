@@ -21,7 +21,7 @@ fn spec_of(rotation: &Rotation) -> [f64; 4] {
     [rotation.w, rotation.i, rotation.j, rotation.k]
 }
 
-/// The scene with the turn worked into the robot itself: corners, attachments and centre of mass.
+/// The scene with the rotation applied to the robot itself: corners, attachments and centre of mass.
 fn worked_in(scene: &Scene, rotation: &Rotation) -> Scene {
     let mut spec = scene.spec().clone();
     let turned = |p: [f64; 3]| (rotation * Vector::from(p)).into();
@@ -34,7 +34,7 @@ fn worked_in(scene: &Scene, rotation: &Rotation) -> Scene {
     Scene::new(spec).unwrap()
 }
 
-/// Checks, shadows and wrenches of a turned scene are those of a robot that was built turned.
+/// Checks, shadows and wrenches at an orientation are those of a robot that was built rotated.
 #[test]
 fn an_orientation_is_honoured_everywhere() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
@@ -161,17 +161,17 @@ fn a_path_is_checked_at_its_own_orientation() {
     let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
     assert_eq!(warning, None);
     assert_eq!((found.orientation_name(), &loaded.waypoints), (Some("along"), &planned.result.waypoints));
-    // Not at another one that the scene was told.
+    // An error at another orientation that the scene selects.
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
     let refused = scene_of_path(&across, &loaded, false).unwrap_err().to_string();
     assert!(refused.contains("orientation: found a path at [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
-    // Bare positions say none, and a scene that leaves it open is no answer.
+    // Waypoints alone have no orientation, and the scene selects none.
     let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
     let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
     assert!(refused.contains("selects none of across, along, askew; select one"), "{refused}");
     assert!(scene_of_path(&across, &bare, true).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
     assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
-    // An edited scene gets an answer and a warning, or an error.
+    // An edited scene gives a result and a warning, or an error.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);
     let edited = Scene::new(other.clone()).unwrap();
@@ -179,7 +179,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     assert_eq!(found.orientation_name(), Some("along"));
     assert!(warning.unwrap().contains("planned for another scene: \"slot\""));
     assert!(scene_of_path(&edited, &loaded, true).unwrap_err().to_string().contains("another scene"));
-    // One that no longer has the orientation of the path gets none.
+    // A scene that no longer has the path's orientation gives an error.
     other.orientations.retain(|orientation| orientation.name != "along");
     let without = Scene::new(other).unwrap();
     let refused = scene_of_path(&without, &loaded, false).unwrap_err().to_string();
@@ -190,7 +190,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     assert!(
         scene_of_path(&bare, &loaded, false).unwrap_err().to_string().contains("not one of the scene's orientations")
     );
-    // A path that was planned for just this scene at an orientation without a name is checked at that.
+    // A path planned for this very scene at an orientation without a name is checked at that orientation.
     let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();
     let json = plan_json(&aside, &PlanOptions::default(), &planned.result, &Nearest::default(), None);
     save_path(&file, &json).unwrap();

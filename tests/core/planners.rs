@@ -1,4 +1,4 @@
-//! RRT and RRT* beside Modified RRT: mean costs of the study, valid paths, reproducibility, going on.
+//! RRT, RRT* and Modified RRT: mean costs of the study, valid paths, reproducibility, continuing after the first path.
 
 use std::time::{Duration, Instant};
 
@@ -118,7 +118,7 @@ fn a_goal_within_one_step_is_tried_at_once() {
     }
 }
 
-/// The planner goes on, to this cost, with so many samples.
+/// The planner continues to this cost or this number of samples.
 fn going_on(planner: Planner, target_cost: Option<f64>, samples: usize) -> PlannerOptions {
     let settings = PlannerSettings {
         max_samples: Some(samples),

@@ -20,7 +20,7 @@ fn planned<'q>(query: impl Into<Query<'q>>, options: PlanOptions) -> PlanResult 
     plan(query, &options, &|| false).unwrap().result
 }
 
-/// The default planner with so many samples.
+/// The default planner with this number of samples.
 fn samples(max_samples: usize) -> PlannerOptions {
     let mut planner = PlannerOptions::of(Planner::ModifiedRrt);
     planner.limits_mut().max_samples = max_samples;

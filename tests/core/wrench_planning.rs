@@ -297,7 +297,7 @@ fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positiv
             let (from, to) = (within(&mut rng, &*engine), within(&mut rng, &*engine));
             judge(&from, &to);
             let Some(at) = first_failure(&all[0], &from, &to).filter(|at| *at > 0.0) else { continue };
-            // As far as it is feasible and a hair less or more; along the boundary and back.
+            // To the feasible limit, and slightly less or more; along the boundary and back.
             for share in [-1e-4, -1e-7, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-7] {
                 let end = from + (to - from) * (at + share).clamp(0.0, 1.0);
                 judge(&from, &end);

@@ -59,7 +59,7 @@ fn small(folder: &TempDir) -> Experiment {
     experiment(folder.path(), SMALL).unwrap()
 }
 
-/// Runs until so many trials are there.
+/// Runs until this number of trials is complete.
 fn run(
     path: &Path,
     experiment: &Experiment,
@@ -165,7 +165,7 @@ fn what_a_kill_leaves_before_the_run_has_begun_is_as_good_as_a_new_folder() {
         fs::write(path.join(".cdpr-AbC123"), "{\"experiment\": ").unwrap();
         run(&path, &experiment, 2, usize::MAX, resume).unwrap();
         assert_eq!(table(&whole), table(&path));
-        // Rows of who knows which run are not written over.
+        // Rows of an unknown run are not overwritten.
         fs::remove_file(path.join("run.json")).unwrap();
         let refused = run(&path, &experiment, 2, usize::MAX, resume).unwrap_err().to_string();
         assert!(refused.contains(if resume { "found no run.json" } else { "not empty" }), "{refused}");

@@ -1,4 +1,4 @@
-//! Files that no reader may hang on, run out of memory with or panic at: special files, huge ones, deep ones.
+//! No reader may hang, run out of memory or panic on any file: special files, huge ones, deeply nested ones.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use cdpr_core::numerics::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_TEXT_BYTE
 use cdpr_files::{ImportOptions, import_robot, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map};
 use cdpr_study::{load_experiment, load_study, merge};
 
-/// A refusal takes some seconds at most; a machine that has other things to do gets a minute.
+/// Rejecting a file takes some seconds at most; a busy machine gets a minute.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 type Reader = fn(&Path) -> Result<(), Error>;
@@ -40,7 +40,7 @@ const READERS: [(&str, Reader); 14] = [
     }),
 ];
 
-/// What every reader says about a file that `make` puts in place; none may take long.
+/// The message of every reader about a file that `make` creates; no reader may take long.
 fn refusals(make: impl Fn(&Path)) -> Vec<(&'static str, String)> {
     let refusal = |(name, reader): (&'static str, Reader)| {
         let folder = tempfile::tempdir().unwrap();

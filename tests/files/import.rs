@@ -1,4 +1,4 @@
-//! Imported robots: every model in testdata against what is known of it, and files that make no sense.
+//! Imported robots: every model in testdata against known values, and invalid files.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What reads and writes files, meshes, pages and experiments.
+//! Tests of reading and writing files, meshes, pages and experiments.
 
 mod array_lengths;
 mod bad_input;

@@ -17,7 +17,7 @@ fn engines(scene: &Scene) -> (CspaceEngine, GjkEngine) {
     (cspace, GjkEngine::new(scene, Interference::Exact).unwrap())
 }
 
-/// Asks both engines about many motions, on and off a lattice that the corners of the scene lie on.
+/// Compares both engines on many motions, on and off a lattice that contains the corners of the scene.
 fn assert_agree(name: &str, spec: SceneSpec) {
     let scene = Scene::new(spec).unwrap();
     let (cspace, gjk) = engines(&scene);
@@ -188,7 +188,7 @@ fn hung(cables: &[[[f64; 3]; 2]], obstacles: Vec<BodySpec>, half: [f64; 3], clea
     Scene::new(spec).unwrap()
 }
 
-/// The answers of the gjk engine and of the cspace engine.
+/// The results of the gjk engine and of the cspace engine.
 fn both(scene: &Scene, rule: Interference, p: [f64; 3], q: [f64; 3]) -> [bool; 2] {
     let (p, q) = (Point::from(p), Point::from(q));
     [

@@ -2,7 +2,7 @@
 //! scenes: turned general polytopes, platforms of several parts, flat ones, attachments off a part, outlets on obstacles,
 //! abutting parts, limits of length, clearances, diameters, small and large workspaces.
 //!
-//! `CDPR_VERIFY=n` asks for n times as many cases (`make verify`).
+//! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, Kind as ViolationKind, Validity};
@@ -114,7 +114,7 @@ fn agree_on(seed: u64, kind: Kind, interference: Interference, motions: usize) -
     count
 }
 
-/// Each scene has its own seed, so that any case that is printed can be had again.
+/// Each scene has its own seed, so that any printed case can be reproduced.
 fn agree(first_seed: u64, scenes: u64, motions: usize, kind: impl Fn(u64) -> (Kind, Interference) + Sync) {
     let one = |seed: u64| {
         let (kind, interference) = kind(seed);

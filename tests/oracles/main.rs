@@ -1,5 +1,5 @@
-//! What the engines, kernels and solvers answer, against tests that share no code with them and against each other. One
-//! program, since these run three times: as all tests do, by the portable kernels, and on the code that people use.
+//! Results of the engines, kernels and solvers against tests that share no code with them and against each other. A
+//! separate program, since it runs three times: like all tests, with the portable kernels, and on the release build.
 
 mod cases;
 mod cspace;

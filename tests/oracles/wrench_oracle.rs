@@ -3,7 +3,7 @@
 //! polytopes and balls.
 //!
 //! A yes of a program counts by its tensions, which are checked here; a no of a margin by its plane, whose height is
-//! computed afresh. `CDPR_VERIFY=n` asks for n times as many poses (`make verify`).
+//! computed afresh. `CDPR_VERIFY=n` runs n times as many poses (`make verify`).
 
 use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
@@ -74,7 +74,7 @@ impl Pose {
         self.statics.cables().iter().map(|cable| cable.tension).collect()
     }
 
-    /// What counts of a wrench: a point mass has no moments.
+    /// The relevant rows of a wrench: a point mass has no moments.
     fn counted(&self, w: &Vector6<f64>) -> Vector6<f64> {
         if self.statics.point_mass() { Vector6::new(w[0], w[1], w[2], 0.0, 0.0, 0.0) } else { *w }
     }
@@ -235,7 +235,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Compares a margin with a program; what differs is printed.
+    /// Compares a margin with a linear program and prints differences.
     fn compare(&mut self, margin: f64, clear: f64, yes: bool, told: impl FnOnce() -> String) {
         match margin {
             m if m.abs() <= clear => self.near += 1,

@@ -1,4 +1,4 @@
-//! Meshes that tests make, and their files.
+//! Meshes made by tests, and their files.
 
 use std::fs;
 use std::path::Path;
@@ -164,7 +164,7 @@ pub fn capsule(around: usize, across: usize) -> TriangleMesh {
     })
 }
 
-/// A ball whose triangles are about equal: an icosahedron, each triangle cut into four as often as asked.
+/// A ball with nearly equal triangles: an icosahedron whose triangles are repeatedly divided into four.
 pub fn icosphere(levels: usize, radius: f64) -> TriangleMesh {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let corner = |k: usize| {

@@ -1,4 +1,4 @@
-//! What tests share: random bodies and cables, hostile ones included, and slow exact oracles.
+//! Shared by tests: random bodies and cables, including degenerate ones, and slow exact oracles.
 
 #![allow(missing_docs)]
 

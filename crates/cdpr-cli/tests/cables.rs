@@ -1,4 +1,4 @@
-//! What `cdpr` says of cables: their lengths and tensions by name, and what they hold.
+//! What `cdpr` reports on cables: lengths and tensions by name, and which motions they resist.
 
 mod support;
 
@@ -54,7 +54,7 @@ fn lengths_along_a_path_need_no_limits_and_carry_the_names_of_the_cables() {
         assert_eq!(json["rows"][0]["lengths"].as_array().unwrap().len(), 4);
         assert_eq!(json["rows"][0].get("tensions").is_some(), tensions);
     }
-    // Where forces are asked for, what is missing for them is an error.
+    // If forces are requested, missing mass or tension limits are an error.
     let asked = run(&["wrench", "bare.toml", "--along", "path.csv", "--force", "1"]);
     assert!(status(&asked) == 2 && stderr(&asked).contains("robot.mass: found none"), "{}", stderr(&asked));
 }

@@ -1,4 +1,4 @@
-//! Output files as people are used to them: modes, links, pipes, and what is refused before any work is done.
+//! Output files behave as usual: modes, links, pipes; impossible targets are rejected before any work is done.
 
 #![cfg(unix)]
 

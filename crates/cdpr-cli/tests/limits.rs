@@ -1,6 +1,6 @@
-//! Ctrl-C and time budgets, whatever the command, the scene and the moment.
+//! Ctrl-C and time budgets, for every command, at any time.
 //!
-//! Times are those of the best of some runs, and their bounds are far above what is meant: the machine may be busy.
+//! The best of several runs counts, and limits are far above the intended times, since the machine may be busy.
 #![cfg(unix)]
 
 mod support;
@@ -15,19 +15,19 @@ use std::time::{Duration, Instant};
 
 use support::{folder, status, stderr, testdata};
 
-/// Within which a command ends once it is asked to; 0.1 s is meant.
+/// Time within which an interrupted command must end; the intention is 0.1 s.
 const AT_ONCE: Duration = Duration::from_millis(400);
 
-/// How much longer than the budget a call may take, the start of the program included.
+/// How far a call may exceed the budget, including the start of the program.
 const LATE: f64 = 20.0; // ms
 
-/// Runs of a command that is asked to stop, of which the best counts.
+/// Number of runs of an interrupted command, of which the best counts.
 const RUNS: usize = 3;
 
 /// Runs of a command with a budget: a few milliseconds are soon lost on a busy machine.
 const BUDGETED_RUNS: usize = 40;
 
-/// Held by each test: together they would measure each other.
+/// Held by each test, since tests running at the same time would disturb each other's times.
 static ALONE: Mutex<()> = Mutex::new(());
 
 fn alone() -> MutexGuard<'static, ()> {
@@ -83,7 +83,7 @@ fn crowded() -> String {
 /// A folder with the scenes, paths and an experiment.
 struct Place {
     folder: tempfile::TempDir,
-    /// What is there from the start.
+    /// The files that exist from the start.
     given: Vec<String>,
 }
 
@@ -122,7 +122,7 @@ impl Place {
         if name == "crowded" { "crowded.toml".to_string() } else { testdata(&format!("scenes/{name}.toml")) }
     }
 
-    /// Everything a command has written is whole; then it is removed.
+    /// Checks that all files written by a command are complete, then removes them.
     fn assert_whole_and_clear(&self, what: &str) {
         for name in names(self.folder.path()) {
             if self.given.contains(&name) {
@@ -161,7 +161,7 @@ impl Place {
     }
 }
 
-/// The names in a folder; none if there is none.
+/// The names in a folder; empty if the folder does not exist.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten();
     entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
@@ -195,7 +195,7 @@ fn commands(name: &str) -> Vec<Vec<String>> {
     commands
 }
 
-/// Runs a command, asks it to stop after a while, and gives its status and the time it took then.
+/// Runs a command, interrupts it after a while, and returns its status and the time it took to end.
 fn interrupted(place: &Place, arguments: &[String], signal: &str, moment: Duration) -> (ExitStatus, Duration) {
     let mut child = place.start(arguments);
     std::thread::sleep(moment);
@@ -261,7 +261,7 @@ fn a_script_that_ignores_ctrl_c_for_its_children_can_stop_them() {
     assert_eq!(ended.and_then(|ended| ended.code()), Some(130));
 }
 
-/// A plan with a budget of two seconds, started by a shell in a way of its own.
+/// A plan with a budget of two seconds, started by a shell in a particular way.
 fn started_by(place: &Place, script: &str) -> std::process::Child {
     Command::new("sh")
         .current_dir(place.folder.path())

@@ -1,5 +1,4 @@
-//! What messages say, to somebody who meets the program for the first time; and that no text from a file reaches a terminal
-//! raw.
+//! Messages, as a new user meets them; and no text from a file reaches a terminal unescaped.
 
 mod support;
 
@@ -130,7 +129,7 @@ fn a_violation_tells_gap_demand_and_a_margin_that_is_never_positive() {
 /// Text that clears the screen, colours what follows, ends a line, rings the bell, and turns the direction of writing.
 const HOSTILE: &str = "a\u{1b}[2J\u{1b}]0;b\u{7}\u{9b}31m\r\n\u{202e}c\u{7f}";
 
-/// No output may hold what HOSTILE does, whatever it is about.
+/// No output may contain the control characters of HOSTILE.
 fn assert_harmless(what: &str, output: &std::process::Output) {
     for text in [stdout(output), stderr(output)] {
         let raw = text.chars().find(|c| (c.is_control() && !"\n\t".contains(*c)) || *c == '\u{202e}');

@@ -158,7 +158,7 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
     let path = std::fs::read_to_string(folder.path().join("path.json")).unwrap();
     assert!(path.contains("\"orientation_name\": \"along\""), "{path}");
     assert!(std::fs::read_to_string(folder.path().join("view.html")).unwrap().contains("\"orientation\":[1.0,"));
-    // Without a word the path's orientation counts, otherwise the one that was told.
+    // Without --orientation the path's orientation is used, otherwise the given one.
     assert_eq!(status(&run(&["check", "slot.toml", "path.json"])), 0);
     let refused = run(&["check", "slot.toml", "path.json", "--orientation", "across"]);
     assert!(

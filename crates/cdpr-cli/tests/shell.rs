@@ -59,7 +59,7 @@ fn quiet_says_results_only_and_verbose_says_more() {
     let (usual, verbose) = (stderr(&run(&[])), stderr(&run(&["--verbose"])));
     assert!(usual.contains("wrote path.json") && !usual.contains(" ms: "), "{usual}");
     assert!(verbose.contains("1 obstacle of 1 part") && verbose.contains(" ms: 2.4352 m, 3 waypoints"), "{verbose}");
-    // Errors are said even then.
+    // Errors are printed even then.
     let refused = cdpr(&["-q", "info", "nowhere.toml"]);
     assert!(status(&refused) == 2 && stderr(&refused).contains("nowhere.toml: cannot be read"));
 }

@@ -100,7 +100,7 @@ impl Processing {
     }
 }
 
-/// Options of planning; [`Query`] says from where to where.
+/// Options of planning; start and goal are in [`Query`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
     /// Search method and its options.

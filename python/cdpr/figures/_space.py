@@ -44,7 +44,7 @@ def scene(
     view: View = VIEW,
     ax: Axes3D | None = None,
 ) -> Axes3D:
-    """Draw a scene: obstacles, outlets, cables and platform, and if asked for shadows and a path.
+    """Draw a scene: obstacles, outlets, cables and platform, and optionally shadows and a path.
 
     Parameters
     ----------

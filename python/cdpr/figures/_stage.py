@@ -71,7 +71,7 @@ class Stage:
         self.points.append((np.asarray(place, dtype=np.float64), style))
 
     def words(self, place: Floats, text: str, offset: tuple[float, float] = (4, 4), **style: Any) -> None:
-        """Write at a place, moved on the paper by so many points."""
+        """Write text at a position, shifted on the paper by a number of points."""
         look = {"ha": "center" if not offset[0] else "left" if offset[0] > 0 else "right", "va": "center", **style}
         label = self.ax.annotate(
             text, self.on_paper(place), offset, textcoords="offset points", zorder=_WORDS, **{"fontsize": 7, **look}
