@@ -92,8 +92,10 @@ def shadows(
     InputError
         A name that is not in the scene, or all regions in the space of attachments.
 
-    Notes ----- The region of the paper's Figure 3. The meshes do not include clearances, cable diameters and length
-    limits, which would round their edges.
+    Notes
+    -----
+    The region of the paper's Figure 3. The meshes do not include clearances, cable diameters and length limits, which
+    would round their edges.
 
     Examples
     --------

@@ -111,8 +111,9 @@ def capacity_margin(
     InputError
         A robot without mass or tension limits, negative radii, a moment required of a point mass.
 
-    Notes ----- A rigorous form of the paper's section 3.3: forces and moments are considered together. See
-    ``docs/wrench.md``.
+    Notes
+    -----
+    A rigorous form of the paper's section 3.3: forces and moments are considered together. See ``docs/wrench.md``.
 
     Examples
     --------

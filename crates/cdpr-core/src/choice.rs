@@ -20,7 +20,8 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
 
     /// The value of a name.
     ///
-    /// # Errors An unknown name; the error lists the known names and suggests the nearest.
+    /// # Errors
+    /// An unknown name; the error lists the known names and suggests the nearest.
     fn named(name: &str) -> Result<Self, Error> {
         let names = || Self::ALL.iter().map(|(_, name, _)| *name);
         Self::ALL.iter().find(|(_, known, _)| *known == name).map(|(value, ..)| *value).ok_or_else(|| {

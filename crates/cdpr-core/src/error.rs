@@ -129,7 +129,8 @@ impl std::error::Error for Error {}
 
 /// Runs work and converts a panic in it to an error. Values that the work was modifying must not be used afterwards.
 ///
-/// # Errors Errors of the work; [`ErrorClass::Internal`] for a panic.
+/// # Errors
+/// Errors of the work; [`ErrorClass::Internal`] for a panic.
 ///
 /// # Example
 /// ```

@@ -303,12 +303,16 @@ fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Erro
 /// bound shows that no path is shorter than the best so far; the shortest path wins. The budget begins with the call,
 /// and the remaining time is shared evenly among the remaining orientations.
 ///
-/// # Errors No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is not an
-/// error: the best path so far is returned.
+/// # Errors
+/// No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is not an error: the
+/// best path so far is returned.
 ///
 /// # Example
-/// ``` use cdpr_core::plan::{PlanOptions, plan}; use cdpr_core::planning::Status; let found =
-/// plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result; assert_eq!(found.status, Status::Solved);
+/// ```
+/// use cdpr_core::plan::{PlanOptions, plan};
+/// use cdpr_core::planning::Status;
+/// let found = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result;
+/// assert_eq!(found.status, Status::Solved);
 /// assert!((found.cost - 2.435167).abs() < 1e-3); // the straight line is 1.98 m long
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -387,11 +391,14 @@ fn search(
 /// [`Error::interrupted`].
 ///
 /// # Example
-/// ``` use cdpr_core::collision::{Engine, Interference}; use cdpr_core::plan::{engine_for, lower_bound}; use
-/// cdpr_core::watch::Watch; let scene = cdpr_core::testing::hard1(); let engine = engine_for(&scene, Engine::Cspace,
-/// Interference::Exact)?; let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(),
-/// &Watch::NONE)?; assert!(bound > 2.3 && bound < 2.435167); // the straight line is 1.98 m long, the best known path
-/// 2.435167 m
+/// ```
+/// use cdpr_core::collision::{Engine, Interference};
+/// use cdpr_core::plan::{engine_for, lower_bound};
+/// use cdpr_core::watch::Watch;
+/// let scene = cdpr_core::testing::hard1();
+/// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;
+/// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
+/// assert!(bound > 2.3 && bound < 2.435167); // the straight line is 1.98 m long, the best known path 2.435167 m
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
@@ -454,7 +461,8 @@ fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
 
 /// Shortens a path given by the user.
 ///
-/// # Errors A segment that is not valid (the error names it and the reason), bad options, [`Error::interrupted`].
+/// # Errors
+/// A segment that is not valid (the error names it and the reason), bad options, [`Error::interrupted`].
 pub fn shorten_path(
     engine: &dyn Checker,
     waypoints: &[Point],

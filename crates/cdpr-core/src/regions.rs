@@ -102,7 +102,8 @@ impl NamedMesh {
 ///
 /// Pairs that the scene ignores have no region, and regions outside the box are left out.
 ///
-/// # Errors All regions requested in the space of attachments, a name that is not in the scene, and the errors of
+/// # Errors
+/// All regions requested in the space of attachments, a name that is not in the scene, and the errors of
 /// [`Constraints::new`].
 ///
 /// # Example

@@ -49,7 +49,8 @@ pub fn time_budget(place: &str, number: f64, unit: TimeUnit) -> Result<Duration,
 
 /// Checks a number of threads.
 ///
-/// # Errors Zero, or more than [`MOST_THREADS`].
+/// # Errors
+/// Zero, or more than [`MOST_THREADS`].
 pub fn thread_count(threads: usize) -> Result<usize, Error> {
     if (1..=MOST_THREADS).contains(&threads) {
         return Ok(threads);

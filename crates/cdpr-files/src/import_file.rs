@@ -49,8 +49,9 @@ pub(super) struct Source {
 /// The platform frame is that of the source. If the source does not define the platform's shape, the hull of the
 /// attachments is used.
 ///
-/// # Errors Unsupported or invalid contents; the error names the file, the element with its line, what was found and
-/// what was expected.
+/// # Errors
+/// Unsupported or invalid contents; the error names the file, the element with its line, what was found and what was
+/// expected.
 pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
     Loader::PATIENT.import(path, options)
 }
@@ -58,7 +59,8 @@ pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Er
 impl Loader<'_> {
     /// As [`import_robot`].
     ///
-    /// # Errors As [`import_robot`], and those of the watch.
+    /// # Errors
+    /// As [`import_robot`], and those of the watch.
     pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
         let Source { robot, origin, notes } = match extension(path).as_deref() {
             Some("yaml" | "yml") => gazebo::import(path)?,
@@ -107,7 +109,8 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
 
 /// Checks that robots can be written under this name.
 ///
-/// # Errors An unknown extension.
+/// # Errors
+/// An unknown extension.
 pub fn check_robot_name(path: &Path) -> Result<(), Error> {
     Notation::of(path).map(drop)
 }
@@ -115,7 +118,8 @@ pub fn check_robot_name(path: &Path) -> Result<(), Error> {
 /// Writes an imported robot as a robot file in the format given by the extension; in TOML, comments at the top give its
 /// source and notes. The path of a mesh is relative to the file.
 ///
-/// # Errors An unknown extension, or a file that cannot be written.
+/// # Errors
+/// An unknown extension, or a file that cannot be written.
 pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
     let notation = Notation::of(path)?;
     let mut imported = imported.clone();

@@ -11,8 +11,9 @@ use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES, WORDS_PER_TRIANGLE};
 
 /// Loads a mesh, in the unit of its file. Polygons with more than three corners are triangulated.
 ///
-/// # Errors An unknown extension, a file in a different format, no triangles or too many, coordinates that are not
-/// finite. Holes and similar defects are not errors; see [`cdpr_core::geometry::pieces`].
+/// # Errors
+/// An unknown extension, a file in a different format, no triangles or too many, coordinates that are not finite. Holes
+/// and similar defects are not errors; see [`cdpr_core::geometry::pieces`].
 ///
 /// # Example
 /// ```

@@ -22,7 +22,8 @@ const MOST_LINKS: usize = 40;
 
 /// Writes a file atomically if it can be replaced; see the module.
 ///
-/// # Errors As [`check_target`], and failures while writing.
+/// # Errors
+/// As [`check_target`], and failures while writing.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
     let mut file = Output::begin(path)?;
     file.write_all(contents).map_err(|e| unwritable(path, e.kind()))?;
@@ -31,7 +32,8 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
 
 /// Checks that a file can be written, without touching it; call this before doing any work.
 ///
-/// # Errors The path is a folder, its folder is missing or cannot be written, or the file is read-only.
+/// # Errors
+/// The path is a folder, its folder is missing or cannot be written, or the file is read-only.
 ///
 /// # Example
 /// ```
@@ -46,7 +48,8 @@ pub fn check_target(path: &Path) -> Result<(), Error> {
 
 /// Checks that a folder can be created or written.
 ///
-/// # Errors The path or one of its parents is not a folder or cannot be written.
+/// # Errors
+/// The path or one of its parents is not a folder or cannot be written.
 pub fn check_folder(path: &Path) -> Result<(), Error> {
     match path.ancestors().find(|above| above.as_os_str().is_empty() || above.exists()) {
         Some(above) => check_parent(path, &named_or_here(above)),
@@ -151,7 +154,8 @@ enum To {
 impl Output {
     /// Begins a file; nothing is visible before [`Output::finish`].
     ///
-    /// # Errors No file can be written at this path.
+    /// # Errors
+    /// No file can be written at this path.
     pub fn begin(path: &Path) -> Result<Self, Error> {
         let new = |file: &Path| temporary_beside(file).map_err(|e| unwritable(path, e.kind()));
         let to = match target(path)? {
@@ -170,7 +174,8 @@ impl Output {
 
     /// Puts the file in its place.
     ///
-    /// # Errors A full disk, or any other failure to write.
+    /// # Errors
+    /// A full disk, or any other failure to write.
     pub fn finish(self) -> Result<(), Error> {
         let written = match self.to {
             To::Beside(temporary, file) => {

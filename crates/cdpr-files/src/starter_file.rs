@@ -100,7 +100,8 @@ fn obstacles(starter: &Starter, output: &Path) -> Result<Vec<BodySpec>, Error> {
 
 /// The scene file, commented.
 ///
-/// # Errors A scene that cannot be written in the notation (no such scene is known).
+/// # Errors
+/// A scene that cannot be written in the notation (no such scene is known).
 pub fn starter_text(spec: &SceneSpec, notation: Notation) -> Result<String, Error> {
     let unwritable = |e: toml::ser::Error| Error::invalid("", e.to_string());
     let toml = match notation {

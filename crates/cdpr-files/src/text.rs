@@ -47,7 +47,8 @@ pub fn other_extension(path: &Path, expected: &str) -> Error {
 
 /// The whole file as text, up to [`MOST_TEXT_BYTES`].
 ///
-/// # Errors A file that cannot be read, is too large, is not a regular file, or is not text in UTF-8.
+/// # Errors
+/// A file that cannot be read, is too large, is not a regular file, or is not text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }
@@ -73,7 +74,8 @@ fn near_file(path: &Path) -> Option<String> {
 
 /// The whole stream as text, up to [`MOST_TEXT_BYTES`]; messages call it `name`.
 ///
-/// # Errors A stream that cannot be read, is longer, or is not text in UTF-8.
+/// # Errors
+/// A stream that cannot be read, is longer, or is not text in UTF-8.
 pub fn read_stream(stream: impl Read, name: &Path) -> Result<String, Error> {
     text_of(bytes_of(stream, name, MOST_TEXT_BYTES)?, name)
 }
@@ -118,7 +120,8 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
 
 /// Opens a table that is read row by row; an absurdly large one is rejected, since a row may be as long as the file.
 ///
-/// # Errors Not a regular file, a file that cannot be read, or one that is too large.
+/// # Errors
+/// Not a regular file, a file that cannot be read, or one that is too large.
 pub fn open_table(path: &Path) -> Result<File, Error> {
     let file = open(path)?;
     if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
@@ -239,7 +242,8 @@ pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
 
 /// Writes data of a file format, such as a scene or a robot, in the notation given by the extension.
 ///
-/// # Errors An unknown extension, or a file that cannot be written; no partial file is left.
+/// # Errors
+/// An unknown extension, or a file that cannot be written; no partial file is left.
 ///
 /// # Example
 /// ```

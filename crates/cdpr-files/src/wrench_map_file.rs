@@ -72,7 +72,8 @@ pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
 
 /// Reads a map from an .npz file. If an identity is given, a map with another robot, load or requirement is an error.
 ///
-/// # Errors A file that cannot be read, is not a wrench map, or is truncated; a map with another identity.
+/// # Errors
+/// A file that cannot be read, is not a wrench map, or is truncated; a map with another identity.
 ///
 /// # Example
 /// ```
@@ -119,7 +120,8 @@ pub fn wrench_map_to_npz(map: &WrenchMap) -> Vec<u8> {
 
 /// A map from the bytes of an .npz file.
 ///
-/// # Errors Bytes that are not a wrench map or are truncated.
+/// # Errors
+/// Bytes that are not a wrench map or are truncated.
 pub fn wrench_map_from_npz(bytes: &[u8]) -> Result<WrenchMap, Error> {
     read_npz(Cursor::new(bytes))
 }

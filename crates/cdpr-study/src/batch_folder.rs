@@ -41,8 +41,9 @@ pub struct BatchFolder {
 impl BatchFolder {
     /// Creates the folder of a run of these trials, or continues an existing run with `resume`.
     ///
-    /// # Errors Without `resume`, a folder that is not empty; with `resume`, a folder without a run, or with a run of
-    /// another experiment or another first trial; a folder that cannot be written; no trials.
+    /// # Errors
+    /// Without `resume`, a folder that is not empty; with `resume`, a folder without a run, or with a run of another
+    /// experiment or another first trial; a folder that cannot be written; no trials.
     pub fn open(path: &Path, experiment: &Experiment, trials: Range<usize>, resume: bool) -> Result<Self, Error> {
         BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
@@ -160,7 +161,8 @@ impl BatchFolder {
 
 /// Merges runs of ranges of trials: complete runs of one experiment whose ranges follow each other without a gap.
 ///
-/// # Errors A folder that does not fit (the error names it and the reason); an output folder that is not empty.
+/// # Errors
+/// A folder that does not fit (the error names it and the reason); an output folder that is not empty.
 pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
     let mut runs = folders.iter().map(|path| Ok((run_file(path)?, path))).collect::<Result<Vec<_>, Error>>()?;
     runs.sort_by_key(|(run, _)| run.first_trial);

@@ -137,7 +137,8 @@ impl BatchRows {
 
     /// Rows that were computed elsewhere, by group.
     ///
-    /// # Errors A wrong number of groups, or of rows in one of them; no trials.
+    /// # Errors
+    /// A wrong number of groups, or of rows in one of them; no trials.
     pub fn new(experiment: &Experiment, trials: Range<usize>, groups: Vec<Vec<u8>>) -> Result<Self, Error> {
         let mut run = RunFile::of(experiment, &trials)?;
         run.ran_on(origin_here(None));

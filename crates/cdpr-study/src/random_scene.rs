@@ -75,8 +75,9 @@ pub struct RandomScenes {
 impl RandomScenes {
     /// Checks the specification.
     ///
-    /// # Errors A size that is not an interval or does not fit into the region; a base scene without a query, or whose
-    /// start or goal is not valid. The error names the key.
+    /// # Errors
+    /// A size that is not an interval or does not fit into the region; a base scene without a query, or whose start or
+    /// goal is not valid. The error names the key.
     ///
     /// # Example
     /// ```
@@ -108,7 +109,8 @@ impl RandomScenes {
 
     /// The scene for a seed. A prism that collides with the platform or a cable at start or goal is drawn again.
     ///
-    /// # Errors No free scene within the allowed number of attempts; the error gives the reason of the last failure.
+    /// # Errors
+    /// No free scene within the allowed number of attempts; the error gives the reason of the last failure.
     pub fn draw(&self, seed: u64) -> Result<Scene, Error> {
         self.draw_within(seed, &Watch::NONE)
     }

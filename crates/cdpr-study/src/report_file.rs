@@ -26,7 +26,8 @@ struct TrialRow {
 
 /// Reads `summary.json` and `trials.csv` of a folder that `cdpr batch` or `cdpr merge` wrote.
 ///
-/// # Errors A missing or invalid file; the error names it.
+/// # Errors
+/// A missing or invalid file; the error names it.
 pub fn load_study(folder: &Path) -> Result<Study, Error> {
     let path = folder.join("summary.json");
     if !path.is_file() {

@@ -143,7 +143,8 @@ pub fn threads_of(options: &RunOptions) -> Result<usize, Error> {
 
 /// Runs all unfinished trials below `end`; `next[group]` is the first unfinished trial of a group.
 ///
-/// # Errors Errors of the sink, a scenario for which no free scene is found, zero threads, [`Error::interrupted`].
+/// # Errors
+/// Errors of the sink, a scenario for which no free scene is found, zero threads, [`Error::interrupted`].
 pub fn run(
     experiment: &Experiment,
     next: &[usize],

@@ -57,8 +57,8 @@ struct Margins {
 
 /// The plots of a path; `None` for a path of length zero.
 ///
-/// # Errors As [`Constraints::within`]; a tension solver that could not decide; [`Error::interrupted`],
-/// [`Error::out_of_time`].
+/// # Errors
+/// As [`Constraints::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = path_length(waypoints);
     if !(length > 0.0) {

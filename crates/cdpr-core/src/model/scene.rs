@@ -48,8 +48,9 @@ pub struct Scene {
 impl Scene {
     /// Checks a scene with an inline robot.
     ///
-    /// # Errors Invalid values; the error names the key, what was found and what was expected. A start or goal in
-    /// collision is not an error: only planning checks the query.
+    /// # Errors
+    /// Invalid values; the error names the key, what was found and what was expected. A start or goal in collision is
+    /// not an error: only planning checks the query.
     pub fn new(spec: SceneSpec) -> Result<Self, Error> {
         if spec.version != FORMAT_VERSION {
             return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
@@ -179,7 +180,8 @@ impl Scene {
 
     /// The same scene at this orientation.
     ///
-    /// # Errors An unknown name, or a quaternion that does not have length 1.
+    /// # Errors
+    /// An unknown name, or a quaternion that does not have length 1.
     ///
     /// # Example
     /// ```
@@ -213,8 +215,8 @@ impl Scene {
     /// The scene for a path with the given orientation, if any. If the scene selects none, the result is at the path's
     /// orientation.
     ///
-    /// # Errors The scene selects a different orientation, or neither path nor scene selects one although the scene
-    /// lists some.
+    /// # Errors
+    /// The scene selects a different orientation, or neither path nor scene selects one although the scene lists some.
     pub fn for_path_at(&self, said: Option<OrientationSource>) -> Result<Scene, Error> {
         let Some(said) = said else { return self.for_bare_path() };
         if !self.orientation_is_fixed() {

@@ -55,7 +55,8 @@ impl<'a> Query<'a> {
 
     /// Start and goal.
     ///
-    /// # Errors A start or goal that is missing or not finite.
+    /// # Errors
+    /// A start or goal that is missing or not finite.
     pub fn ends(&self) -> Result<[Point; 2], Error> {
         Ok([end("start", self.start, self.scene.start())?, end("goal", self.goal, self.scene.goal())?])
     }

@@ -118,7 +118,8 @@ impl PlannerOptions {
 
     /// A planner with the given settings; `step` (m) is the step of rewinding, which RRT and RRT* use by default.
     ///
-    /// # Errors A number out of range, or a setting that the planner does not have; the error names the key.
+    /// # Errors
+    /// A number out of range, or a setting that the planner does not have; the error names the key.
     ///
     /// # Example
     /// ```
