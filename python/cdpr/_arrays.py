@@ -36,8 +36,7 @@ def flat_points(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
 
 
 def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
-    """Reshape results, one for each row of `flat_points`, to the shape of its points; a single result is a NumPy
-    scalar."""
+    """Reshape results, one per row of `flat_points`, to the shape of its points; a single result is a NumPy scalar."""
     whole: NDArray[_Entry] = answers.reshape(shape + answers.shape[1:])[()]
     return whole
 
@@ -77,8 +76,7 @@ def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]
 
 
 def number(name: str, value: Any) -> float:
-    """One number, whose range the core checks. Strings and booleans are rejected, even where Python would convert
-    them."""
+    """One number, whose range the core checks. Strings and booleans are rejected even if Python would convert them."""
     found = as_numbers(name, value)
     if found.ndim:
         raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")

@@ -86,8 +86,7 @@ _DEEPEST = 32
 
 
 def plain(place: str, value: Any, depth: int = 0, known: Callable[[Any], Any] = lambda value: value) -> Any:
-    """Convert a value to plain data for a file, arrays to lists. `place` is its key path; `known` converts additional
-    types first."""
+    """Convert a value to plain data for a file. `place` is its key path; `known` converts additional types first."""
     value = known(value)
     if depth > _DEEPEST:
         raise InputError(f"{place[:200]}: found tables within tables more than {_DEEPEST} deep, expected fewer")

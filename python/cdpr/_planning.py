@@ -359,8 +359,7 @@ def check(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Report:
-    """Check a path or a single position: report every violation (bodies involved, place, margin) and the nearest
-    approach.
+    """Check a path or a position: report every violation (bodies involved, place, margin) and the nearest approach.
 
     Parameters
     ----------

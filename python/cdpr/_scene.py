@@ -326,8 +326,7 @@ class Scene(Immutable):
         return self._edited(spec)
 
     def without(self, *names: str) -> Scene:
-        """Return a scene without the named obstacles and without their pairs in ``clearances``, ``touch`` and
-        ``ignore``.
+        """Return a scene without the named obstacles and their pairs in ``clearances``, ``touch`` and ``ignore``.
 
         Parameters
         ----------

@@ -16,8 +16,7 @@ from .exceptions import InputError
 
 @runtime_checkable
 class TriangleMesh(Protocol):
-    """Any object with ``vertices`` (n, 3) and ``faces`` (m, 3), counter-clockwise seen from outside, such as a mesh of
-    trimesh."""
+    """Any object with ``vertices`` (n, 3) and ``faces`` (m, 3), counter-clockwise seen from outside, as in trimesh."""
 
     @property
     def vertices(self) -> Any:

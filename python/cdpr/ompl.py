@@ -158,8 +158,7 @@ class StateValidityChecker(base.StateValidityChecker):
 
 
 class MotionValidator(base.MotionValidator):
-    """Decides which straight motions are valid. Motions are checked as a whole: there are no samples and no resolution
-    to choose.
+    """Decides which straight motions are valid, checking each as a whole, without samples or a resolution to choose.
 
     Parameters
     ----------

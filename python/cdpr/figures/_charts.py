@@ -36,8 +36,7 @@ _MARKERS = "os^Dv"
 
 @styled
 def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | None = None) -> Axes:
-    """Draw a measure over the step of rewinding: the mean with its confidence interval; for times, the median and
-    quartiles.
+    """Draw a measure over the step of rewinding: mean and confidence interval; for times, median and quartiles.
 
     Other activity on the machine distorts the mean of times of microseconds, but not their median.
 

@@ -117,8 +117,7 @@ def convergence(
 
 
 class _Course(NamedTuple):
-    """A trial: when its path improved (s), its excess length over the best known path then (%), and when the trial
-    ended."""
+    """A trial: when its path improved (s), its excess length over the best known path (%), and when the trial ended."""
 
     times: Floats
     excess: Floats
@@ -168,8 +167,7 @@ def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> di
 
 
 def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats, Floats, float]]:
-    """When the path of each trial improved (s) and its length then (m), including post-processing; when the trial
-    ended."""
+    """When the path of each trial improved (s), its length (m), including post-processing, and when the trial ended."""
     columns = {name: np.asarray(batch.history[name]) for name in ("scenario", "method", "trial", "seconds", "cost")}
     of_method = (columns["scenario"] == scenario) & (columns["method"] == method)
     found = []
@@ -183,8 +181,7 @@ def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats,
 
 
 def _ends(batch: BatchResult, scenario: str, method: str) -> list[tuple[int, float, float]]:
-    """Number of each trial, when it ended, s, and the length of its final path, m; for a sweep, those of its first
-    variant."""
+    """Number, end (s) and length of the final path (m) of each trial; for a sweep, those of its first variant."""
     trials, timings = batch.trials, batch.timings
     variants = [row["method"] for row in summary_rows(batch) if row.get("of", row["method"]) == method]
     mine = (np.asarray(trials["scenario"]) == scenario) & (np.asarray(trials["method"]) == variants[0])

@@ -102,7 +102,7 @@ impl Scene {
         })
     }
 
-    /// The same scene with additional notes about its origin.
+    /// The same scene with additional notes.
     pub fn with_notes(mut self, notes: Vec<String>) -> Self {
         self.notes.extend(notes);
         self
@@ -173,7 +173,7 @@ impl Scene {
         &self.orientations
     }
 
-    /// Whether the query selects an orientation.
+    /// Whether the orientation is fixed: the query selects one, or there is only one named orientation.
     pub fn orientation_is_fixed(&self) -> bool {
         self.orientations.len() == 1 || self.spec.query.as_ref().is_some_and(|query| query.orientation.is_some())
     }
@@ -199,7 +199,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Whether the scene lists named orientations but selects none.
+    /// Whether the scene lists several orientations and selects none.
     pub fn orientation_is_open(&self) -> bool {
         !self.orientation_is_fixed() && !self.orientations.is_empty()
     }
