@@ -37,21 +37,21 @@ pub fn page(study: &Study) -> String {
     let printed = paper.map(|(_, printed)| printed);
     let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
     let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
-    body += &format!(" Statistics are those of solved trials; {unsolved} rows are not solved and left out.</p>\n");
+    body += &format!(" Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n");
     body += &tables::origins(study);
     body += &tables::rules(study);
     if let Some((paper, printed)) = paper {
         let (note, citation) = (escaped(&printed.note), escaped(&paper.citation));
-        body += &format!("<h2>Beside the paper</h2>\n<p>{note} Source: {citation}.</p>\n");
+        body += &format!("<h2>Comparison with the paper</h2>\n<p>{note} Source: {citation}.</p>\n");
         if !printed.means.is_empty() {
             body += &tables::beside(study, printed);
-            body += "<p>Intervals of the percentages are 95 % ones by the delta method, of independent samples.</p>\n";
+            body +=
+                "<p>Intervals of the percentages are 95 % intervals by the delta method for independent samples.</p>\n";
             body += &tables::claims(study, printed);
         }
     }
     body += &tables::orders(study, printed);
-    body +=
-        "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers the last trials within 1.5 box lengths.</p>\n";
+    body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
     for plot in plots(study) {
         body += &format!("<figure>{}</figure>\n", plot.svg());
     }

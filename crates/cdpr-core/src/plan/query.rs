@@ -8,7 +8,7 @@ use crate::model::{Scene, body};
 
 /// A planning query: start and goal in a scene.
 ///
-/// A scene file may give a start and a goal of its own; the query's take precedence.
+/// A scene file may contain a start and a goal; those of the query take precedence.
 ///
 /// # Example
 /// ```
