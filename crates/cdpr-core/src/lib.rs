@@ -6,7 +6,7 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
 //! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all,
 //! [`testing`] by
 //! examples and tests.
@@ -14,6 +14,7 @@
 pub mod batch;
 pub mod choice;
 pub mod collision;
+pub mod conditions;
 pub mod decomposition;
 pub mod error;
 mod fixed_length;

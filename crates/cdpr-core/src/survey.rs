@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::collision::{Checker, Constraint, Engine, Exemption, Interference, Violation};
+use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -136,9 +136,9 @@ fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
 
 fn always_crossing(engine: &dyn Checker) -> Vec<[String; 2]> {
     let constraints = engine.constraints();
-    let name = |i: usize| constraints.cables[i].name.clone();
-    let pair = |c: &Constraint| match c {
-        Constraint::CableCable(pair) if pair.always_crossing() => Some([name(pair.first), name(pair.second)]),
+    let name = |i: usize| constraints.bodies.cables[i].name.clone();
+    let pair = |c: &Condition| match c {
+        Condition::CableCable(pair) if pair.always_crossing() => Some([name(pair.first), name(pair.second)]),
         _ => None,
     };
     constraints.list.iter().filter_map(pair).collect()

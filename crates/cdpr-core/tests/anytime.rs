@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
 use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
-use cdpr_core::collision::forbidden::{forbidden, rounded};
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
@@ -178,8 +178,9 @@ fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
         let (min, max) = constraints.position_box();
         let mut rng = ChaCha8Rng::seed_from_u64(7);
         for (index, constraint) in constraints.list.iter().enumerate() {
-            let Some(planes) = rounded(constraints, constraint) else { continue };
-            let cube = forbidden(constraints, constraint, clearance).unwrap().half_spaces;
+            let (details, fat) = (constraint.details(), Fattened::default());
+            let Some(planes) = details.rounded(&constraints.bodies, &fat) else { continue };
+            let cube = details.forbidden(&constraints.bodies, clearance, &fat).unwrap().half_spaces;
             for _ in 0..3000 {
                 let p = min + (max - min).component_mul(&Vector::from_fn(|_, _| rng.random::<f64>()));
                 let inside = planes.iter().all(|plane| plane.height(&p) < 1e-9);

@@ -85,7 +85,7 @@ fn exempt_cables_must_still_not_touch() {
         assert_eq!(vertical.attainable.unwrap() < 0.0, overlaps, "{vertical:?}");
         assert!((vertical.attainable.unwrap() - (0.05 - diameter)).abs() < 1e-9);
         assert_eq!(vertical.sentence().contains("must still not touch"), !overlaps, "{}", vertical.sentence());
-        let index = vertical.constraints[0];
+        let index = vertical.conditions[0];
         let mut refused = [0, 0];
         for k in 0..1000 {
             let p = {
@@ -93,7 +93,7 @@ fn exempt_cables_must_still_not_touch() {
                 Point::new(at(1), at(13), at(7))
             };
             let near = cspace.constraints().list[index].clone();
-            let cdpr_core::collision::Constraint::CableCable(near) = near else { unreachable!("a pair of cables") };
+            let cdpr_core::collision::Condition::CableCable(near) = near else { unreachable!("a pair of cables") };
             let gap = near.nearest(&p).distance - diameter;
             for (engine, refused) in [&cspace, &gjk].into_iter().zip(&mut refused) {
                 let breaks = engine.breaks(index, &p, &p);

@@ -96,7 +96,7 @@ fn the_shadow_in_the_space_of_positions_is_the_one_of_the_attachment_moved() {
     let mut rng = support::rng(2);
     for region in &position.meshes {
         let same = attachment.meshes.iter().find(|r| r.name == region.name).unwrap();
-        let arm = constraints.cables.iter().find(|c| c.name == region.culprits[0]).unwrap().arm;
+        let arm = constraints.bodies.cables.iter().find(|c| c.name == region.culprits[0]).unwrap().arm;
         for _ in 0..300 {
             let p = inside(&mut rng, &position.within);
             assert_eq!(encloses(&region.mesh, &p), encloses(&same.mesh, &(p + arm)), "{} at {p}", region.name);

@@ -4,7 +4,7 @@ mod support;
 
 use std::time::{Duration, Instant};
 
-use cdpr_core::collision::{Checker, Constraint, Engine, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::collision::{Checker, Condition, Engine, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use cdpr_core::numerics::GAP_TOLERANCE;
@@ -224,8 +224,8 @@ fn the_least_distance_of_two_cables_is_no_more_than_any_sample_and_reached() {
         let reach = 10f64.powf(uniform(&mut rng, -4.0, 0.0));
         let q: [f64; 3] = vector(&mut rng, reach).into();
         let engine = pair([place(&mut rng), place(&mut rng)], q, 0.0);
-        let Some(Constraint::CableCable(pair)) =
-            engine.constraints().list.iter().find(|c| matches!(c, Constraint::CableCable(_)))
+        let Some(Condition::CableCable(pair)) =
+            engine.constraints().list.iter().find(|c| matches!(c, Condition::CableCable(_)))
         else {
             continue;
         };

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::constraint::Constraints;
-use super::exempt::Exemption;
-use super::explain;
-use super::validity::{Checker, Clearance, Validity, Violation};
+use super::clearance::{self, Clearance};
+use super::validity::{Checker, Validity};
+use super::violation::Violation;
+use crate::conditions::{Constraints, Exemption};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -98,7 +98,7 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
     for (segment, pair) in waypoints.windows(2).enumerate() {
         watch.check()?;
         if checker.motion_valid(&pair[0], &pair[1]) {
-            continue; // many times faster than to ask every constraint
+            continue; // many times faster than to check every condition by itself
         }
         valid = false;
         let found = checker.violations(&pair[0], &pair[1]);
@@ -117,18 +117,18 @@ pub fn nearest(constraints: &Constraints, waypoints: &[Point], watch: &Watch) ->
     let all: Vec<usize> = (0..constraints.list.len()).collect();
     let mut exempt = Vec::with_capacity(constraints.exempt.len());
     for exemption in &constraints.exempt {
-        let gap = of(&exemption.constraints)?.map(|clearance| clearance.value);
+        let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
         exempt.push(PathExemption { exemption: exemption.clone(), gap });
     }
     let mut held = vec![true; all.len()];
-    constraints.exempt.iter().flat_map(|e| &e.constraints).for_each(|&index| held[index] = false);
+    constraints.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
     let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
     let min_clearance = of(&all)?;
     let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
     Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
 }
 
-/// The nearest approach of a path with regard to some constraints, by their indices.
+/// The nearest approach of a path with regard to some conditions, by their indices.
 ///
 /// # Errors
 /// As [`nearest`].
@@ -138,7 +138,7 @@ pub fn nearest_of(
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
-    let found = explain::path_clearance(constraints, indices, waypoints, watch)?;
+    let found = clearance::path_clearance(constraints, indices, waypoints, watch)?;
     Ok(found.map(|(segment, Clearance { value, at, culprits, required })| PathClearance {
         value,
         segment,

@@ -135,7 +135,7 @@ impl Guide<Point> for Taut<'_> {
 
     fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
         let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
-        let hulls = Hulls::new(polyhedra.into_iter().map(Hull::exact), self.low, self.high);
+        let hulls = Hulls::new(polyhedra.into_iter().map(|p| Hull::exact(p.half_spaces)), self.low, self.high);
         bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
     }
 
@@ -171,7 +171,7 @@ impl Taut<'_> {
     fn hulls(&self, watch: &Watch) -> Result<Option<&Hulls>, Error> {
         if self.hulls.get().is_none() {
             let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
-            let hulls = Hulls::new(polyhedra.into_iter().map(Hull::around), self.low, self.high);
+            let hulls = Hulls::new(polyhedra.into_iter().map(|p| Hull::around(p.half_spaces)), self.low, self.high);
             let _ = self.hulls.set(hulls); // another thread may have been faster, with the same
         }
         Ok(self.hulls.get())

@@ -1,7 +1,7 @@
 //! An engine that asks for wrench feasibility as well, after everything that is cheaper.
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Constraints, Interference, Piece, Polyhedra, Validity, Violation};
+use crate::collision::{Checker, Clearance, Constraints, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -32,11 +32,11 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
         self.geometry.polyhedra(watch)
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
         self.geometry.certain_polyhedra(watch)
     }
 
