@@ -72,6 +72,14 @@ macro_rules! conditions {
                 }
             }
 
+            /// As [`PhysicalCondition::certainly_keeps`], likewise.
+            #[inline]
+            pub fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
+                match self {
+                    $(Condition::$name(condition) => condition.certainly_keeps(from, to),)*
+                }
+            }
+
             /// All conditions of a scene, in the order of the variants.
             fn all(scene: &Scene, bodies: &Bodies, remarks: &mut Remarks, watch: &Watch) -> Result<Vec<Self>, Error> {
                 let mut list = Vec::new();
@@ -323,6 +331,10 @@ impl Constraints {
     pub fn map<T: Send>(&self, watch: &Watch, of: impl Fn(usize) -> T + Sync) -> Result<Vec<T>, Error> {
         let one = |index: usize| watch.check().map(|()| of(index));
         let indices = 0..self.list.len();
-        if indices.len() >= IN_PARALLEL { indices.into_par_iter().map(one).collect() } else { indices.map(one).collect() }
+        if indices.len() >= IN_PARALLEL {
+            indices.into_par_iter().map(one).collect()
+        } else {
+            indices.map(one).collect()
+        }
     }
 }

@@ -107,7 +107,9 @@ fn least(
     let mut best: Option<(f64, usize)> = None;
     for (index, condition) in constraints.list.iter().enumerate() {
         let deducted = deducted(condition);
-        if best.is_some_and(|(least, _)| condition.details().boxes_apart(&constraints.bodies, from, to) - deducted >= least) {
+        if best.is_some_and(|(least, _)| {
+            condition.details().boxes_apart(&constraints.bodies, from, to) - deducted >= least
+        }) {
             continue;
         }
         let room = gap(constraints, condition, from, to).map(|gap| gap - deducted);

@@ -264,9 +264,8 @@ impl CspaceEngine {
     /// Whether a motion breaks a condition that exceeds its regions.
     fn breaks_beyond_regions(&self, from: &Point, to: &Point) -> bool {
         let list = &self.constraints().list;
-        self.beyond_regions
-            .iter()
-            .any(|&index| !list[index].details().certainly_keeps(from, to) && self.reference_refuses(index, from, to))
+        let breaks = |&index: &usize| !list[index].certainly_keeps(from, to) && self.reference_refuses(index, from, to);
+        self.beyond_regions.iter().any(breaks)
     }
 }
 

@@ -242,8 +242,9 @@ impl CableCable {
 
 impl CableCable {
     /// The triangles that both cables sweep during a motion.
-    fn sweeps(&self, bodies: &Bodies, from: &Point, to: &Point) -> [Triangle; 2] {
-        [self.first, self.second].map(|cable| bodies.cables[cable].sweep(from, to))
+    #[inline]
+    fn sweeps(&self, bodies: &Bodies, from: &Point, to: &Point) -> (Triangle, Triangle) {
+        (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
     }
 
     /// The distance of lines from which on the swept rule allows a motion, m.
@@ -314,7 +315,7 @@ impl PhysicalCondition for CableCable {
             Interference::Exact => self.distance(bodies, from, to),
             Interference::Swept => {
                 // The triangles meet, maybe at different times: that is the gap this rule is about.
-                let [first, second] = self.sweeps(bodies, from, to);
+                let (first, second) = self.sweeps(bodies, from, to);
                 shape_distance(&first, &second).distance - self.radii
             }
         })
@@ -323,7 +324,7 @@ impl PhysicalCondition for CableCable {
     #[inline]
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool {
         let swept = || {
-            let [first, second] = self.sweeps(bodies, from, to);
+            let (first, second) = self.sweeps(bodies, from, to);
             nearer_than(&first, &second, self.swept_gap())
         };
         self.crosses(from, to)
@@ -336,6 +337,7 @@ impl PhysicalCondition for CableCable {
         interference == Interference::Swept
     }
 
+    #[inline]
     fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
         self.sweeps_apart(from, to, self.swept_gap())
     }

@@ -28,12 +28,7 @@ pub struct CableObstacle {
 
 impl CableObstacle {
     /// The condition on a cable and an obstacle body that stands at `index` in the list.
-    fn of(
-        [index, cable, body]: [usize; 3],
-        bodies: &Bodies,
-        clearance: f64,
-        remarks: &mut Remarks,
-    ) -> Self {
+    fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
         let CableAt { outlet, radius, ref name, .. } = bodies.cables[cable];
         let obstacle = &bodies.obstacles[body];
         let with = |demand: Demand| CableObstacle { cable, body, demand };
