@@ -359,6 +359,80 @@ fn a_margin_is_the_depth_of_the_deepest_state() {
 }
 
 #[test]
+fn a_motion_is_free_up_to_its_first_contact() {
+    let mut rng = rng(15);
+    let (mut contacts, mut free, mut seams) = (0, 0, 0);
+    for k in 0..300 {
+        let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
+        let kind = Kind { clearance, special: k % 2 == 0, ..Kind::default() };
+        let scene = crate::support::scenes::scene(&mut rng, kind);
+        let rule = if k % 4 == 0 { Interference::Swept } else { Interference::Exact };
+        let engines: [Box<dyn Checker>; 2] =
+            [Box::new(CspaceEngine::new(&scene, rule).unwrap()), Box::new(GjkEngine::new(&scene, rule).unwrap())];
+        for _ in 0..4 {
+            let p = Point::from(crate::support::vector(&mut rng, 2.0));
+            let q = p + direction(&mut rng) * uniform(&mut rng, 0.1, 2.0);
+            for engine in &engines {
+                let violations = engine.violations(&p, &q);
+                let Some((t, index)) = engine.first_contact(&p, &q) else {
+                    free += 1;
+                    assert!(violations.is_empty() && engine.motion_valid(&p, &q));
+                    continue;
+                };
+                let until = |t: f64| p + (q - p) * t;
+                assert!(t == 0.0 || engine.motion_valid(&p, &until(t - 1e-6)), "{t}");
+                assert!(engine.breaks(index, &p, &until(t)) && !engine.motion_valid(&p, &until(t)));
+                let constraints = engine.constraints();
+                let condition = &constraints.list[index];
+                if condition.details().closes_seam(&constraints.bodies) {
+                    seams += 1; // the violation is reported of a part beside it, which is met later
+                    assert!(violations.iter().all(|violation| t <= violation.at));
+                    continue;
+                }
+                contacts += 1;
+                let found = (t, constraints.kind(condition), constraints.culprits(condition));
+                let first = violations.into_iter().next().unwrap();
+                assert_eq!(found, (first.at, first.kind, first.culprits));
+            }
+        }
+    }
+    assert!(contacts > 500 && free > 50, "{contacts} {free} {seams}");
+}
+
+#[test]
+fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
+    let mut rng = rng(16);
+    let mut inside = 0;
+    for k in 0..60 {
+        let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
+        let scene = crate::support::scenes::scene(&mut rng, Kind { clearance, ..Kind::default() });
+        let (cspace, gjk) = engines(&scene);
+        let pieces = cspace.pieces(&Watch::NONE).unwrap();
+        let outer = cspace.polyhedra(&Watch::NONE).unwrap();
+        let certain = cspace.certain_polyhedra(&Watch::NONE).unwrap();
+        // What the fast engine has compiled is what the conditions give, except what reaches into no position.
+        let of_conditions = gjk.pieces(&Watch::NONE).unwrap();
+        assert!(pieces.iter().all(|piece| of_conditions.contains(piece)));
+        assert!(
+            pieces
+                .iter()
+                .all(|piece| outer.iter().any(|p| (p.condition, &p.half_spaces) == (piece.condition, &piece.outer)))
+        );
+        let space = TranslationSpace::of(gjk.constraints());
+        for _ in 0..300 {
+            let Some(p) = space.sample(&mut rng) else { break };
+            for polyhedron in &certain {
+                if polyhedron.half_spaces.iter().all(|plane| plane.height(&p) < 0.0) {
+                    inside += 1;
+                    assert!(gjk.breaks(polyhedron.condition, &p, &p));
+                }
+            }
+        }
+    }
+    assert!(inside > 1000, "{inside}");
+}
+
+#[test]
 fn both_engines_plan_the_same_path() {
     for scene in [hard1(), hard3()] {
         for seed in 0..10 {
