@@ -302,10 +302,6 @@ impl PhysicalCondition for CableCable {
         true
     }
 
-    fn demands_distance(&self) -> bool {
-        self.gap > 0.0
-    }
-
     fn distance(&self, _: &Bodies, from: &Point, to: &Point) -> f64 {
         self.least_distance(from, to).0 - self.radii
     }

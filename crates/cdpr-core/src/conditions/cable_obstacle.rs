@@ -115,10 +115,6 @@ impl PhysicalCondition for CableObstacle {
         self.demand.is_about_gap()
     }
 
-    fn demands_distance(&self) -> bool {
-        self.demand.distance().is_some()
-    }
-
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
         shape_distance(&cable.sweep(from, to), &bodies.obstacles[self.body].body).signed() - cable.radius

@@ -112,10 +112,6 @@ impl PhysicalCondition for CablePlatform {
         self.demand.is_about_gap()
     }
 
-    fn demands_distance(&self) -> bool {
-        self.demand.distance().is_some()
-    }
-
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
         shape_distance(&cable.sweep_seen_from_platform(from, to), &bodies.platform[self.body]).signed() - cable.radius

@@ -111,11 +111,6 @@ pub trait PhysicalCondition {
         false
     }
 
-    /// Whether it demands a distance from a body, not only that the body is not entered.
-    fn demands_distance(&self) -> bool {
-        false
-    }
-
     /// The least distance during a motion, m.
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64;
 

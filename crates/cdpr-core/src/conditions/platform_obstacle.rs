@@ -89,10 +89,6 @@ impl PhysicalCondition for PlatformObstacle {
         !self.closes_seam(bodies)
     }
 
-    fn demands_distance(&self) -> bool {
-        self.gap > 0.0
-    }
-
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let swept = Swept::new(&bodies.platform[self.part], from.coords, to - from);
         shape_distance(&swept, &bodies.obstacles[self.body].body).signed()
@@ -123,7 +119,7 @@ impl PhysicalCondition for PlatformObstacle {
     }
 
     fn rounded(&self, bodies: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {
-        if !self.demands_distance() {
+        if self.gap <= 0.0 {
             return None;
         }
         let sum = self.difference(bodies).filter(Polytope::has_volume)?;
