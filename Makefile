@@ -6,13 +6,13 @@ WHEELS := target/wheels
 
 SITE := target/site
 
-.PHONY: test lint rust-test long-test portable-test release-test verify fuzz program wheel release-wheel python-test wheel-test \
+.PHONY: test lint rust-test long-test portable-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
 	package-test reference docs workflows packages deny demo figures bench viewer browser clean
 
 test: lint rust-test python-test docs workflows
 
 # What takes too long to wait for, after `make test`.
-long-test: portable-test release-test wheel-test
+long-test: portable-test release-test wheel-test wasm-check
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -39,13 +39,20 @@ portable-test:
 
 # The oracles once more on the code that people use: release, without debug assertions.
 release-test:
-	cargo test $(LIMITED) --release --locked -p cdpr-core --test oracles
+	cargo test $(LIMITED) --release --locked -p cdpr-tests --test oracles
+
+# The core must build for the browser; left out where rustup has not installed that target.
+WASM := wasm32-unknown-unknown
+
+wasm-check:
+	@if rustc --print target-libdir --target $(WASM) | xargs test -d; \
+	then cargo check --locked -p cdpr-core --target $(WASM); else echo "no target $(WASM): not checked"; fi
 
 # Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
 # every disagreement is printed.
 verify:
-	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-core --test oracles -- engines_agree --nocapture
-	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-core --test oracles -- wrench_oracle --nocapture
+	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-tests --test oracles -- engines_agree --nocapture
+	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-tests --test oracles -- wrench_oracle --nocapture
 
 # Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. What was learnt
 # stays in target/fuzz, so that the next run goes on from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
@@ -125,7 +132,7 @@ workflows: $(VENV)/ready
 
 # The crates as they would be published: each packed, unpacked and built on its own.
 packages:
-	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-cli
+	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-view -p cdpr-files -p cdpr-study -p cdpr-cli
 
 # Licences, sources, doubled crates and known holes of all that is built in; compiles cargo-deny the first time.
 deny:

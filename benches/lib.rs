@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use cdpr_core::Scene;
-use cdpr_core::batch::{RandomScenes, RandomScenesSpec};
 use cdpr_core::collision::Checker;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, paper_scene, scene};
+use cdpr_study::{RandomScenes, RandomScenesSpec};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -91,7 +91,7 @@ pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: us
 /// whatever their number; the straight line from start to goal is not free.
 pub fn hall(count: usize, clearance: f64, seed: u64) -> Scene {
     let forest =
-        cdpr_core::io::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));
+        cdpr_files::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));
     let mut base = forest.expect("a sound scene").spec().clone();
     (base.obstacles, base.clearance) = (Vec::new(), Some(clearance));
     let side = (2.0 / count as f64).sqrt();

@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
-const assets = '../crates/cdpr-core/src/view/assets/';
+const assets = '../crates/cdpr-view/src/assets/';
 const licence = here('node_modules/three/LICENSE');
 const placeholders = ['{{title}}', '/*{{style}}*/', '{{data}}', '/*{{script}}*/'];
 

@@ -6,11 +6,11 @@ use std::time::Instant;
 
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point, Vector};
-use cdpr_core::io::{load_robot, load_scene};
 use cdpr_core::model::Robot;
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::{CapacityMargin, Loads, MapOptions, Measure, Required, Statics, WrenchMap, certified};
+use cdpr_files::{load_robot, load_scene};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

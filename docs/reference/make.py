@@ -252,7 +252,7 @@ def python() -> str:
 
 
 def rust() -> str:
-    readme = (HERE / "../../crates/cdpr-core/README.md").read_text(encoding="utf-8")
+    readme = (HERE / "../../crates/cdpr-files/README.md").read_text(encoding="utf-8")
     example = readme.partition("<!-- begin -->")[2].partition("Licence:")[0]
     return page("Rust", """
         `cargo doc --open` in a clone opens the reference of all modules of the library, `cdpr-core`.

@@ -4,15 +4,15 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cdpr_core::batch::RunOptions;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::geometry::{Aabb, Point};
-use cdpr_core::io::{self, BatchFolder};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing;
 use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
 use cdpr_fuzz::inputs;
+use cdpr_study::BatchFolder;
+use cdpr_study::RunOptions;
 
 /// A column with a foot, as one closed surface.
 const ANGLE: &str = "\
@@ -91,7 +91,7 @@ fn scenes() -> Result<(), Box<dyn Error>> {
         let text =
             ["paper", "acrobot"].iter().fold(text, |text, robot| text.replace(&format!("../robots/{robot}"), "robot"));
         put(&format!("scene_toml/{seed}.toml"), text)?;
-        let scene = io::load_scene(&testdata(&format!("{name}.toml")))?;
+        let scene = cdpr_files::load_scene(&testdata(&format!("{name}.toml")))?;
         put(&format!("scene_json/{seed}.json"), serde_json::to_string(scene.spec())?)?;
     }
     Ok(put("experiment_toml/small.toml", EXPERIMENT)?)
@@ -102,7 +102,7 @@ fn meshes() -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("angle.obj");
     fs::write(&path, ANGLE)?;
-    let mesh = io::load_mesh(&path)?;
+    let mesh = cdpr_files::load_mesh(&path)?;
     let (mut binary, mut text) = (vec![b' '; 80], "solid angle\n".to_string());
     binary.extend((mesh.triangles.len() as u32).to_le_bytes());
     for triangle in &mesh.triangles {
@@ -125,10 +125,10 @@ fn meshes() -> Result<(), Box<dyn Error>> {
 fn paths() -> Result<(), Box<dyn Error>> {
     let (scene, options) = (testing::hard1(), PlanOptions::paper());
     let result = plan(&scene, &options, &|| false)?;
-    let json = io::plan_json(&scene, &options, &result, &Nearest::default(), None);
+    let json = cdpr_files::plan_json(&scene, &options, &result, &Nearest::default(), None);
     for name in ["path_json/hard1.json", "path_csv/hard1.csv"] {
         put(name, "")?;
-        io::save_path(&inputs("seeds").join(name), &json)?;
+        cdpr_files::save_path(&inputs("seeds").join(name), &json)?;
     }
     Ok(())
 }
@@ -139,13 +139,13 @@ fn maps() -> Result<(), Box<dyn Error>> {
     let batch = BatchOptions { threads: None, interrupted: &|| false };
     let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.5, projected: true }, &batch)?;
     put("wrench_map_npz/map.npz", "")?;
-    Ok(io::save_wrench_map(&inputs("seeds/wrench_map_npz/map.npz"), &map)?)
+    Ok(cdpr_files::save_wrench_map(&inputs("seeds/wrench_map_npz/map.npz"), &map)?)
 }
 
 /// A run that a report is made of, and a smaller one to be merged.
 fn runs() -> Result<(), Box<dyn Error>> {
     let text = EXPERIMENT.replace("\"scene.toml\"", &format!("{:?}", testdata("scenes/hard1.toml")));
-    let experiment = io::experiment_from_text(&text, io::text::Notation::Toml, None)?;
+    let experiment = cdpr_study::experiment_from_text(&text, cdpr_files::text::Notation::Toml, None)?;
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("run");
     let options = RunOptions { threads: Some(1), interrupted: &|| false, progress: &mut |_| {} };
@@ -155,7 +155,7 @@ fn runs() -> Result<(), Box<dyn Error>> {
     let one = text.split("[[scenarios]]\nname = \"drawn\"").next().expect("a part").to_string();
     let one = one
         + "[[methods]]\nname = \"swept\"\noptions = { max_samples = 300 }\nsweep = { post = [\"backward\", \"forward\"] }\n";
-    let experiment = io::experiment_from_text(&one, io::text::Notation::Toml, None)?;
+    let experiment = cdpr_study::experiment_from_text(&one, cdpr_files::text::Notation::Toml, None)?;
     let path = folder.path().join("one");
     let options = RunOptions { threads: Some(1), interrupted: &|| false, progress: &mut |_| {} };
     BatchFolder::open(&path, &experiment, 0..experiment.trials, false)?.run(&experiment, options)?;

@@ -5,12 +5,13 @@ use std::sync::LazyLock;
 
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
 use cdpr_core::geometry::Point;
-use cdpr_core::io::{self, ImportOptions};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
-use cdpr_core::{Error, Scene, report, testing};
+use cdpr_core::{Error, Scene, testing};
+use cdpr_files::ImportOptions;
+use cdpr_study::report;
+use hmac_sha256::Hash;
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 use tempfile::TempDir;
 
 /// A reader by its name in the folders of inputs.
@@ -94,7 +95,7 @@ fn accepted<T>(result: Result<T, Error>) -> Option<T> {
 
 fn scene(name: &str, bytes: &[u8]) {
     let folder = Folder::new().with(name, bytes).with("robot.toml", &seed("robot_toml/paper.toml"));
-    accepted(io::load_scene(&folder.path(name))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(&folder.path(name))).iter().for_each(ask);
 }
 
 /// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the
@@ -120,7 +121,7 @@ fn checked(engine: &dyn Checker, waypoints: &[Point]) {
 
 fn robot(bytes: &[u8]) {
     let folder = Folder::new().with("robot.toml", bytes);
-    accepted(io::load_robot(&folder.path("robot.toml")));
+    accepted(cdpr_files::load_robot(&folder.path("robot.toml")));
 }
 
 fn path(name: &str, bytes: &[u8]) {
@@ -130,18 +131,19 @@ fn path(name: &str, bytes: &[u8]) {
         (scene, engine)
     });
     let folder = Folder::new().with(name, bytes);
-    if let Some(loaded) = accepted(io::load_waypoints(&folder.path(name))) {
+    if let Some(loaded) = accepted(cdpr_files::load_waypoints(&folder.path(name))) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
         checked(&HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
-        io::save_path(&again, &io::path_json(&HARD1.0, &loaded.waypoints)).expect("a path can be written");
-        assert_eq!(io::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
+        cdpr_files::save_path(&again, &cdpr_files::path_json(&HARD1.0, &loaded.waypoints))
+            .expect("a path can be written");
+        assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
     }
 }
 
 fn experiment(bytes: &[u8]) {
     let folder = Folder::new().with("experiment.toml", bytes).with("scene.toml", &seed("scene_toml/hard1.toml"));
-    if let Some(experiment) = accepted(io::load_experiment(&folder.path("experiment.toml"))) {
+    if let Some(experiment) = accepted(cdpr_study::load_experiment(&folder.path("experiment.toml"))) {
         serde_json::to_string(&experiment.portable).expect("an experiment can be written");
     }
 }
@@ -156,10 +158,10 @@ fn gazebo(bytes: &[u8]) {
 
 /// An imported robot can be written and read again.
 fn imported(folder: &Folder, name: &str) {
-    if let Some(imported) = accepted(io::import_robot(&folder.path(name), &ImportOptions::default())) {
+    if let Some(imported) = accepted(cdpr_files::import_robot(&folder.path(name), &ImportOptions::default())) {
         let robot = folder.path("imported.toml");
-        io::save_imported(&robot, &imported).expect("a robot can be written");
-        let again = io::load_robot(&robot).expect("what was written");
+        cdpr_files::save_imported(&robot, &imported).expect("a robot can be written");
+        let again = cdpr_files::load_robot(&robot).expect("what was written");
         assert_eq!(again.spec(), &imported.robot);
     }
 }
@@ -178,14 +180,14 @@ fn around(name: &str, bytes: &[u8]) -> Folder {
 
 fn mesh(name: &str, bytes: &[u8]) {
     let folder = around(name, bytes);
-    accepted(io::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
 }
 
 /// Parts kept beside a mesh, with the key and the sum that they would be found by; without these nothing is read.
 fn parts(bytes: &[u8]) {
     static KEY: LazyLock<String> = LazyLock::new(|| {
         let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"));
-        io::load_scene(&folder.path("scene.toml")).expect("a sound scene");
+        cdpr_files::load_scene(&folder.path("scene.toml")).expect("a sound scene");
         let mut names = std::fs::read_dir(folder.0.path()).expect("a folder").map(|e| e.expect("a file").file_name());
         let kept = names.find(|name| name.to_string_lossy().ends_with(".parts.json")).expect("kept parts");
         let text = std::fs::read_to_string(folder.0.path().join(kept)).expect("a file");
@@ -194,7 +196,7 @@ fn parts(bytes: &[u8]) {
     });
     let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"))
         .with(&format!("mesh.obj.{}.parts.json", &KEY[..8]), &signed(bytes));
-    accepted(io::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
 
     fn signed(bytes: &[u8]) -> Vec<u8> {
         #[derive(serde::Serialize, serde::Deserialize)]
@@ -204,17 +206,17 @@ fn parts(bytes: &[u8]) {
         }
         let Ok(parts) = serde_json::from_slice::<Parts>(bytes) else { return bytes.to_vec() };
         let text = serde_json::to_string(&parts).expect("numbers");
-        let sum: String = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+        let sum: String = Hash::hash(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
         format!("{{\"key\":\"{}\",\"sum\":\"{sum}\",{}", *KEY, &text[1..]).into_bytes()
     }
 }
 
 fn wrench_map(bytes: &[u8]) {
     let folder = Folder::new().with("map.npz", bytes);
-    if let Some(map) = accepted(io::load_wrench_map(&folder.path("map.npz"), None)) {
+    if let Some(map) = accepted(cdpr_files::load_wrench_map(&folder.path("map.npz"), None)) {
         map.summary();
         for name in ["again.npz", "again.vti"] {
-            io::save_wrench_map(&folder.path(name), &map).expect("a map can be written");
+            cdpr_files::save_wrench_map(&folder.path(name), &map).expect("a map can be written");
         }
     }
 }
@@ -222,13 +224,13 @@ fn wrench_map(bytes: &[u8]) {
 /// The folder of a run, which merging reads.
 fn run(about: &[u8], rows: &[u8]) {
     let folder = Folder::new().with("run/run.json", about).with("run/rows/0000.csv", rows);
-    accepted(io::merge(&[folder.path("run")], &folder.path("merged")));
+    accepted(cdpr_study::merge(&[folder.path("run")], &folder.path("merged")));
 }
 
 /// What a run left, which a report is made of.
 fn study(summary: &[u8], trials: &[u8]) {
     let folder = Folder::new().with("summary.json", summary).with("trials.csv", trials);
-    if let Some(study) = accepted(io::load_study(folder.0.path())) {
+    if let Some(study) = accepted(cdpr_study::load_study(folder.0.path())) {
         report::page(&study);
         report::plots(&study).iter().take(2).for_each(|plot| drop(plot.pixels()));
     }

@@ -9,7 +9,7 @@ mod values;
 
 use std::path::{Path, PathBuf};
 
-use cdpr_core::{Error, io};
+use cdpr_core::Error;
 use clap::{Args, Parser, Subcommand};
 
 pub use analysis::{ShadowsArgs, WrenchArgs};
@@ -183,8 +183,8 @@ impl Target<'_> {
     pub fn check(&self) -> Result<(), Error> {
         match self {
             Target::File(path) if is_standard_output(path) => Ok(()),
-            Target::File(path) => io::check_target(path),
-            Target::Folder(path) => io::check_folder(path),
+            Target::File(path) => cdpr_files::check_target(path),
+            Target::Folder(path) => cdpr_files::check_folder(path),
         }
     }
 }

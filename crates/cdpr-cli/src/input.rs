@@ -5,11 +5,12 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
-use cdpr_core::batch::Experiment;
-use cdpr_core::io::text::Notation;
-use cdpr_core::io::{LoadedPath, Loader, scene_of_path, waypoints_from_text};
 use cdpr_core::watch::Watch;
-use cdpr_core::{Error, Scene, io};
+use cdpr_core::{Error, Scene};
+use cdpr_files::text::Notation;
+use cdpr_files::{LoadedPath, Loader, scene_of_path, waypoints_from_text};
+use cdpr_study::Experiment;
+use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
 use crate::args::{PathArgs, SceneArgs, Strict};
 use crate::output::{Console, count, is_dash};
@@ -75,15 +76,17 @@ pub fn path(
         Some(stream) => {
             stream.parse(|text| waypoints_from_text(text, text.trim_start().starts_with('{')).and_then(in_scene))
         }
-        None => io::load_waypoints(path).and_then(|loaded| in_scene(loaded).map_err(|e: Error| e.in_file(path))),
+        None => {
+            cdpr_files::load_waypoints(path).and_then(|loaded| in_scene(loaded).map_err(|e: Error| e.in_file(path)))
+        }
     }
 }
 
 /// An experiment.
 pub fn experiment(path: &Path) -> Result<Experiment, Error> {
     match stream_of(path)? {
-        Some(stream) => stream.parse(|text| loader().experiment_from_text(text, notation(text), None)),
-        None => loader().experiment(path),
+        Some(stream) => stream.parse(|text| experiment_from_text_by(&loader(), text, notation(text), None)),
+        None => load_experiment_by(&loader(), path),
     }
 }
 
@@ -111,7 +114,7 @@ fn stream_of(path: &Path) -> Result<Option<Stream<'_>>, Error> {
 
 impl Stream<'_> {
     fn parse<T>(self, parse: impl FnOnce(&str) -> Result<T, Error>) -> Result<T, Error> {
-        let text = io::text::read_stream(self.bytes, self.name)?;
+        let text = cdpr_files::text::read_stream(self.bytes, self.name)?;
         parse(&text).map_err(|e| e.in_file(self.name))
     }
 }

@@ -8,7 +8,7 @@ use anstyle::{AnsiColor, Style};
 use cdpr_core::collision::Constraints;
 use cdpr_core::error::printable;
 use cdpr_core::geometry::Point;
-use cdpr_core::{Error, Scene, io};
+use cdpr_core::{Error, Scene};
 
 pub use cdpr_core::words::count;
 
@@ -126,8 +126,8 @@ impl Console {
             return Ok(());
         }
         // A pipe may wait for its reader; nothing half done is left there if the program ends meanwhile.
-        let writing = (!io::is_stream(path)).then(writing);
-        io::write_atomically(path, contents)?;
+        let writing = (!cdpr_files::is_stream(path)).then(writing);
+        cdpr_files::write_atomically(path, contents)?;
         drop(writing);
         self.wrote(path, hint);
         Ok(())
@@ -201,7 +201,7 @@ pub fn is_standard_output(path: &Path) -> bool {
 
 /// Whether what is written goes to standard output, a pipe or a device that has no extension to tell the format.
 pub fn is_stream(path: &Path) -> bool {
-    is_standard_output(path) || (path.extension().is_none() && io::is_stream(path))
+    is_standard_output(path) || (path.extension().is_none() && cdpr_files::is_stream(path))
 }
 
 /// Lines of text fit for a terminal, whatever names and paths they hold.

@@ -1,6 +1,9 @@
 //! Named choices: planners, engines, rules. A name and its help stand once, in the list of its type; files, the
 //! command line and Python all read that list.
 
+#[doc(hidden)]
+pub use serde; // for the macro
+
 use crate::error::{Error, nearest_name};
 
 /// A type whose values are chosen by name.
@@ -30,6 +33,7 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
 }
 
 /// Lists the values of a choice; they are serialized by name.
+#[macro_export]
 macro_rules! choices {
     ($type:ty, $what:literal, [$($variant:ident = $name:literal: $help:literal),+ $(,)?]) => {
         impl $crate::choice::Choice for $type {
@@ -37,14 +41,13 @@ macro_rules! choices {
             const ALL: &'static [(Self, &'static str, &'static str)] = &[$((Self::$variant, $name, $help)),+];
         }
 
-        impl serde::Serialize for $type {
-            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        impl $crate::choice::serde::Serialize for $type {
+            fn serialize<S: $crate::choice::serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 serializer.serialize_str($crate::choice::Choice::name(*self))
             }
         }
     };
 }
-pub(crate) use choices;
 
 #[cfg(test)]
 mod tests {

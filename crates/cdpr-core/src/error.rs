@@ -76,7 +76,7 @@ impl Error {
     }
 
     /// Adds what may explain bad input to its message.
-    pub(crate) fn with_hints(mut self, hints: &[String]) -> Self {
+    pub fn with_hints(mut self, hints: &[String]) -> Self {
         if let Kind::Invalid { problem, .. } = &mut self.kind {
             hints.iter().for_each(|hint| *problem += &format!("; {hint}"));
         }
@@ -166,13 +166,13 @@ pub fn printable(text: &str) -> Cow<'_, str> {
 }
 
 /// Control characters, line and paragraph separators, and marks that turn the direction of writing.
-pub(crate) fn unprintable(c: char) -> bool {
+pub fn unprintable(c: char) -> bool {
     let turns = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     c.is_control() || turns || matches!(c, '\u{2028}' | '\u{2029}')
 }
 
 /// The stem of a file's name as a name that is fit for messages.
-pub(crate) fn name_of_file(path: &Path) -> Option<String> {
+pub fn name_of_file(path: &Path) -> Option<String> {
     let stem = path.file_stem()?.to_string_lossy().replace(unprintable, " ");
     Some(stem).filter(|stem| !stem.trim().is_empty())
 }
@@ -181,7 +181,7 @@ pub(crate) fn name_of_file(path: &Path) -> Option<String> {
 const LONGEST_NAME: usize = 100;
 
 /// The known name nearest to `found`, if one is near enough to be a slip of the keyboard.
-pub(crate) fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = found.chars().take(LONGEST_NAME + 1).count();
     known
         .into_iter()

@@ -12,10 +12,10 @@ use serde::de::{
 };
 
 /// A deserializer, or any of the helpers that serde hands around within it, that refuses arrays of another length.
-pub(crate) struct FixedLength<T>(pub T);
+pub struct FixedLength<T>(pub T);
 
 /// Reads an array of a fixed length from within a visitor.
-pub(crate) fn from_seq<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(seq: A) -> Result<T, A::Error> {
+pub fn from_seq<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(seq: A) -> Result<T, A::Error> {
     T::deserialize(FixedLength(SeqAccessDeserializer::new(seq)))
 }
 

@@ -6,20 +6,18 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`batch`], [`survey`],
-//! [`proposal`], [`regions`], [`view`], [`report`], [`io`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all,
-//! [`testing`] by
-//! examples and tests.
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
+//! [`regions`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all, [`testing`] by examples and tests. Nothing here
+//! opens a file: scenes and paths are read and written by the crate `cdpr-files`.
 
-pub mod batch;
 pub mod choice;
 pub mod collision;
 pub mod conditions;
 pub mod decomposition;
 pub mod error;
-mod fixed_length;
+pub mod fingerprint;
+pub mod fixed_length;
 pub mod geometry;
-pub mod io;
 pub mod kinematics;
 pub mod model;
 pub mod numerics;
@@ -28,10 +26,8 @@ pub mod planning;
 pub mod postprocess;
 pub mod proposal;
 pub mod regions;
-pub mod report;
 pub mod survey;
 pub mod testing;
-pub mod view;
 pub mod watch;
 pub mod words;
 pub mod wrench;

@@ -9,7 +9,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use crate::choice::choices;
+use crate::choices;
 use crate::collision::path_check::{Nearest, PathReport, first_invalid_segment, nearest, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::{Error, ErrorClass};

@@ -10,7 +10,7 @@
 
 use serde::Serialize;
 
-use crate::choice::choices;
+use crate::choices;
 use crate::collision::{Constraints, Kind};
 use crate::error::{Error, nearest_name};
 use crate::geometry::{Aabb, TriangleMesh, Vector};
@@ -200,7 +200,7 @@ impl Regions {
 }
 
 /// A name, with a number after it if it is in use.
-pub(crate) fn unused(name: &str, separator: char, in_use: impl Fn(&str) -> bool) -> String {
+pub fn unused(name: &str, separator: char, in_use: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|k| format!("{name}{separator}{k}"));
     std::iter::once(name.to_string()).chain(numbered).find(|name| !in_use(name)).expect("names do not run out")
 }

@@ -4,9 +4,11 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use cdpr_core::batch::{Progress, RunOptions};
-use cdpr_core::io::{BatchRows, Loader, text::Notation};
 use cdpr_core::watch::Watch;
+use cdpr_files::{Loader, text::Notation};
+use cdpr_study::BatchRows;
+use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
+use cdpr_study::{Progress, RunOptions};
 use pyo3::prelude::*;
 
 use crate::convert::serialized;
@@ -17,7 +19,7 @@ const PERIOD: Duration = Duration::from_millis(50);
 
 /// A checked experiment.
 #[pyclass(frozen, module = "cdpr._core")]
-pub struct Experiment(cdpr_core::batch::Experiment);
+pub struct Experiment(cdpr_study::Experiment);
 
 /// Rows of each group, and what went wrong in trials that failed.
 type Ran = (Vec<Vec<u8>>, Vec<String>);
@@ -30,13 +32,13 @@ impl Experiment {
     /// Loads an experiment file.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        interruptible(py, |stop| Loader::new(Watch::on(stop)).experiment(&path)).map(Experiment)
+        interruptible(py, |stop| load_experiment_by(&Loader::new(Watch::on(stop)), &path)).map(Experiment)
     }
 
     /// An experiment from JSON text; scene files are read relative to where the program runs.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        interruptible(py, |stop| Loader::new(Watch::on(stop)).experiment_from_text(text, Notation::Json, None))
+        interruptible(py, |stop| experiment_from_text_by(&Loader::new(Watch::on(stop)), text, Notation::Json, None))
             .map(Experiment)
     }
 

@@ -1,8 +1,8 @@
 //! Robots, paths and texts from and to files.
 
 use cdpr_core::Choice;
-use cdpr_core::io::{self, Loader, text::Notation};
 use cdpr_core::watch::Watch;
+use cdpr_files::{Loader, text::Notation};
 use pyo3::prelude::*;
 
 use crate::convert::{named, quaternion, serialized};
@@ -19,7 +19,7 @@ pub fn check_robot(py: Python<'_>, text: &str) -> PyResult<String> {
 /// Writes a robot file of a robot given as JSON text.
 #[pyfunction]
 pub fn save_robot(path: std::path::PathBuf, text: &str) -> PyResult<()> {
-    answered(|| io::save_table(&path, io::robot_from_text(text, Notation::Json, None)?.spec()))
+    answered(|| cdpr_files::save_table(&path, cdpr_files::robot_from_text(text, Notation::Json, None)?.spec()))
 }
 
 /// A robot of another program as JSON text, and what was not carried over.
@@ -33,7 +33,7 @@ pub fn import_robot(
     units: &str,
 ) -> PyResult<(String, Vec<String>)> {
     let units = named(units)?;
-    let options = io::ImportOptions { bodies, cable_set, platform: platform.map(|mesh| (mesh, units)) };
+    let options = cdpr_files::ImportOptions { bodies, cable_set, platform: platform.map(|mesh| (mesh, units)) };
     let found = interruptible(py, |stop| Loader::new(Watch::on(stop)).import(&path, &options))?;
     Ok((serialized(&found.whole), found.notes))
 }
@@ -52,8 +52,9 @@ type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
 #[pyfunction]
 pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
     let (loaded, of_scene) = answered(|| {
-        let loaded = io::load_waypoints(&path)?;
-        let of_scene = scene.map(|scene| io::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
+        let loaded = cdpr_files::load_waypoints(&path)?;
+        let of_scene =
+            scene.map(|scene| cdpr_files::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
         Ok((loaded, of_scene.transpose()?))
     })?;
     let (turned, warning) = of_scene.unzip();
@@ -66,23 +67,23 @@ pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) 
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.
 #[pyfunction]
 pub fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
-    answered(|| io::save_path(&path, &io::text::parse(json, Notation::Json)?))
+    answered(|| cdpr_files::save_path(&path, &cdpr_files::text::parse(json, Notation::Json)?))
 }
 
 /// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 pub fn schema(of: &str) -> PyResult<String> {
-    answered(|| Ok(io::schema(Choice::named(of)?).to_string()))
+    answered(|| Ok(cdpr_study::schema(Choice::named(of)?).to_string()))
 }
 
 /// Checks that a file can be written, before the work for it is done.
 #[pyfunction]
 pub fn check_target(path: std::path::PathBuf) -> PyResult<()> {
-    answered(|| io::check_target(&path))
+    answered(|| cdpr_files::check_target(&path))
 }
 
 /// Writes a text file whole or not at all.
 #[pyfunction]
 pub fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {
-    answered(|| io::write_atomically(&path, text.as_bytes()))
+    answered(|| cdpr_files::write_atomically(&path, text.as_bytes()))
 }

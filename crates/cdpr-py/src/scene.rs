@@ -5,7 +5,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
 use cdpr_core::geometry::Point;
-use cdpr_core::io::{self, Loader, text::Notation};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
     Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
@@ -13,10 +12,11 @@ use cdpr_core::plan::{
 };
 use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
-use cdpr_core::view::{ShownPath, page_within};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
+use cdpr_files::{Loader, text::Notation};
+use cdpr_view::{ShownPath, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -83,7 +83,7 @@ impl Scene {
 
     /// Writes a scene file, the robot in place.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
-        answered(|| io::save_table(&path, self.0.spec()))
+        answered(|| cdpr_files::save_table(&path, self.0.spec()))
     }
 
     /// Identifies what paths of this scene are planned against.
@@ -106,9 +106,10 @@ impl Scene {
         planned_for: Option<(String, String)>,
         strict: bool,
     ) -> PyResult<(Option<Scene>, Option<String>)> {
-        let id = planned_for.map(|(name, fingerprint)| io::SceneId { name, fingerprint });
-        let (scene, warning) =
-            answered(|| io::scene_for(&self.0, orientation.map(Into::into), orientation_name, id.as_ref(), strict))?;
+        let id = planned_for.map(|(name, fingerprint)| cdpr_files::SceneId { name, fingerprint });
+        let (scene, warning) = answered(|| {
+            cdpr_files::scene_for(&self.0, orientation.map(Into::into), orientation_name, id.as_ref(), strict)
+        })?;
         Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
     }
 
@@ -274,7 +275,7 @@ impl Scene {
         settings: &str,
         on_improvement: Option<Py<PyAny>>,
     ) -> PyResult<Planned<'py>> {
-        let settings: PlannerSettings = answered(|| io::text::parse(settings, Notation::Json))?;
+        let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
         let planner = named(planner)?;
         let options = PlanOptions {
             planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
@@ -312,7 +313,7 @@ impl Scene {
         };
         let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
         let Appraisal { nearest, wrench, .. } = appraisal;
-        let json = answered(|| Ok(io::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
+        let json = answered(|| Ok(cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))
     }
 
@@ -352,7 +353,7 @@ impl Scene {
         let processing = answered(|| post.processing(step, repeats))?;
         let shorter =
             interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
-        answered(|| Ok(io::path_json(&self.0, &shorter).to_string()))
+        answered(|| Ok(cdpr_files::path_json(&self.0, &shorter).to_string()))
     }
 
     /// The path rewound once, and every motion asked about: starts, ends, answers.
@@ -412,10 +413,10 @@ impl Scene {
         cables: Vec<String>,
         obstacles: Vec<String>,
     ) -> PyResult<()> {
-        answered(|| io::RegionFormat::of(&path).and_then(|_| io::check_target(&path)))?;
+        answered(|| cdpr_files::RegionFormat::of(&path).and_then(|_| cdpr_files::check_target(&path)))?;
         let options = region_options(space, all, cables, obstacles)?;
         let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
-        py.detach(|| answered(|| io::save_regions(&path, &self.0, &found)))
+        py.detach(|| answered(|| cdpr_files::save_regions(&path, &self.0, &found)))
     }
 
     /// A self-contained page that shows the scene and, if given, a path.

@@ -2,12 +2,12 @@
 
 use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
-use cdpr_core::io::{self, text::Notation};
 use cdpr_core::model::{self, Robot, RobotSpec};
 use cdpr_core::wrench::{
     self, AvailableSet, CapacityMargin, Limit, Loads, Required, TensionQp, force_limit, moment_limit,
 };
 use cdpr_core::{Error, kinematics};
+use cdpr_files::text::Notation;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -38,7 +38,7 @@ impl Statics {
         load: Option<[f64; 6]>,
         characteristic_length: f64,
     ) -> PyResult<Self> {
-        let robot = answered(|| Robot::try_from(io::text::parse::<RobotSpec>(robot, Notation::Json)?))?;
+        let robot = answered(|| Robot::try_from(cdpr_files::text::parse::<RobotSpec>(robot, Notation::Json)?))?;
         let default = Loads::default();
         let turned = |q| answered(|| model::body::unit_quaternion("orientation", q));
         let loads = Loads {

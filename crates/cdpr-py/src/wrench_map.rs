@@ -1,11 +1,11 @@
 //! Maps of margins.
 
+use cdpr_core::Error;
 use cdpr_core::collision::Constraints;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::Aabb;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{MapIdentity, MapOptions, Statics, WrenchMap, constraint};
-use cdpr_core::{Error, io};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -53,23 +53,23 @@ impl Map {
         let identity = |scene: &Scene| -> Result<MapIdentity, Error> {
             Ok(MapIdentity::of(&Statics::of(&scene.0)?, &constraint::required_of(&scene.0, force, moment)?))
         };
-        answered(|| io::load_wrench_map(&path, scene.map(identity).transpose()?.as_ref()).map(Map))
+        answered(|| cdpr_files::load_wrench_map(&path, scene.map(identity).transpose()?.as_ref()).map(Map))
     }
 
     /// Writes a .npz or .vti file.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
-        answered(|| io::save_wrench_map(&path, &self.0))
+        answered(|| cdpr_files::save_wrench_map(&path, &self.0))
     }
 
     /// The bytes of an .npz file.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        Ok(PyBytes::new(py, &answered(|| Ok(io::wrench_map_to_npz(&self.0)))?))
+        Ok(PyBytes::new(py, &answered(|| Ok(cdpr_files::wrench_map_to_npz(&self.0)))?))
     }
 
     /// A map from such bytes.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        answered(|| io::wrench_map_from_npz(bytes).map(Map))
+        answered(|| cdpr_files::wrench_map_from_npz(bytes).map(Map))
     }
 
     /// Position of the first node.

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use cdpr_core::io::scene_file::Format as FileFormat;
 use cdpr_core::{Choice, model::Unit};
+use cdpr_study::schema::Format as FileFormat;
 use clap::{Args, ValueHint};
 
 use super::shared::{CheckerArgs, Format, SceneArgs, Strict};

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use cdpr_core::batch::{Progress, RunOptions};
-use cdpr_core::io::{self, BatchFolder};
 use cdpr_core::{Error, ErrorClass};
+use cdpr_study::BatchFolder;
+use cdpr_study::{Progress, RunOptions};
 use serde_json::Value;
 
 use crate::Answer;
@@ -48,12 +48,12 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
 
 /// Prints what `summary.json` says.
 pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(), Error> {
-    let text = io::text::read(&folder.join("summary.json"))?;
+    let text = cdpr_files::text::read(&folder.join("summary.json"))?;
     if format == Format::Json {
         out.result(text.trim_end());
         return Ok(());
     }
-    let summary: Value = io::text::parse(&text, io::text::Notation::Json)?;
+    let summary: Value = cdpr_files::text::parse(&text, cdpr_files::text::Notation::Json)?;
     for line in lines(&summary) {
         out.result(&line);
     }

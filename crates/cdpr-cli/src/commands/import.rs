@@ -1,7 +1,7 @@
 //! `cdpr import`
 
 use cdpr_core::Error;
-use cdpr_core::io::{ImportOptions, Imported, check_robot_name, robot_toml, save_imported};
+use cdpr_files::{ImportOptions, Imported, check_robot_name, robot_toml, save_imported};
 
 use crate::Answer;
 use crate::args::{Format, ImportArgs};

@@ -1,6 +1,6 @@
 //! `cdpr merge`
 
-use cdpr_core::{Error, io};
+use cdpr_core::Error;
 
 use crate::Answer;
 use crate::args::MergeArgs;
@@ -8,7 +8,7 @@ use crate::output::Console;
 
 pub fn run(args: &MergeArgs, out: &Console) -> Result<Answer, Error> {
     let _writing = crate::progress::writing();
-    io::merge(&args.folders, &args.output)?;
+    cdpr_study::merge(&args.folders, &args.output)?;
     super::batch::print_summary(&args.output, args.format, out)?;
     Ok(Answer::Yes)
 }

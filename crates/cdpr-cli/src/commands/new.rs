@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use cdpr_core::geometry::Point;
-use cdpr_core::io::text::Notation;
-use cdpr_core::io::{Starter, starter_scene, starter_text};
 use cdpr_core::wrench::Hold;
-use cdpr_core::{Error, Scene, io};
+use cdpr_core::{Error, Scene};
+use cdpr_files::text::Notation;
+use cdpr_files::{Starter, starter_scene, starter_text};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
@@ -55,7 +55,7 @@ fn example(notation: Notation) -> Result<String, Error> {
     match notation {
         Notation::Toml => Ok(STARTER.to_string()),
         Notation::Json => {
-            let scene = io::scene_from_text(STARTER, Notation::Toml, None)?;
+            let scene = cdpr_files::scene_from_text(STARTER, Notation::Toml, None)?;
             Ok(format!("{:#}\n", serde_json::json!(scene.spec())))
         }
     }

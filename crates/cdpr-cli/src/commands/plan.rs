@@ -6,9 +6,9 @@ use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Planned, Post, appraise, plan_choosing};
 use cdpr_core::planning::Status;
-use cdpr_core::view::{ShownPath, page};
 use cdpr_core::watch::Interrupt;
-use cdpr_core::{Error, Scene, io};
+use cdpr_core::{Error, Scene};
+use cdpr_view::{ShownPath, page};
 
 use super::post::{check_path_name, save_path};
 use super::view::IN_BROWSER;
@@ -45,7 +45,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     engine.iter().for_each(|engine| out.notes(engine.constraints()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
-    let mut json = io::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
+    let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
     json["lower_bound"] = bound.into();
     match args.scene.format {
         Format::Json => out.result(&format!("{json:#}")),

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use cdpr_core::Error;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::plan::{engine_within, shorten_path};
 use cdpr_core::watch::{Interrupt, Watch};
-use cdpr_core::{Error, io};
 
 use crate::Answer;
 use crate::args::{Format, PostArgs};
@@ -15,7 +15,7 @@ use crate::progress::{interrupted, with_sign_of_life, writing};
 
 /// Checks that a path can be written under this name, before the work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
-    path.filter(|path| !is_stream(path)).map_or(Ok(()), io::check_path_name)
+    path.filter(|path| !is_stream(path)).map_or(Ok(()), cdpr_files::check_path_name)
 }
 
 /// Writes a path: JSON or CSV by the extension, JSON to standard output, pipes and devices.
@@ -24,7 +24,7 @@ pub fn save_path(path: &Path, json: &serde_json::Value, out: &Console) -> Result
         return out.write(path, format!("{json:#}\n").as_bytes(), "");
     }
     let writing = writing();
-    io::save_path(path, json)?;
+    cdpr_files::save_path(path, json)?;
     drop(writing);
     out.wrote(path, "");
     Ok(())
@@ -41,7 +41,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let processing = args.options()?;
     let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
     let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
-    let json = io::path_json(&scene, &shorter);
+    let json = cdpr_files::path_json(&scene, &shorter);
     match given.scene.format {
         Format::Json => out.result(&format!("{json:#}")),
         Format::Text => {

@@ -1,7 +1,7 @@
 //! `cdpr report`
 
-use cdpr_core::report::{page, plots};
-use cdpr_core::{Error, io};
+use cdpr_core::Error;
+use cdpr_study::report::{page, plots};
 
 use super::view::{IN_BROWSER, check_page_name};
 use crate::Answer;
@@ -11,12 +11,12 @@ use crate::output::{Console, lossy};
 pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
     let output = args.output.clone().unwrap_or_else(|| args.folder.join("report.html"));
     check_page_name(&output)?;
-    let study = io::load_study(&args.folder)?;
+    let study = cdpr_study::load_study(&args.folder)?;
     let out = &out.beside(Some(&output));
     out.write(&output, page(&study).as_bytes(), IN_BROWSER)?;
     if let Some(folder) = &args.plots {
         let _writing = crate::progress::writing();
-        io::save_plots(folder, &plots(&study))?;
+        cdpr_study::save_plots(folder, &plots(&study))?;
     }
     if args.format == Format::Json {
         out.result(

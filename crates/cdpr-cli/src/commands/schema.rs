@@ -1,7 +1,7 @@
 //! `cdpr schema`
 
 use cdpr_core::Error;
-use cdpr_core::io::schema;
+use cdpr_study::schema;
 
 use crate::Answer;
 use crate::args::SchemaArgs;

@@ -1,10 +1,10 @@
 //! `cdpr shadows`
 
 use cdpr_core::collision::Constraints;
-use cdpr_core::io::{RegionFormat, save_regions};
 use cdpr_core::regions::{NamedMesh, Regions, regions_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
+use cdpr_files::{RegionFormat, save_regions};
 use serde_json::json;
 
 use super::view::IN_BROWSER;

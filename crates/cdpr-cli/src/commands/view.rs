@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use cdpr_core::Error;
 use cdpr_core::collision::check_path;
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::engine_within;
-use cdpr_core::view::{ShownPath, page_within};
 use cdpr_core::watch::Watch;
-use cdpr_core::{Error, io};
+use cdpr_view::{ShownPath, page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
@@ -43,14 +43,14 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
 
 /// Checks that a page can be written under this name, before the work is done.
 pub fn check_page_name(path: &Path) -> Result<(), Error> {
-    match io::text::extension(path).as_deref() {
+    match cdpr_files::text::extension(path).as_deref() {
         Some("html" | "htm") => Ok(()),
         _ if is_stream(path) => Ok(()),
-        _ => Err(io::text::other_extension(path, ".html")),
+        _ => Err(cdpr_files::text::other_extension(path, ".html")),
     }
 }
 
-fn shown(loaded: io::LoadedPath, length: f64) -> ShownPath {
+fn shown(loaded: cdpr_files::LoadedPath, length: f64) -> ShownPath {
     let file = loaded.file;
     ShownPath {
         status: file.as_ref().and_then(|f| f.status.clone()),

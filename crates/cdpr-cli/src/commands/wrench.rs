@@ -12,7 +12,7 @@ use cdpr_core::wrench::{
     LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, lengths_along,
     tensions_along, wrench_at,
 };
-use cdpr_core::{Error, Scene, io};
+use cdpr_core::{Error, Scene};
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
@@ -51,7 +51,7 @@ fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> R
 
 fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result<Answer, Error> {
     let named = args.output.as_deref().filter(|output| !is_stream(output));
-    named.map(io::check_tensions_name).transpose()?;
+    named.map(cdpr_files::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
     let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
     let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
@@ -73,7 +73,7 @@ fn lengths(args: &WrenchArgs, scene: &Scene, waypoints: &[Point], out: &Console)
         lines.extend(length_lines(&names, &rows.iter().collect::<Vec<_>>()));
         lines
     };
-    print_rows(args, &json, &io::lengths_csv(&names, &rows), summary, out)?;
+    print_rows(args, &json, &cdpr_files::lengths_csv(&names, &rows), summary, out)?;
     Ok(Answer::Yes)
 }
 
@@ -93,7 +93,7 @@ fn tensions(
         Some(format!("{}, at {:.4} m", hold.sentence(), row.place.s))
     });
     free.iter().for_each(|free| out.note(free));
-    print_rows(args, &json, &io::tensions_csv(&names, &rows), || summary(scene, &names, &rows), out)?;
+    print_rows(args, &json, &cdpr_files::tensions_csv(&names, &rows), || summary(scene, &names, &rows), out)?;
     Ok(if rows.iter().all(|row| row.tensions.is_some()) { Answer::Yes } else { Answer::No })
 }
 
@@ -204,7 +204,7 @@ fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
 fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Answer, Error> {
     let (statics, required) = asked(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
-    io::MapFormat::of(output)?;
+    cdpr_files::MapFormat::of(output)?;
     let (min, max) = Constraints::within(scene, &Watch::on(&interrupted))?.position_box();
     if (min - max).max() > 0.0 {
         return Err(Error::invalid(
@@ -218,7 +218,7 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })?;
     let writing = writing();
-    io::save_wrench_map(output, &map)?;
+    cdpr_files::save_wrench_map(output, &map)?;
     drop(writing);
     let found = map.summary();
     match args.scene.format {

@@ -3,7 +3,7 @@
 use super::along::{at, first_true};
 use super::clearance::{self, Clearance};
 use super::violation::Violation;
-use crate::choice::choices;
+use crate::choices;
 use crate::conditions::{Constraints, Interference, Piece, Polyhedron};
 use crate::error::Error;
 use crate::geometry::Point;

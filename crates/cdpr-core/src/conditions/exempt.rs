@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::bodies::Bodies;
-use crate::choice::choices;
+use crate::choices;
 use crate::model::{Member, PairRule, Scene};
 use crate::words::small_length;
 

@@ -6,7 +6,7 @@ use super::bodies::Bodies;
 use super::exempt::Remarks;
 use super::fattened::Fattened;
 use super::region::{Forbidden, Region, Scale};
-use crate::choice::choices;
+use crate::choices;
 use crate::error::Error;
 use crate::geometry::{Aabb, HalfSpace, Point, TriangleMesh, Vector, convex_mesh};
 use crate::model::{Member, Scene};

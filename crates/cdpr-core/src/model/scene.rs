@@ -1,7 +1,5 @@
 //! A scene that has been checked: robot, obstacles, workspace, and the question asked of them.
 
-use sha2::{Digest, Sha256};
-
 use super::body::{self, Turn};
 use super::pairs::{Member, PairRules};
 use super::robot::Robot;
@@ -9,6 +7,7 @@ use super::spec::{
     BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, QuerySpec, RobotSource, SceneSpec, WrenchSpec,
 };
 use crate::error::{Error, nearest_name};
+use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
 use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
@@ -292,7 +291,7 @@ impl Scene {
             spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });
         }
         let text = serde_json::to_string(&spec).expect("specs of checked scenes are finite");
-        Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+        fingerprint_of(&text)
     }
 }
 

@@ -1,13 +1,16 @@
 //! The file formats as plain data: one set of types for TOML, JSON and the JSON Schema. Nothing here is checked beyond
 //! its shape; [`crate::model::Robot`] and [`crate::model::Scene`] do that once.
 
-use crate::choice::choices;
+use crate::choices;
 use crate::fixed_length;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 /// Reads what is a path or a table. By hand: an untagged derive would answer a misspelt key with "did not match any
 /// variant".
+#[doc(hidden)]
+#[macro_export]
 macro_rules! file_or_inline {
     ($source:ident, $table:ty, $expecting:literal) => {
         impl<'de> serde::Deserialize<'de> for $source {
@@ -33,15 +36,15 @@ macro_rules! file_or_inline {
         }
     };
 }
-pub(crate) use file_or_inline;
 
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
 
 /// A scene: robot, obstacles, workspace, and the question asked of them. Lengths in m, world axes, z up by custom.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "cdpr scene")]
+#[cfg_attr(feature = "schema", schemars(title = "cdpr scene"))]
 pub struct SceneSpec {
     /// Version of the format, 1.
     pub version: u32,
@@ -83,7 +86,8 @@ pub struct SceneSpec {
 }
 
 /// Clearances that differ from the scene's `clearance`. A pair's own comes before that of its kind.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ClearancesSpec {
     /// Between the platform and obstacles, m.
@@ -104,7 +108,8 @@ pub struct ClearancesSpec {
 }
 
 /// The clearance of one pair.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PairClearanceSpec {
     /// Two names: a cable's, an obstacle's, or "platform".
@@ -114,7 +119,8 @@ pub struct PairClearanceSpec {
 }
 
 /// An axis-aligned box in the world, m.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceSpec {
     /// Smallest coordinates, m.
@@ -124,7 +130,8 @@ pub struct WorkspaceSpec {
 }
 
 /// A robot in place, or the path of its file.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
 pub enum RobotSource {
     /// Path of a robot file (TOML or JSON), relative to the scene file.
@@ -136,9 +143,10 @@ pub enum RobotSource {
 file_or_inline!(RobotSource, RobotSpec, "a robot table or the path of a robot file");
 
 /// A cable robot: platform and cables.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "cdpr robot")]
+#[cfg_attr(feature = "schema", schemars(title = "cdpr robot"))]
 pub struct RobotSpec {
     /// Version of the format, 1; only in a robot file of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -159,7 +167,8 @@ pub struct RobotSpec {
 }
 
 /// A straight cable between a fixed outlet and an attachment on the platform.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CableSpec {
     /// A name for messages; default "cable K", counting from 0.
@@ -181,7 +190,8 @@ pub struct CableSpec {
 }
 
 /// A body: exactly one of `box`, `vertices`, `prism` (convex ones) and `mesh` (any), then turned and moved.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct BodySpec {
     /// A name for messages; obstacle parts of the same name form one body.
@@ -225,7 +235,8 @@ pub struct BodySpec {
 }
 
 /// The path of a mesh file, or a mesh in place.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
 pub enum MeshSource {
     /// Path of an STL or OBJ file, relative to the scene or robot file.
@@ -237,7 +248,8 @@ pub enum MeshSource {
 file_or_inline!(MeshSource, MeshSpec, "the path of a mesh file (.stl or .obj), or a table of vertices and triangles");
 
 /// A triangle mesh.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MeshSpec {
     /// Corners, in the mesh's unit.
@@ -247,7 +259,8 @@ pub struct MeshSpec {
 }
 
 /// Unit of a mesh's coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Unit {
     /// Millimetre.
@@ -284,7 +297,8 @@ impl Unit {
 }
 
 /// An upright prism from z = 0 to z = height.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PrismSpec {
     /// Corners of the convex base, m.
@@ -294,7 +308,8 @@ pub struct PrismSpec {
 }
 
 /// The wrenches that the cables must be able to balance all along a path.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct WrenchSpec {
     /// Radius of the required force ball, N.
@@ -328,7 +343,8 @@ pub struct WrenchSpec {
 }
 
 /// Which margin decides on wrench feasibility.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum MarginSpec {
     /// The rigorous one, on the 6-D set.
@@ -338,7 +354,8 @@ pub enum MarginSpec {
 }
 
 /// How wrench feasibility of a motion is judged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum RuleSpec {
     /// Every point of the motion is proved.
@@ -348,7 +365,8 @@ pub enum RuleSpec {
 }
 
 /// Which points of a grid decide about a position.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum MembershipSpec {
     /// All eight corners of its cell.
@@ -359,7 +377,8 @@ pub enum MembershipSpec {
 }
 
 /// What is asked: from where to where, and how the platform is turned all the way.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct QuerySpec {
     /// Position of the platform's origin at the start, world, m.
@@ -375,7 +394,8 @@ pub struct QuerySpec {
 }
 
 /// A way to turn the platform, world-from-platform.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OrientationSpec {
     /// Its name.
@@ -392,7 +412,8 @@ pub struct OrientationSpec {
 }
 
 /// An orientation by name or in place.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]
 pub enum OrientationSource {
     /// One of the scene's orientations.

@@ -1,6 +1,7 @@
 //! The one list of planners, and their options: typed for code, and as plain settings for files and command lines.
 
 use rand::Rng;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +14,8 @@ use super::rrt_star::{RrtStarOptions, rrt_star};
 use super::search::{Limits, Until};
 use super::space::{Problem, StateSpace};
 use super::two_trees::{TwoTreesOptions, two_trees};
-use crate::choice::{Choice, choices};
+use crate::choice::Choice;
+use crate::choices;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
@@ -63,7 +65,8 @@ pub enum PlannerOptions {
 }
 
 /// What can be set about a planner; what is left out has the planner's default.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PlannerSettings {
     /// Random samples after which the search ends; default 20 000, with rrt-star and rrt-connect 500 000, with anytime no limit.

@@ -4,7 +4,7 @@
 //! waypoint already has; here the path must get strictly shorter. After a success the new point is the next reference.
 //! k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the reversed path.
 
-use crate::choice::choices;
+use crate::choices;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::numerics::{SHORTER, STEP_COUNT};

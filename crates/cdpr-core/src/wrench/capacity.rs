@@ -11,9 +11,9 @@ use crate::numerics::simd::{Kernel, WIDTH};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, io, wrench::{CapacityMargin, Loads, Required, Statics}};
+/// use cdpr_core::{geometry::Point, wrench::{CapacityMargin, Loads, Required, Statics}};
 /// # let cogiro = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/robots/cogiro.toml");
-/// let robot = io::load_robot(cogiro.as_ref())?;
+/// let robot = cdpr_files::load_robot(cogiro.as_ref())?;
 /// let statics = Statics::new(&robot, &Loads::default())?;
 /// let margin = CapacityMargin::new(statics, Required::balls(50.0, 5.0)?)?;
 /// assert!(margin.at(&Point::new(0.0, 0.0, 2.0)) > 0.0); // in the middle

@@ -96,10 +96,10 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, io, wrench::{Loads, MapOptions, Required, Statics, WrenchMap}};
+/// use cdpr_core::{geometry::{Aabb, Point}, wrench::{Loads, MapOptions, Required, Statics, WrenchMap}};
 /// # use cdpr_core::collision::batch::BatchOptions;
 /// # let cogiro = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/robots/cogiro.toml");
-/// let robot = io::load_robot(cogiro.as_ref())?;
+/// let robot = cdpr_files::load_robot(cogiro.as_ref())?;
 /// let statics = Statics::new(&robot, &Loads::default())?;
 /// let within = Aabb { min: Point::new(-7.0, -5.0, 0.0), max: Point::new(7.0, 5.0, 6.0) };
 /// let options = MapOptions { step: 0.5, ..MapOptions::default() };

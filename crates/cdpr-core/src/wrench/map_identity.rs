@@ -2,10 +2,10 @@
 
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::{Required, Statics};
 use crate::error::Error;
+use crate::fingerprint::fingerprint_of;
 
 /// What a margin depends on besides the position: geometry, tension limits, loads, orientation, what is required.
 ///
@@ -91,8 +91,7 @@ impl MapIdentity {
 
     /// A short name of the identity: 16 hexadecimal digits.
     pub fn fingerprint(&self) -> String {
-        let text = serde_json::to_string(self).expect("plain data");
-        Sha256::digest(text.as_bytes()).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+        fingerprint_of(&serde_json::to_string(self).expect("plain data"))
     }
 
     /// The first thing in which another identity differs, in words: `tension of cables[3]: [10.0, 900.0] and not

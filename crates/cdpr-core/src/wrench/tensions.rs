@@ -252,18 +252,20 @@ pub fn tensions_along(
 }
 
 /// A place on a path.
-pub(crate) struct Place {
-    pub(crate) s: f64,
+pub struct Place {
+    /// Distance along the path, m.
+    pub s: f64,
     segment: usize,
     at: f64,
-    pub(crate) position: Point,
+    /// Position of the platform, m.
+    pub position: Point,
 }
 
 /// Most rows along a path: beyond it lies a slip of the unit.
 const MOST_ROWS: f64 = 1e7;
 
 /// Places at even steps along a path, and its end.
-pub(crate) fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
+pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
     let step = crate::model::body::positive("step", step)?;
     let mut starts = vec![0.0];
     for pair in waypoints.windows(2) {

@@ -1,0 +1,155 @@
+//! Robots of other programs, by the kind of their file, and robot files to write them to.
+
+use std::path::{Path, PathBuf};
+
+use super::loader::Loader;
+use super::mesh_bodies::{self, Told};
+use super::output::write_atomically;
+use super::text::{Notation, extension, other_extension, relative};
+use super::{caspr, gazebo};
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Point, Polytope, PolytopeError};
+use cdpr_core::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
+use cdpr_core::words::small_length;
+
+/// What an import may be told.
+#[derive(Debug, Clone, Default)]
+pub struct ImportOptions {
+    /// CASPR: the bodies file, where it does not stand beside the cables file under the same name.
+    pub bodies: Option<PathBuf>,
+    /// CASPR: the cable set; default the one that the file names.
+    pub cable_set: Option<String>,
+    /// A mesh of the platform in its frame, and its unit, instead of what the source says.
+    pub platform: Option<(PathBuf, Unit)>,
+}
+
+/// A robot of another program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Imported {
+    /// The robot as it goes into a file; a mesh given for the platform is named.
+    pub robot: RobotSpec,
+    /// The robot with that mesh as convex parts, sound.
+    pub whole: RobotSpec,
+    /// Where it is from, in words.
+    pub origin: String,
+    /// What was not carried over, or otherwise than it stood.
+    pub notes: Vec<String>,
+}
+
+/// A robot as a reader found it, where it is from, and what was not carried over.
+pub(super) struct Source {
+    pub robot: RobotSpec,
+    pub origin: String,
+    pub notes: Vec<String>,
+}
+
+/// Imports a robot: CASPR (one of the two XML files of a model, or their folder), or the YAML of the Gazebo simulator
+/// cdpr.
+///
+/// The platform frame is that of the source. Where the source says nothing of the platform's shape, it is the hull of
+/// the attachments.
+///
+/// # Errors
+/// Names the file, the element with its line, what was found and what was expected.
+pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
+    Loader::PATIENT.import(path, options)
+}
+
+impl Loader<'_> {
+    /// As [`import_robot`].
+    ///
+    /// # Errors
+    /// As [`import_robot`], and the watch's.
+    pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
+        let Source { robot, origin, notes } = match extension(path).as_deref() {
+            Some("yaml" | "yml") => gazebo::import(path)?,
+            Some("xml") => caspr::import(path, options)?,
+            _ if path.is_dir() => caspr::import(path, options)?,
+            _ => return Err(other_extension(path, ".xml (CASPR), a folder of it, or .yaml")),
+        };
+        let mut imported = Imported { whole: robot.clone(), robot, origin, notes };
+        if let Some((mesh, unit)) = &options.platform {
+            imported.robot.platform = vec![mesh_body(mesh, *unit)?];
+        }
+        hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
+        imported.whole = imported.robot.clone();
+        let mut told = Told::default();
+        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut told, &self.watch)?;
+        imported.notes.extend(told.notes);
+        Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
+        Ok(imported)
+    }
+}
+
+fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {
+    let whole = std::path::absolute(mesh).map_err(|e| Error::file(mesh, format!("cannot be found: {e}")))?;
+    let source = MeshSource::File(whole.to_string_lossy().into_owned());
+    Ok(BodySpec { mesh: Some(source), units: Some(unit), ..BodySpec::default() })
+}
+
+/// The hull of the attachments.
+pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
+    vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
+}
+
+/// Refuses an attachment inside the hull of the others: the platform must have another shape.
+fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
+    let [BodySpec { vertices: Some(corners), .. }] = &robot.platform[..] else { return Ok(()) };
+    let points: Vec<Point> = corners.iter().copied().map(Point::from).collect();
+    match Polytope::from_vertices(&points) {
+        Err(PolytopeError::InsideHull { index, depth }) => {
+            let found = format!("attachment {index} lies {} inside the hull of the others", small_length(depth));
+            let expected = "which can then not be the platform; give its shape as a mesh with --platform (platform=)";
+            Err(Error::invalid("platform", format!("{found}, {expected}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Checks that robots can be written under this name.
+///
+/// # Errors
+/// Another extension.
+pub fn check_robot_name(path: &Path) -> Result<(), Error> {
+    Notation::of(path).map(drop)
+}
+
+/// Writes an imported robot as a robot file, by extension; in TOML its origin and notes stand above it. A mesh is
+/// named relative to the file.
+///
+/// # Errors
+/// Another extension, or a file that cannot be written.
+pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
+    let notation = Notation::of(path)?;
+    let mut imported = imported.clone();
+    for body in &mut imported.robot.platform {
+        if let Some(MeshSource::File(mesh)) = &mut body.mesh {
+            *mesh = relative(Path::new(mesh), path)?;
+        }
+    }
+    let text = match notation {
+        Notation::Toml => robot_toml(&imported),
+        Notation::Json => format!("{:#}\n", serde_json::json!(imported.robot)),
+    };
+    write_atomically(path, text.as_bytes())
+}
+
+/// The robot file in TOML: a line for each place, comments on top.
+pub fn robot_toml(imported: &Imported) -> String {
+    let one_line = |text: &str| text.replace(char::is_control, " ");
+    let mut text = format!("# {}.\n", one_line(&imported.origin));
+    if !imported.notes.is_empty() {
+        text.push_str("# Not carried over:\n");
+        imported.notes.iter().for_each(|note| text.push_str(&format!("# - {}\n", one_line(note))));
+    }
+    for line in toml::to_string(&imported.robot).expect("robots are finite").lines() {
+        let list = line.starts_with("vertices = [[");
+        text.push_str(&if list {
+            line.replace("[[", "[\n    [").replace("], [", "],\n    [").replace("]]", "],\n]")
+        } else {
+            line.to_string()
+        });
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,38 @@
+//! Reading and writing files: scenes, robots of this and of other programs, meshes, paths, tables.
+
+mod caspr;
+pub mod csv_cell;
+mod gazebo;
+pub mod import_file;
+mod loader;
+mod mesh_bodies;
+pub mod mesh_file;
+pub mod mesh_reader;
+pub mod output;
+pub mod path_file;
+pub mod scene_file;
+pub mod starter_file;
+pub mod tension_file;
+pub mod text;
+pub mod wrench_map_file;
+mod xml;
+
+pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
+pub use loader::Loader;
+pub use mesh_file::{RegionFormat, save_regions};
+pub use mesh_reader::load_mesh;
+pub use output::{check_folder, check_target, is_stream, write_atomically};
+pub use path_file::{
+    LoadedPath, PathFile, SceneId, check_path_name, load_waypoints, path_json, plan_json, save_path, scene_for,
+    scene_of_path, waypoints_from_text,
+};
+pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
+pub use starter_file::{Starter, starter_scene, starter_text};
+pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
+pub use text::save_table;
+pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};
+
+/// The examples of the crate's page are tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,279 @@
+//! Bodies that are given as meshes, replaced by the convex parts that stand for them. What it takes time to find is
+//! kept beside the file, and found again by the contents of the file and what was asked.
+
+use std::path::{Path, PathBuf};
+
+use hmac_sha256::Hash;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::mesh_reader::{bytes_of, mesh_from, mesh_of};
+use super::output::write_atomically;
+use super::text::read_bytes_at_most;
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
+use cdpr_core::model::body::{coordinates, one_shape, positive};
+use cdpr_core::model::{BodySpec, MeshSource, Unit, WorkspaceSpec};
+use cdpr_core::numerics::{
+    EXACT_VOLUME, HUGE_MESH, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL,
+    MOST_PIECES, SHEET, USELESS_REACH,
+};
+use cdpr_core::watch::Watch;
+use cdpr_core::words::{count, length};
+
+/// What there is to be said about the meshes of a scene or robot.
+#[derive(Debug, Default)]
+pub(super) struct Told {
+    /// The workspace, if there is one to compare sizes with.
+    pub workspace: Option<WorkspaceSpec>,
+    /// What the user should know.
+    pub notes: Vec<String>,
+    /// Those of the notes that tell of nothing to worry about.
+    pub good: Vec<String>,
+    /// What may be wrong with it, and explain an error.
+    pub hints: Vec<String>,
+}
+
+/// Replaces every mesh by its convex parts, the first where the mesh stood and the others behind all bodies, so that
+/// places in messages stay right.
+pub(super) fn in_place(
+    bodies: &mut Vec<BodySpec>,
+    list: &str,
+    folder: Option<&Path>,
+    told: &mut Told,
+    watch: &Watch,
+) -> Result<(), Error> {
+    if bodies.iter().all(|body| body.mesh.is_none()) {
+        return Ok(());
+    }
+    let mut behind = Vec::new();
+    for (k, body) in bodies.iter_mut().enumerate() {
+        let place = format!("{list}[{k}]");
+        if list == "obstacles" {
+            body.name.get_or_insert_with(|| format!("obstacle {k}"));
+        }
+        let Some(source) = &body.mesh else { continue };
+        one_shape(&place, body)?;
+        let (what, parts) = match source {
+            MeshSource::File(name) => {
+                let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
+                (format!("{place}: {name}"), of_file(&path, body, &place, watch)?)
+            }
+            MeshSource::Inline(mesh) => {
+                let size = (scale(body, &place)?, tolerance(body, &place)?);
+                let mesh = mesh_of(mesh).map_err(|e| e.under(&format!("{place}.mesh")))?;
+                (place.clone(), parts_of(&mesh, size, watch).map_err(|e| e.under(&format!("{place}.mesh")))?)
+            }
+        };
+        let notes: Vec<String> = parts.notes.iter().map(|note| format!("{what}: {note}")).collect();
+        told.good.extend(notes.iter().filter(|_| parts.exact).cloned());
+        told.notes.extend(notes);
+        told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| format!("{what}: {hint}")));
+        let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
+        let first = specs.next().expect("a mesh has parts");
+        behind.extend(specs);
+        *body = first;
+    }
+    bodies.extend(behind);
+    Ok(())
+}
+
+/// A hint where a mesh without `units` dwarfs the workspace: its coordinates are probably millimetres.
+fn units_hint(body: &BodySpec, parts: &Parts, workspace: Option<&WorkspaceSpec>) -> Option<String> {
+    let WorkspaceSpec { min, max } = workspace.filter(|_| body.units.is_none())?;
+    let corners: Vec<Point> = parts.parts.iter().flatten().map(|v| Point::from(*v)).collect();
+    let (size, room) = (largest_side(&corners), largest_side(&[Point::from(*min), Point::from(*max)]));
+    let much = size > HUGE_MESH * room;
+    much.then(|| {
+        let found = format!("it is {} long in a workspace of {}", length(size), length(room));
+        format!("{found}; if its coordinates are millimetres, add units = \"mm\"")
+    })
+}
+
+fn as_vertices(body: &BodySpec, vertices: Vec<[f64; 3]>) -> BodySpec {
+    let BodySpec { name, position, rpy, rpy_degrees, quaternion, .. } = body.clone();
+    BodySpec { name, vertices: Some(vertices), position, rpy, rpy_degrees, quaternion, ..BodySpec::default() }
+}
+
+fn scale(body: &BodySpec, place: &str) -> Result<f64, Error> {
+    Ok(positive(&format!("{place}.scale"), body.scale.unwrap_or(1.0))? * body.units.unwrap_or(Unit::M).metres())
+}
+
+fn tolerance(body: &BodySpec, place: &str) -> Result<Option<f64>, Error> {
+    body.tolerance.map(|length| positive(&format!("{place}.tolerance"), length)).transpose()
+}
+
+/// Corners of convex parts, m, and what is to be said about them.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Parts {
+    parts: Vec<Vec<[f64; 3]>>,
+    notes: Vec<String>,
+    /// Whether they are just the mesh, and that is sound.
+    exact: bool,
+}
+
+fn of_file(path: &Path, body: &BodySpec, place: &str, watch: &Watch) -> Result<Parts, Error> {
+    let size = (scale(body, place)?, tolerance(body, place)?);
+    let bytes = bytes_of(path)?;
+    let key = key(&bytes, size);
+    let kept = path.with_file_name(format!(
+        "{}.{}.parts.json",
+        path.file_name().unwrap_or_default().to_string_lossy(),
+        &key[..8]
+    ));
+    if let Some(parts) = kept_parts(&kept, &key) {
+        return Ok(parts);
+    }
+    let parts = parts_of(&mesh_from(path, &bytes)?, size, watch).map_err(|e| e.in_file(path))?;
+    if parts.parts.len() > 1 {
+        keep(&kept, &key, &parts);
+    }
+    Ok(parts)
+}
+
+/// The convex parts of a mesh, scaled to metres.
+fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: &Watch) -> Result<Parts, Error> {
+    let scaled =
+        TriangleMesh { vertices: mesh.vertices.iter().map(|v| v * scale).collect(), triangles: mesh.triangles.clone() };
+    let numbers: Vec<f64> = scaled.vertices.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+    coordinates("", &numbers)?;
+    let (pieces, faults) = pieces(&scaled, watch)?;
+    if pieces.is_empty() {
+        return Err(Error::invalid("", "found no triangle with an area, expected at least one"));
+    }
+    if pieces.len() > MOST_PIECES {
+        let problem =
+            format!("found {} pieces that do not hang together, expected at most {MOST_PIECES}", pieces.len());
+        return Err(Error::invalid("", format!("{problem}; join equal corners of neighbours, or take fewer pieces")));
+    }
+    let whole = largest_side(&scaled.vertices);
+    let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
+    let asked = |piece: &Piece| {
+        let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
+        tolerance.unwrap_or(usual).max(4.0 * SHEET)
+    };
+    let found = |piece: &Piece| convex_parts(piece, asked(piece), most, watch);
+    let parts: Vec<ConvexParts> = pieces.par_iter().map(found).collect::<Result<_, _>>()?;
+    let asked: Vec<f64> = pieces.iter().map(asked).collect();
+    if let Some(problem) = useless(&asked, &pieces, &parts, &faults) {
+        return Err(Error::invalid("", problem));
+    }
+    let mut notes = faults.notes();
+    notes.extend(told(&scaled, &pieces, &parts));
+    notes.extend(missed(&asked, &parts, most));
+    let corners = parts.iter().flat_map(|p| &p.bodies).map(|b| b.vertices().iter().map(|v| [v.x, v.y, v.z]).collect());
+    let exact = faults.notes().is_empty() && parts.iter().all(|p| p.reach == 0.0);
+    Ok(Parts { parts: corners.collect(), notes, exact })
+}
+
+fn extent(piece: &Piece) -> f64 {
+    let corners: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
+    largest_side(&corners)
+}
+
+fn largest_side(points: &[Point]) -> f64 {
+    let aabb = Aabb::around(points);
+    (aabb.max - aabb.min).amax()
+}
+
+/// How the parts stand for the mesh; nothing where it is one convex body.
+fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<String> {
+    let bodies: usize = parts.iter().map(|p| p.bodies.len()).sum();
+    let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
+    if bodies == 1 && reach == 0.0 {
+        return None;
+    }
+    let solid: f64 = pieces.iter().filter_map(|p| p.volume).sum();
+    let of_solids = pieces.iter().zip(parts).filter(|(piece, _)| piece.volume.is_some());
+    let filled: f64 = of_solids.flat_map(|(_, p)| &p.bodies).map(|b| b.volume()).sum();
+    let more = (filled - solid).max(0.0);
+    let beyond = if reach == 0.0 {
+        "which fill it exactly".to_string()
+    } else if more > EXACT_VOLUME * solid {
+        format!("which reach at most {:.1} mm beyond it and hold {:.3} m³ more (of {solid:.3} m³)", 1e3 * reach, more)
+    } else {
+        format!("which reach at most {:.1} mm beyond it", 1e3 * reach)
+    };
+    Some(format!("{} in {}, {beyond}", count(mesh.triangles.len(), "triangle"), count(bodies, "convex part")))
+}
+
+/// What is wrong with a piece whose parts reach too far to be of use; nothing if there is none.
+fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faults) -> Option<String> {
+    let share = |k: usize| parts[k].reach / extent(&pieces[k]);
+    let useless = (0..pieces.len()).filter(|k| parts[*k].reach > asked[*k] && share(*k) > USELESS_REACH);
+    let worst = useless.max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
+    let what = match (pieces[worst].volume, faults.notes().is_empty()) {
+        (Some(_), _) => "closed, so it probably cuts itself".to_string(),
+        (None, true) => "open".to_string(),
+        (None, false) => format!("open ({})", faults.notes().join("; ")),
+    };
+    let found = format!(
+        "found a piece of {}, {what}, whose convex parts reach {:.1} mm beyond it, where {:.1} mm was asked",
+        count(pieces[worst].triangles.len(), "triangle"),
+        1e3 * parts[worst].reach,
+        1e3 * asked[worst],
+    );
+    let most = 1e3 * USELESS_REACH * extent(&pieces[worst]);
+    let expected = format!("expected at most {most:.1} mm, {:.0} % of its largest side", 100.0 * USELESS_REACH);
+    Some(format!("{found}; {expected}: mend the mesh so that it neither crosses itself nor has holes, or replace it"))
+}
+
+/// Where parts reach farther than asked, by how much; nothing where none do.
+fn missed(asked: &[f64], parts: &[ConvexParts], most: usize) -> Option<String> {
+    let missed: Vec<(f64, f64)> = asked
+        .iter()
+        .zip(parts)
+        .map(|(asked, parts)| (*asked, parts.reach))
+        .filter(|(asked, reach)| reach > asked)
+        .collect();
+    let worst = missed.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))?;
+    let pieces = count(missed.len(), "piece");
+    let by = format!(
+        "by up to {:.1} mm (asked {:.1} mm, reached {:.1} mm)",
+        1e3 * (worst.1 - worst.0),
+        1e3 * worst.0,
+        1e3 * worst.1
+    );
+    let why = format!("a piece may have {most} parts and limited time");
+    Some(format!("the tolerance is missed in {pieces}, {by}: {why}; mend or thin the mesh, or ask for less"))
+}
+
+/// What the file of kept parts holds. The sum tells whether it is whole.
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    key: String,
+    sum: String,
+    #[serde(flatten)]
+    parts: Parts,
+}
+
+/// Identifies a decomposition: the mesh, what was asked, and the way it is done.
+fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
+    const METHOD: &str = "convex parts 6";
+    let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
+    hex(&[asked.as_bytes(), bytes])
+}
+
+fn hex(pieces: &[&[u8]]) -> String {
+    let mut hash = Hash::new();
+    pieces.iter().for_each(|piece| hash.update(piece));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn sum(parts: &Parts) -> String {
+    hex(&[serde_json::to_string(parts).expect("parts are finite").as_bytes()])
+}
+
+/// Parts kept beside a file; none if there are none, or not these, or they were changed.
+fn kept_parts(path: &Path, key: &str) -> Option<Parts> {
+    let kept: Kept = serde_json::from_slice(&read_bytes_at_most(path, MOST_MESH_BYTES).ok()?).ok()?;
+    let parts = kept.parts;
+    (kept.key == key && kept.sum == sum(&parts) && !parts.parts.is_empty()).then_some(parts)
+}
+
+/// Keeps parts beside a file. A folder that cannot be written only costs the time of finding them again.
+fn keep(path: &Path, key: &str, parts: &Parts) {
+    let kept = Kept { key: key.to_string(), sum: sum(parts), parts: parts.clone() };
+    let text = serde_json::to_string(&kept).expect("parts are finite");
+    let _ = write_atomically(path, text.as_bytes());
+}

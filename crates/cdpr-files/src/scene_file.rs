@@ -1,0 +1,129 @@
+//! Scene and robot files.
+
+use std::path::{Path, PathBuf};
+
+use super::loader::Loader;
+use super::mesh_bodies::{self, Told};
+use super::text::{self, Notation};
+use cdpr_core::error::{Error, name_of_file};
+use cdpr_core::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
+use cdpr_core::watch::Watch;
+
+/// Loads a scene; a robot file it names is read relative to the scene file.
+///
+/// # Errors
+/// Names the file, the key, what was found and what was expected.
+pub fn load_scene(path: &Path) -> Result<Scene, Error> {
+    Loader::PATIENT.scene(path)
+}
+
+/// A scene from text; robot files it names are read relative to `folder`.
+///
+/// # Errors
+/// As [`load_scene`].
+pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
+    Loader::PATIENT.scene_from_text(text, notation, folder)
+}
+
+/// Loads a robot file.
+///
+/// # Errors
+/// Names the file, the key, what was found and what was expected.
+pub fn load_robot(path: &Path) -> Result<Robot, Error> {
+    Loader::PATIENT.robot(path)
+}
+
+/// A robot from text; mesh files it names are read relative to `folder`.
+///
+/// # Errors
+/// As [`load_robot`].
+pub fn robot_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
+    Loader::PATIENT.robot_from_text(text, notation, folder)
+}
+
+impl Loader<'_> {
+    /// As [`load_scene`].
+    ///
+    /// # Errors
+    /// As [`load_scene`], and the watch's.
+    pub fn scene(&self, path: &Path) -> Result<Scene, Error> {
+        let notation = Notation::of(path)?;
+        let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+        if spec.name.is_none() {
+            spec.name = name_of_file(path);
+        }
+        in_place(spec, path.parent(), &self.watch).map_err(|e| e.in_file(path))
+    }
+
+    /// As [`scene_from_text`].
+    ///
+    /// # Errors
+    /// As [`load_scene`], and the watch's.
+    pub fn scene_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
+        in_place(text::parse(text, notation)?, folder, &self.watch)
+    }
+
+    /// A scene from plain data; files it names are read relative to `folder`.
+    ///
+    /// # Errors
+    /// As [`load_scene`], and the watch's.
+    pub fn scene_from_spec(&self, spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
+        in_place(spec, folder, &self.watch)
+    }
+
+    /// As [`load_robot`].
+    ///
+    /// # Errors
+    /// As [`load_robot`], and the watch's.
+    pub fn robot(&self, path: &Path) -> Result<Robot, Error> {
+        Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
+    }
+
+    /// As [`robot_from_text`].
+    ///
+    /// # Errors
+    /// As [`load_robot`], and the watch's.
+    pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
+        let mut spec: RobotSpec = text::parse(text, notation)?;
+        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Told::default(), &self.watch)?;
+        Robot::try_from(spec)
+    }
+}
+
+/// A robot file with its meshes in place; what is to be said about them goes to the notes.
+fn robot_spec(path: &Path, told: &mut Told, watch: &Watch) -> Result<RobotSpec, Error> {
+    let notation = Notation::of(path)?;
+    let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+    if spec.version.is_none() {
+        let problem = "found none, expected version = 1 at the top of a robot file";
+        return Err(Error::invalid("version", problem).in_file(path));
+    }
+    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), told, watch).map_err(|e| e.in_file(path))?;
+    Ok(spec)
+}
+
+/// Reads the robot file, if the scene names one, and all meshes, and checks the whole.
+pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch) -> Result<Scene, Error> {
+    let mut told = Told { workspace: Some(spec.workspace.clone()), ..Told::default() };
+    match &mut spec.robot {
+        RobotSource::File(name) => {
+            let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
+            let robot = robot_spec(&path, &mut told, watch)?;
+            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&told.hints).in_file(&path))?;
+            spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
+        }
+        RobotSource::Inline(robot) if robot.version.is_some() => {
+            return Err(Error::invalid(
+                "robot.version",
+                "found one in a scene; only a robot file of its own has a version",
+            ));
+        }
+        RobotSource::Inline(robot) => {
+            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut told, watch)?;
+        }
+    }
+    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut told, watch)?;
+    let Told { notes, good, hints, .. } = told;
+    let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;
+    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good))
+}

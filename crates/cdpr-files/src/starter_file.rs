@@ -1,0 +1,150 @@
+//! A new scene around a robot file and meshes, commented, with files named relative to it.
+
+use std::path::{Path, PathBuf};
+
+use super::scene_file::in_place;
+use super::text::{Notation, relative};
+use cdpr_core::error::{Error, name_of_file};
+use cdpr_core::geometry::Point;
+use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::model::{
+    BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+};
+use cdpr_core::numerics::MAX_COORDINATE;
+use cdpr_core::proposal;
+use cdpr_core::watch::{Interrupt, Watch};
+
+/// What a new scene is made of.
+#[derive(Debug, Clone)]
+pub struct Starter {
+    /// Robot file.
+    pub robot: PathBuf,
+    /// Mesh files, an obstacle each.
+    pub obstacles: Vec<PathBuf>,
+    /// Unit of the meshes.
+    pub units: Unit,
+    /// Start of the question, m; otherwise one is found.
+    pub start: Option<Point>,
+    /// Goal of the question, m; otherwise one is found.
+    pub goal: Option<Point>,
+}
+
+/// A scene that is to be written to `output`: the box of [`proposal::workspace`], `[wrench]` if the robot has a mass and
+/// tension limits, start and goal as given or by [`proposal::query`]. Returns it as plain data, files named relative to
+/// `output`, as a scene, and whether a path of its question was found.
+///
+/// # Errors
+/// As [`super::load_scene`]; [`Error::interrupted`].
+pub fn starter_scene(
+    starter: &Starter,
+    output: &Path,
+    interrupted: &Interrupt,
+) -> Result<(SceneSpec, Scene, bool), Error> {
+    let mut spec = outline(starter, output)?;
+    let folder = output.parent();
+    let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
+    if dense.robot().knows_its_forces() {
+        spec.wrench = Some(WrenchSpec::default());
+    }
+    let around = proposal::workspace(&dense);
+    spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
+    // The meshes are there already, as convex parts.
+    let whole = SceneSpec { workspace: spec.workspace.clone(), wrench: spec.wrench.clone(), ..dense.spec().clone() };
+    let scene = Scene::new(whole.clone())?;
+    let query = proposal::query(&scene, interrupted)?;
+    if let Some([start, goal]) = query {
+        spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), orientation: None });
+    }
+    let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes(dense.notes().to_vec());
+    Ok((spec, scene, query.is_some()))
+}
+
+/// The scene but for its workspace, wrench and missing ends.
+fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
+    let whole_world = [MAX_COORDINATE; 3];
+    let given = starter.start.is_some() || starter.goal.is_some();
+    Ok(SceneSpec {
+        version: FORMAT_VERSION,
+        name: name_of_file(output),
+        gravity: None,
+        clearance: None,
+        ignore: Vec::new(),
+        touch: Vec::new(),
+        clearances: None,
+        orientations: Vec::new(),
+        workspace: WorkspaceSpec { min: whole_world.map(|x| -x), max: whole_world },
+        robot: RobotSource::File(relative(&starter.robot, output)?),
+        obstacles: obstacles(starter, output)?,
+        wrench: None,
+        query: given.then(|| QuerySpec {
+            start: starter.start.map(Into::into),
+            goal: starter.goal.map(Into::into),
+            orientation: None,
+        }),
+    })
+}
+
+fn obstacles(starter: &Starter, output: &Path) -> Result<Vec<BodySpec>, Error> {
+    let mut bodies: Vec<BodySpec> = Vec::new();
+    for mesh in &starter.obstacles {
+        let stem = name_of_file(mesh).unwrap_or("obstacle".to_string());
+        let taken = |name: &str| bodies.iter().any(|body| body.name.as_deref() == Some(name));
+        let more = (2..).map(|k| format!("{stem} {k}"));
+        let name = std::iter::once(stem.clone()).chain(more).find(|name| !taken(name));
+        let units = Some(starter.units).filter(|unit| *unit != Unit::M);
+        let mesh = Some(MeshSource::File(relative(mesh, output)?));
+        bodies.push(BodySpec { name, mesh, units, ..BodySpec::default() });
+    }
+    Ok(bodies)
+}
+
+/// The scene file, commented.
+///
+/// # Errors
+/// A scene that cannot be written in the notation (none is known).
+pub fn starter_text(spec: &SceneSpec, notation: Notation) -> Result<String, Error> {
+    let unwritable = |e: toml::ser::Error| Error::invalid("", e.to_string());
+    let toml = match notation {
+        Notation::Json => return Ok(format!("{:#}\n", serde_json::json!(spec))),
+        Notation::Toml => toml::to_string(spec).map_err(unwritable)?,
+    };
+    let mut text = HEAD.to_string();
+    let mut comments = COMMENTS.to_vec();
+    for line in toml.lines() {
+        text.extend(comments.extract_if(.., |(table, _)| *table == line).map(|(_, comment)| comment));
+        text.push_str(line);
+        text.push('\n');
+    }
+    text.push_str(if spec.query.is_some() { "" } else { NO_QUERY });
+    Ok(text)
+}
+
+const HEAD: &str = "\
+# A scene for cdpr. Plan it with:  cdpr plan THIS_FILE -o path.json --html view.html
+# Lengths are metres, angles radians, forces newtons; z points up. Files are relative to this one.
+# Optional here: clearance = 0.01 (m), to keep at least this distance between everything that must not touch.
+";
+
+const COMMENTS: &[(&str, &str)] = &[
+    (
+        "[workspace]",
+        "# The box that every corner of the platform must stay in: around outlets and obstacles, down to the floor.\n",
+    ),
+    (
+        "[[obstacles]]",
+        "# Optional: units, scale, position = [x, y, z], rpy_degrees = [roll, pitch, yaw], tolerance of its convex parts.\n",
+    ),
+    (
+        "[wrench]",
+        "# The cables must be able to hold the platform all along; optional on top of it: force (N), moment (N m), \
+         load.\n",
+    ),
+    ("[query]", "# Positions of the platform's origin.\n"),
+];
+
+const NO_QUERY: &str = "
+# No two positions with a path between them were found; put yours here, or use --start and --goal.
+# [query]
+# start = [x, y, z]
+# goal = [x, y, z]
+";

@@ -1,0 +1,82 @@
+//! Cables along a path as CSV. Columns of a cable have its name and their unit: `s,x,y,z,length of winch 1 (m),…,tension of
+//! winch 1 (N),…,capacity_margin,force_margin,moment_margin`; the others are in m, N and N·m. What does not exist is left
+//! empty.
+
+use std::path::Path;
+
+use super::output::write_atomically;
+use super::text::{extension, other_extension};
+use cdpr_core::error::Error;
+use cdpr_core::wrench::{LengthRow, TensionRow};
+
+/// The rows as CSV text; `cables` are their names.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, io::tensions_csv, testing};
+/// use cdpr_core::wrench::{Loads, Required, Statics, tensions_along};
+/// let robot = testing::empty().robot().clone();
+/// let statics = Statics::new(&robot, &Loads::default())?;
+/// let path = [Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)];
+/// let rows = tensions_along(&statics, &Required::default(), &path, 0.5, None, &|| false)?;
+/// let csv = tensions_csv(&robot.cable_names(), &rows);
+/// assert!(csv.starts_with("s,x,y,z,length of cable 0 (m),") && csv.lines().count() == 4);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn tensions_csv(cables: &[&str], rows: &[TensionRow]) -> String {
+    let header = place_header(cables)
+        .chain(columns("tension", cables, "N"))
+        .chain(["capacity_margin", "force_margin", "moment_margin"].map(str::to_string));
+    let record = |row: &TensionRow| {
+        let tensions = (0..cables.len()).map(|k| row.tensions.as_ref().map(|t| t[k]));
+        let margins = [row.capacity_margin, row.force_margin, row.moment_margin];
+        let numbers = tensions.chain(margins).map(|x| x.map_or(String::new(), |x| x.to_string()));
+        place_record(&row.place).chain(numbers).collect()
+    };
+    table(header.collect(), rows.iter().map(record))
+}
+
+/// The rows as CSV text where tensions are not known.
+pub fn lengths_csv(cables: &[&str], rows: &[LengthRow]) -> String {
+    table(place_header(cables).collect(), rows.iter().map(|row| place_record(row).collect()))
+}
+
+fn place_header(cables: &[&str]) -> impl Iterator<Item = String> {
+    ["s", "x", "y", "z"].map(str::to_string).into_iter().chain(columns("length", cables, "m"))
+}
+
+fn columns(what: &str, cables: &[&str], unit: &str) -> Vec<String> {
+    cables.iter().map(|cable| format!("{what} of {cable} ({unit})")).collect()
+}
+
+fn place_record(row: &LengthRow) -> impl Iterator<Item = String> {
+    [row.s].into_iter().chain(row.position).chain(row.lengths.iter().copied()).map(|x| x.to_string())
+}
+
+fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in std::iter::once(header).chain(rows) {
+        writer.write_record(record).expect("memory takes rows of one length");
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers and names are text")
+}
+
+/// Writes the rows as a CSV file, whole or not at all.
+///
+/// # Errors
+/// A name that does not end in .csv, a file that cannot be written.
+pub fn save_tensions(path: &Path, cables: &[&str], rows: &[TensionRow]) -> Result<(), Error> {
+    check_tensions_name(path)?;
+    write_atomically(path, tensions_csv(cables, rows).as_bytes())
+}
+
+/// Checks that a name is one for tensions.
+///
+/// # Errors
+/// A name that does not end in .csv.
+pub fn check_tensions_name(path: &Path) -> Result<(), Error> {
+    match extension(path).as_deref() {
+        Some("csv") => Ok(()),
+        _ => Err(other_extension(path, ".csv")),
+    }
+}

@@ -1,0 +1,264 @@
+//! Text files: reading with the file named in every error, TOML or JSON by extension.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::output::write_atomically;
+use cdpr_core::error::{Error, nearest_name};
+use cdpr_core::fixed_length::FixedLength;
+use cdpr_core::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// How many files of a folder are looked at for a name like that of a missing one.
+const MANY_FILES: usize = 10_000;
+
+/// The two notations of structured files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// `.toml`
+    Toml,
+    /// `.json`
+    Json,
+}
+
+impl Notation {
+    /// By the file's extension.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        match extension(path).as_deref() {
+            Some("toml") => Ok(Notation::Toml),
+            Some("json") => Ok(Notation::Json),
+            _ => Err(other_extension(path, ".toml or .json")),
+        }
+    }
+}
+
+/// The extension of a file's name, in small letters.
+pub fn extension(path: &Path) -> Option<String> {
+    path.extension()?.to_str().map(str::to_ascii_lowercase)
+}
+
+/// What to say of a file that has another extension.
+pub fn other_extension(path: &Path, expected: &str) -> Error {
+    let found = path.extension().map_or("(none)".to_string(), |e| format!(".{}", e.to_string_lossy()));
+    Error::file(path, format!("found the extension {found}, expected {expected}"))
+}
+
+/// The whole file as text, up to [`MOST_TEXT_BYTES`].
+///
+/// # Errors
+/// A file that cannot be read, is larger, no ordinary file, or no text in UTF-8.
+pub fn read(path: &Path) -> Result<String, Error> {
+    read_at_most(path, MOST_TEXT_BYTES)
+}
+
+/// What to say of a file that cannot be read; of one that is missing, which name beside it is near.
+fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    if let (std::io::ErrorKind::NotFound, Ok(end)) = (error.kind(), std::fs::read_link(path)) {
+        return Error::file(path, format!("cannot be read: it is a link to {}, which does not exist", end.display()));
+    }
+    let near = (error.kind() == std::io::ErrorKind::NotFound).then(|| near_file(path)).flatten();
+    let hint = near.map(|name| format!("; did you mean {}?", path.with_file_name(name).display())).unwrap_or_default();
+    Error::file(path, format!("cannot be read: {error}{hint}"))
+}
+
+fn near_file(path: &Path) -> Option<String> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let names =
+        std::fs::read_dir(folder).ok()?.take(MANY_FILES).filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let mut names: Vec<String> = names.filter(|name| !name.starts_with('.')).collect();
+    names.sort();
+    nearest_name(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_string)
+}
+
+/// All of a stream as text, up to [`MOST_TEXT_BYTES`]; `name` stands for it in messages.
+///
+/// # Errors
+/// A stream that cannot be read, holds more, or no text in UTF-8.
+pub fn read_stream(stream: impl Read, name: &Path) -> Result<String, Error> {
+    text_of(bytes_of(stream, name, MOST_TEXT_BYTES)?, name)
+}
+
+/// The whole file as text, refused if it is larger than `most` bytes.
+pub(super) fn read_at_most(path: &Path, most: u64) -> Result<String, Error> {
+    text_of(read_bytes_at_most(path, most)?, path)
+}
+
+/// The whole file, refused if it is larger than `most` bytes; what stands beyond is never read.
+pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    bytes_of(open(path)?, path, most)
+}
+
+fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    stream.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(name, &e))?;
+    if bytes.len() as u64 > most {
+        return Err(too_large(name, most));
+    }
+    Ok(bytes)
+}
+
+/// Bytes as text; the mark that some editors put before it is dropped.
+fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
+    let text = String::from_utf8(bytes).map_err(|_| Error::file(name, "is no text in UTF-8"))?;
+    Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
+}
+
+/// Opens an ordinary file. Another kind is refused before it is opened: a pipe without a writer, or a terminal, would
+/// let the program wait for ever, and a device may have no end.
+pub(super) fn open(path: &Path) -> Result<File, Error> {
+    let kind = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?.file_type();
+    if kind.is_dir() {
+        return Err(Error::file(path, "is a folder, expected a file"));
+    }
+    if !kind.is_file() {
+        return Err(Error::file(path, "is no ordinary file (a pipe or a device), expected one"));
+    }
+    File::open(path).map_err(|e| unreadable(path, &e))
+}
+
+/// Opens a table that is read row by row; one beyond any use is refused, since a row may be as long as the file.
+///
+/// # Errors
+/// A file that is none, cannot be read, or is too large.
+pub fn open_table(path: &Path) -> Result<File, Error> {
+    let file = open(path)?;
+    if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
+        return Err(too_large(path, MOST_TABLE_BYTES));
+    }
+    Ok(file)
+}
+
+fn too_large(path: &Path, most: u64) -> Error {
+    Error::file(path, format!("is larger than {} MB, expected at most that", most / 1_000_000))
+}
+
+/// Parses text; errors name the key path, what was found, what was expected, and the line.
+pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, Error> {
+    match notation {
+        Notation::Toml => parse_toml(text),
+        Notation::Json => parse_json(text),
+    }
+}
+
+fn parse_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
+    let place_of = |e: &toml::de::Error| e.span().map(|s| format!("line {}", 1 + lines_before(s.start)));
+    let no_toml = |e: toml::de::Error| {
+        let key = e.span().filter(|_| e.message() == "duplicate key").and_then(|span| text.get(span));
+        let problem = key.map_or(e.message().to_string(), |key| format!("duplicate key `{key}`, expected it once"));
+        Error::invalid("", with_place(&problem, place_of(&e)))
+    };
+    let parser = toml::Deserializer::parse(text).map_err(no_toml)?;
+    serde_path_to_error::deserialize(FixedLength(parser))
+        .map_err(|e| keyed(e.path(), e.inner().message(), place_of(e.inner())))
+}
+
+fn parse_json<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let value = serde_path_to_error::deserialize(FixedLength(&mut parser)).map_err(|e| {
+        let (message, place) = message_and_place(e.inner(), text);
+        keyed(e.path(), &message, place)
+    })?;
+    parser.end().map_err(|e| {
+        let (message, place) = message_and_place(&e, text);
+        Error::invalid("", with_place(&message, place))
+    })?;
+    Ok(value)
+}
+
+/// What the JSON reader says, and where. In a single line only the column tells anything, and that only where the text
+/// itself is at fault: otherwise the key does.
+fn message_and_place(error: &serde_json::Error, text: &str) -> (String, Option<String>) {
+    let (line, column) = (error.line(), error.column());
+    let whole = error.to_string();
+    let message = whole.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&whole).to_string();
+    let place = match (text.trim_end().contains('\n'), error.is_data()) {
+        (_, false) => Some(format!("line {line}, column {column}")),
+        (true, true) => Some(format!("line {line}")),
+        (false, true) => None,
+    };
+    (message, place)
+}
+
+fn keyed(path: &serde_path_to_error::Path, message: &str, place: Option<String>) -> Error {
+    let (path, message) = (path.to_string(), with_suggestion(&in_plain_words(message)));
+    Error::invalid(if path == "." { "" } else { &path }, with_place(&message, place))
+}
+
+fn with_place(message: &str, place: Option<String>) -> String {
+    place.map_or(message.to_string(), |place| format!("{message} ({place})"))
+}
+
+/// Serde's "invalid type: string "a", expected f64" as people say it: "found the string "a", expected a number".
+fn in_plain_words(message: &str) -> String {
+    let mismatch = message.strip_prefix("invalid type: ").or_else(|| message.strip_prefix("invalid value: "));
+    let Some((found, expected)) = mismatch.and_then(|rest| rest.rsplit_once(", expected ")) else {
+        return message.to_string();
+    };
+    let bare = |kind: &str| found.strip_prefix(kind).map(|value| value.trim_matches('`').to_string());
+    let found = match found {
+        "map" => "a table".to_string(),
+        "sequence" => "an array".to_string(),
+        text if text.starts_with("string ") => format!("the {text}"),
+        found => {
+            let number = ["integer ", "floating point ", "boolean "].into_iter().find_map(bare);
+            number.unwrap_or_else(|| found.to_string())
+        }
+    };
+    let expected = match expected {
+        "f64" => "a number",
+        "usize" | "u64" | "u32" => "a whole number of at least 0",
+        "a boolean" => "true or false",
+        "a sequence" => "an array",
+        "a map" => "a table",
+        expected if expected.starts_with("struct ") => "a table",
+        expected => expected,
+    };
+    format!("found {found}, expected {expected}")
+}
+
+/// Adds "did you mean" to serde's "unknown field `x`, expected one of `a`, `b`".
+fn with_suggestion(message: &str) -> String {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    match (message.starts_with("unknown"), quoted.next()) {
+        (true, Some(found)) => match nearest_name(found, quoted) {
+            Some(name) => format!("{message}; did you mean `{name}`?"),
+            None => message.to_string(),
+        },
+        _ => message.to_string(),
+    }
+}
+
+/// A file as another file names it, relative to its folder.
+pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
+    let absolute =
+        |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("no such place: {e}")));
+    let (file, output) = (absolute(file)?, absolute(output)?);
+    let near = output.parent().and_then(|folder| pathdiff::diff_paths(&file, folder)).unwrap_or(file);
+    Ok(near.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/"))
+}
+
+/// Writes a table of the file formats, such as a scene's or a robot's, in the notation that the extension names.
+///
+/// # Errors
+/// Another extension, or a file that cannot be written; nothing half-written is left.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{io, testing};
+/// # let folder = tempfile::tempdir().unwrap();
+/// # let path = folder.path().join("scene.toml");
+/// let scene = testing::empty();
+/// io::save_table(&path, scene.spec())?;
+/// assert_eq!(io::load_scene(&path)?.spec(), scene.spec());
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn save_table(path: &Path, table: &impl Serialize) -> Result<(), Error> {
+    let text = match Notation::of(path)? {
+        Notation::Toml => toml::to_string(table).expect("tables are finite"),
+        Notation::Json => format!("{:#}\n", serde_json::json!(table)),
+    };
+    write_atomically(path, text.as_bytes())
+}

@@ -1,0 +1,309 @@
+//! The tables of a run, made from its rows, and rows in memory: what one process hands to another.
+
+use std::io::{Read, Write};
+use std::ops::Range;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::batch_folder::BatchFolder;
+use super::origin::origin_here;
+use crate::experiment::Group;
+use crate::run::{Row, RunOptions, run, threads_of};
+use crate::{Experiment, Layout, Origin, Rules, Summary};
+use cdpr_core::error::Error;
+use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::numerics::MOST_TRIALS;
+use cdpr_files::csv_cell::cell;
+
+/// What a folder says about its run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct RunFile {
+    pub version: u32,
+    pub experiment: String,
+    pub fingerprint: String,
+    pub first_trial: usize,
+    pub end_trial: usize,
+    pub layout: Layout,
+    /// How its methods plan; empty in files of before 0.2.
+    #[serde(default)]
+    pub rules: Vec<Rules>,
+    /// What ran its trials, each once; several where it was resumed or merged from elsewhere.
+    #[serde(default)]
+    pub origins: Vec<Origin>,
+}
+
+impl RunFile {
+    /// The run of these trials; there must be some.
+    pub fn of(experiment: &Experiment, trials: &Range<usize>) -> Result<Self, Error> {
+        if trials.is_empty() {
+            let problem = format!("found {} to {}, expected at least one trial", trials.start, trials.end);
+            return Err(Error::invalid("trials", problem));
+        }
+        Ok(RunFile {
+            version: FORMAT_VERSION,
+            experiment: experiment.name.clone(),
+            fingerprint: experiment.fingerprint.clone(),
+            first_trial: trials.start,
+            end_trial: trials.end,
+            layout: experiment.layout.clone(),
+            rules: experiment.rules(),
+            origins: Vec::new(),
+        })
+    }
+
+    /// Checks what a file says: a range of trials that an experiment can have, and groups of some methods.
+    pub fn check(&self) -> Result<(), Error> {
+        let RunFile { version, first_trial, end_trial, layout, .. } = self;
+        if *version != FORMAT_VERSION {
+            return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));
+        }
+        if !(first_trial < end_trial && *end_trial <= MOST_TRIALS) {
+            let problem =
+                format!("found {end_trial}, expected more than first_trial, {first_trial}, at most {MOST_TRIALS}");
+            return Err(Error::invalid("end_trial", problem));
+        }
+        layout.check().map_err(|e| e.under("layout"))
+    }
+
+    pub fn trials(&self) -> Range<usize> {
+        self.first_trial..self.end_trial
+    }
+
+    /// Notes what ran trials.
+    pub fn ran_on(&mut self, origin: Origin) {
+        if !self.origins.contains(&origin) {
+            self.origins.push(origin);
+        }
+    }
+}
+
+/// The rows of a range of trials, in memory.
+///
+/// The rows of each group (a method in a scenario) are lines of CSV; those of ranges that follow each other, one after
+/// the other, are the rows of the whole.
+///
+/// # Example
+/// ```
+/// use cdpr_study::RunOptions;
+/// use cdpr_files::{BatchRows, experiment_from_text, text::Notation};
+/// let text = r#"{"version": 1, "trials": 4, "methods": [{"name": "modified RRT"}],
+///     "scenarios": [{"name": "hard1", "scene": "../../testdata/scenes/hard1.toml"}]}"#;
+/// let experiment = experiment_from_text(text, Notation::Json, None)?;
+/// let rows = |trials: std::ops::Range<usize>| {
+///     let options = RunOptions { threads: Some(1), interrupted: &|| false, progress: &mut |_| {} };
+///     BatchRows::run(&experiment, trials, options)
+/// };
+/// let parts = [rows(0..3)?.into_groups().concat(), rows(3..4)?.into_groups().concat()];
+/// let merged = BatchRows::new(&experiment, 0..4, vec![parts.concat()])?;
+/// assert_eq!(merged.tables()?.trials, rows(0..4)?.tables()?.trials);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct BatchRows {
+    run: RunFile,
+    groups: Vec<Vec<u8>>,
+}
+
+/// The results of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tables {
+    /// `trials.csv`
+    pub trials: Vec<u8>,
+    /// `timings.csv`
+    pub timings: Vec<u8>,
+    /// `history.csv`, if the experiment asks for it.
+    pub history: Option<Vec<u8>>,
+    /// `summary.json`
+    pub summary: Value,
+}
+
+impl BatchRows {
+    /// Runs these trials and keeps their rows in memory.
+    ///
+    /// # Errors
+    /// As [`run`]; no trials.
+    pub fn run(experiment: &Experiment, trials: Range<usize>, options: RunOptions) -> Result<Self, Error> {
+        let mut about = RunFile::of(experiment, &trials)?;
+        about.ran_on(origin_here(Some(threads_of(&options)?)));
+        let mut groups = vec![Vec::new(); about.layout.groups.len()];
+        run(experiment, &vec![trials.start; groups.len()], trials.end, options, &mut |group, rows| {
+            groups[group].extend(lines(rows)?);
+            Ok(())
+        })?;
+        Ok(BatchRows { run: about, groups })
+    }
+
+    /// Rows that were run elsewhere, by group.
+    ///
+    /// # Errors
+    /// Another number of groups, or of rows in one of them; no trials.
+    pub fn new(experiment: &Experiment, trials: Range<usize>, groups: Vec<Vec<u8>>) -> Result<Self, Error> {
+        let mut run = RunFile::of(experiment, &trials)?;
+        run.ran_on(origin_here(None));
+        let expected: Vec<usize> = run.layout.groups.iter().map(|g| g.methods.len() * trials.len()).collect();
+        let found: Vec<usize> =
+            groups.iter().map(|lines| lines.iter().filter(|byte| **byte == b'\n').count()).collect();
+        if found != expected {
+            return Err(Error::invalid("rows", format!("found {found:?} rows by group, expected {expected:?}")));
+        }
+        Ok(BatchRows { run, groups })
+    }
+
+    /// The lines of each group.
+    pub fn into_groups(self) -> Vec<Vec<u8>> {
+        self.groups
+    }
+
+    /// The tables, the same bytes as in a folder of the run.
+    ///
+    /// # Errors
+    /// Rows that are not those of the trials.
+    pub fn tables(&self) -> Result<Tables, Error> {
+        let (mut trials, mut timings) = (Vec::new(), Vec::new());
+        let mut history = self.run.layout.history.then(Vec::new);
+        let open = |group: usize| Ok(Box::new(&*self.groups[group]) as Box<dyn Read + '_>);
+        let summary = write_tables(&self.run, Path::new("rows"), open, (&mut trials, &mut timings, history.as_mut()))?;
+        Ok(Tables { trials, timings, history, summary })
+    }
+
+    /// Writes the folder of the run, as the command line does.
+    ///
+    /// # Errors
+    /// A folder that is not empty or cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), Error> {
+        BatchFolder::with(path, self.run.clone(), false)?.fill(&self.groups)
+    }
+}
+
+/// Rows as lines of CSV.
+pub(super) fn lines(rows: &[Row]) -> Result<Vec<u8>, Error> {
+    let problem = |e: csv::Error| Error::invalid("rows", e.to_string());
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    rows.iter().try_for_each(|row| writer.serialize(row)).map_err(problem)?;
+    writer.into_inner().map_err(|e| Error::invalid("rows", e.to_string()))
+}
+
+/// Writes the tables of trials, of timings and, if asked for, of their history, sorted by the names of scenario and method;
+/// the summary. `place` is where the rows are, for messages; `open` reads those of a group.
+pub(super) fn write_tables<'a>(
+    run: &RunFile,
+    place: &Path,
+    open: impl Fn(usize) -> Result<Box<dyn Read + 'a>, Error>,
+    (trials, timings, history): (&mut impl Write, &mut impl Write, Option<&mut impl Write>),
+) -> Result<Value, Error> {
+    let groups = run.layout.groups.iter().enumerate();
+    let mut order: Vec<(&str, &str, usize, usize)> = groups
+        .flat_map(|(g, group)| {
+            let variants = group.methods.iter().enumerate();
+            variants.map(move |(v, method)| (group.scenario.as_str(), method.as_str(), g, v))
+        })
+        .collect();
+    order.sort_unstable();
+    let mut summary = Summary::default();
+    let mut trials = Table::new(trials, &TRIAL_COLUMNS)?;
+    let mut timings = Table::new(timings, &TIMING_COLUMNS)?;
+    let mut history = history.map(|to| Table::new(to, &HISTORY_COLUMNS)).transpose()?;
+    for (scenario, method, group, variant) in order {
+        let mut rows = Vec::new();
+        let sweep = run.layout.groups[group].sweep.get(variant);
+        let planned = sweep.map_or(method, |swept| &swept.of);
+        let path = place.join(format!("{group:04}.csv"));
+        each_row(run, (group, variant), &path, open(group)?, |row| {
+            trials.write(&trial_columns(&row))?;
+            timings.write(&timing_columns(&row))?;
+            if let Some(history) = &mut history {
+                let (scenario, planned) = (cell(scenario), cell(planned));
+                row.history.iter().try_for_each(|m| history.write(&(&scenario, &planned, row.trial, m)))?;
+            }
+            rows.push(row);
+            Ok(())
+        })?;
+        summary.add((scenario, method), sweep, rows.into_iter(), run.layout.confidence);
+    }
+    trials.finish()?;
+    timings.finish()?;
+    history.map_or(Ok(()), Table::finish)?;
+    let mut summary = summary.json(&run.layout, &run.experiment, &run.fingerprint);
+    summary["rules"] = json!(run.rules);
+    summary["origins"] = json!(run.origins);
+    Ok(summary)
+}
+
+/// Reads the rows of one variant of a group, up to the last trial of the run.
+fn each_row(
+    run: &RunFile,
+    (group, variant): (usize, usize),
+    path: &Path,
+    lines: Box<dyn Read + '_>,
+    mut see: impl FnMut(Row) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let Group { scenario, methods, .. } = &run.layout.groups[group];
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
+    let rows = reader.deserialize::<Row>().skip(variant).step_by(methods.len());
+    for (trial, row) in run.trials().zip(rows) {
+        let row = row.map_err(|e| Error::file(path, e.to_string()))?;
+        if (&row.scenario, &row.method, row.trial) != (scenario, &methods[variant], trial) {
+            let problem = format!(
+                "found trial {} of {}, {} where trial {trial} of {scenario}, {} is expected; it has been changed",
+                row.trial, row.scenario, row.method, methods[variant]
+            );
+            return Err(Error::file(path, problem));
+        }
+        see(row)?;
+    }
+    Ok(())
+}
+
+pub(super) const TRIAL_COLUMNS: [&str; 11] = [
+    "scenario",
+    "method",
+    "trial",
+    "seed",
+    "status",
+    "raw_cost",
+    "cost",
+    "raw_waypoints",
+    "waypoints",
+    "nodes",
+    "motion_checks",
+];
+const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
+/// Of a method that is swept the variants share one history, under the method's own name.
+const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
+
+fn trial_columns(row: &Row) -> impl Serialize + '_ {
+    let Row { trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
+    let (scenario, method) = (cell(&row.scenario), cell(&row.method));
+    (scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, &row.motion_checks)
+}
+
+fn timing_columns(row: &Row) -> impl Serialize + '_ {
+    (cell(&row.scenario), cell(&row.method), row.trial, row.planning_seconds, row.post_seconds)
+}
+
+/// A table that grows row by row.
+struct Table<W: Write> {
+    writer: csv::Writer<W>,
+}
+
+impl<W: Write> Table<W> {
+    fn new(to: W, columns: &[&str]) -> Result<Self, Error> {
+        let mut table = Table { writer: csv::WriterBuilder::new().has_headers(false).from_writer(to) };
+        table.write(&columns)?;
+        Ok(table)
+    }
+
+    fn write(&mut self, row: &impl Serialize) -> Result<(), Error> {
+        self.writer.serialize(row).map_err(unwritable)
+    }
+
+    fn finish(mut self) -> Result<(), Error> {
+        self.writer.flush().map_err(unwritable)
+    }
+}
+
+fn unwritable(problem: impl std::fmt::Display) -> Error {
+    Error::invalid("tables", format!("cannot be written: {problem}"))
+}

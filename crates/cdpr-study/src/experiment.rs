@@ -1,0 +1,374 @@
+//! An experiment that has been checked, and the layout of its results.
+
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+use super::random_scene::RandomScenes;
+use crate::experiment_spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, SweepSpec, TTestSpec};
+use cdpr_core::choice::Choice;
+use cdpr_core::error::{Error, nearest_name};
+use cdpr_core::fingerprint::fingerprint_of;
+use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::model::{Scene, body};
+use cdpr_core::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
+use cdpr_core::plan::{PlanOptions, Post, Processing};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+use cdpr_core::postprocess::RewindOptions;
+use cdpr_core::watch::{TimeUnit, time_budget};
+
+/// Level of confidence intervals unless the experiment gives one.
+const CONFIDENCE: f64 = 0.95;
+
+/// A checked experiment. Immutable; made by [`Experiment::new`].
+#[derive(Debug, Clone)]
+pub struct Experiment {
+    /// Name, for messages.
+    pub name: String,
+    /// Everything random flows from it.
+    pub seed: u64,
+    /// Trials of each method in each scenario.
+    pub trials: usize,
+    /// Where is planned.
+    pub scenarios: Vec<Scenario>,
+    /// How is planned.
+    pub methods: Vec<Method>,
+    /// What the results look like.
+    pub layout: Layout,
+    /// Identifies what the rows depend on: everything but name, number of trials, tests and confidence.
+    pub fingerprint: String,
+    /// The experiment as data with its scenes in place, so that it can be sent where their files are not.
+    pub portable: ExperimentSpec,
+}
+
+/// A scene for all trials, or one for each.
+#[derive(Debug, Clone)]
+pub struct Scenario {
+    /// Name in tables.
+    pub name: String,
+    /// The scene, or the base around which scenes are drawn.
+    pub scene: Scene,
+    /// Draws a trial's scene.
+    pub random: Option<RandomScenes>,
+}
+
+/// A planner, and one or more things done to its raw path.
+#[derive(Debug, Clone)]
+pub struct Method {
+    /// Name; its random numbers derive from it.
+    pub name: String,
+    /// The planner, without rewinding.
+    pub options: PlanOptions,
+    /// Names in tables, and what is done to the raw path.
+    pub variants: Vec<(String, Processing)>,
+    /// What the variants of a sweep differ in; empty without a sweep.
+    pub sweep: Vec<Swept>,
+}
+
+/// What the tables of a run look like; kept beside its rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Layout {
+    /// Scenario and variants of each pair of scenario and method, in order of work within a trial.
+    pub groups: Vec<Group>,
+    /// Comparisons asked for.
+    pub t_tests: Vec<TTestSpec>,
+    /// Level of confidence intervals.
+    pub confidence: f64,
+    /// Whether rows hold when the path got better.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub history: bool,
+}
+
+/// The methods of the table that one trial of a method in a scenario fills.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Names of the methods.
+    pub methods: Vec<String>,
+    /// Where each of them stands in its sweep; empty without one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sweep: Vec<Swept>,
+}
+
+/// Where a variant stands in its sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Swept {
+    /// Name of the method that is swept.
+    pub of: String,
+    /// Step of rewinding, m, if it is swept.
+    pub step: Option<f64>,
+    /// Order of rewinding, if it is swept.
+    pub post: Option<String>,
+    /// Number of repeats, if it is swept.
+    pub repeats: Option<usize>,
+}
+
+/// How a method plans and what it holds to, with defaults written out; recorded beside its rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Rules {
+    /// Name of the method.
+    pub method: String,
+    /// Name of the planner.
+    pub planner: String,
+    /// Its options.
+    pub options: PlannerSettings,
+    /// cspace or gjk.
+    pub engine: String,
+    /// exact or swept.
+    pub interference: String,
+    /// Step of rewinding, m.
+    pub step: f64,
+    /// What is done to the path, unless it is swept.
+    pub post: String,
+    /// How often rewinding runs, unless that is swept.
+    pub repeats: usize,
+    /// Time after which a trial ends, ms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub budget_ms: Option<f64>,
+    /// What is swept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepSpec>,
+}
+
+impl Experiment {
+    /// The rules of each method.
+    pub fn rules(&self) -> Vec<Rules> {
+        let methods = self.methods.iter().zip(&self.portable.methods);
+        methods.map(|(method, spec)| Rules::of(method, spec)).collect()
+    }
+
+    /// Checks an experiment; `load` reads a scene that it names.
+    ///
+    /// # Errors
+    /// Names the key, what was found and what was expected.
+    pub fn new(spec: ExperimentSpec, load: impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
+        if spec.version != FORMAT_VERSION {
+            return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+        }
+        if !(1..=MOST_TRIALS).contains(&spec.trials) {
+            let problem = format!("found {}, expected at least 1 and at most {MOST_TRIALS}", spec.trials);
+            return Err(Error::invalid("trials", problem));
+        }
+        body::optional_name("name", spec.name.as_deref())?;
+        for (k, test) in spec.t_tests.iter().enumerate() {
+            body::name(&format!("t_tests[{k}].group"), &test.group)?;
+        }
+        let confidence = spec.confidence.unwrap_or(CONFIDENCE);
+        sound_confidence(confidence)?;
+        few_rows(&spec)?;
+        let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
+        let methods = each("methods", &spec.methods, Method::new)?;
+        unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
+        let variants = || methods.iter().flat_map(|m| m.variants.iter().map(|(name, _)| name.as_str()));
+        unique("methods", variants())?;
+        for (k, test) in spec.t_tests.iter().enumerate() {
+            for (side, [scenario, method]) in [("a", &test.a), ("b", &test.b)] {
+                let place = format!("t_tests[{k}].{side}");
+                known(&place, "scenario", scenario, scenarios.iter().map(|s| s.name.as_str()))?;
+                known(&place, "method", method, variants())?;
+            }
+        }
+        let group = |scenario: &Scenario, method: &Method| Group {
+            scenario: scenario.name.clone(),
+            methods: method.variants.iter().map(|(name, _)| name.clone()).collect(),
+            sweep: method.sweep.clone(),
+        };
+        let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
+        let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence, history: spec.history };
+        let fingerprint = fingerprint(&spec, &scenarios);
+        let name = spec.name.clone().unwrap_or_else(|| "experiment".to_string());
+        let (seed, trials) = (spec.seed, spec.trials);
+        let mut portable = spec;
+        for (spec, scenario) in portable.scenarios.iter_mut().zip(&scenarios) {
+            spec.scene = SceneSource::Inline(Box::new(scenario.scene.spec().clone()));
+        }
+        Ok(Experiment { name, seed, trials, scenarios, methods, layout, fingerprint, portable })
+    }
+}
+
+/// Checks the level of confidence intervals.
+fn sound_confidence(confidence: f64) -> Result<(), Error> {
+    if confidence > 0.0 && confidence < 1.0 {
+        return Ok(());
+    }
+    Err(Error::invalid("confidence", format!("found {confidence}, expected a number between 0 and 1")))
+}
+
+/// Refuses more combinations of scenarios, methods and what is swept than tables can hold, before any is made.
+fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
+    let variants = |method: &MethodSpec| {
+        let sweep = method.sweep.clone().unwrap_or_default();
+        let counts = [sweep.step.len(), sweep.post.len(), sweep.repeats.len()];
+        counts.into_iter().map(|count| count.max(1)).fold(1, usize::saturating_mul)
+    };
+    let methods = spec.methods.iter().map(variants).fold(0, usize::saturating_add);
+    let scenarios = spec.scenarios.len();
+    if methods.saturating_mul(scenarios) <= MOST_ROWS_PER_TRIAL {
+        return Ok(());
+    }
+    let problem = format!(
+        "found {methods}, variants of sweeps counted, in {scenarios} scenarios; expected at most {MOST_ROWS_PER_TRIAL} \
+         pairs of method and scenario"
+    );
+    Err(Error::invalid("methods", problem))
+}
+
+impl Layout {
+    /// Checks a layout from a file: a sound confidence, and for each group its methods and, if any, where they stand in
+    /// a sweep.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        sound_confidence(self.confidence)?;
+        for (k, Group { methods, sweep, .. }) in self.groups.iter().enumerate() {
+            if methods.is_empty() || !(sweep.is_empty() || sweep.len() == methods.len()) {
+                let problem = format!("found {} methods and {} places in a sweep", methods.len(), sweep.len());
+                let expected = "expected at least one method, and as many places or none";
+                return Err(Error::invalid(format!("groups[{k}]"), format!("{problem}, {expected}")));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Scenario {
+    fn new(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
+        body::name("name", &spec.name)?;
+        let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
+        if scene.orientation_is_open() {
+            let expected = "expected query.orientation: all methods plan at the same one";
+            return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
+        }
+        let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
+        let random = random.transpose().map_err(|e| e.under("random"))?;
+        Ok(Scenario { name: spec.name.clone(), scene, random })
+    }
+}
+
+impl Rules {
+    fn of(Method { name, options, .. }: &Method, spec: &MethodSpec) -> Self {
+        let planner = options.planner.planner();
+        Rules {
+            method: name.clone(),
+            planner: planner.name().into(),
+            options: options.planner.settings(),
+            engine: options.engine.name().into(),
+            interference: options.interference.name().into(),
+            step: options.step,
+            post: post_of(spec, planner),
+            repeats: repeats_of(spec),
+            budget_ms: spec.budget_ms,
+            sweep: spec.sweep.clone(),
+        }
+    }
+}
+
+fn post_of(spec: &MethodSpec, planner: Planner) -> String {
+    spec.post.clone().unwrap_or_else(|| Post::of(planner).name().to_string())
+}
+
+fn repeats_of(spec: &MethodSpec) -> usize {
+    spec.repeats.unwrap_or(RewindOptions::default().repeats)
+}
+
+impl Method {
+    fn new(spec: &MethodSpec) -> Result<Self, Error> {
+        body::name("name", &spec.name)?;
+        let defaults = PlanOptions::default();
+        let step = spec.step.unwrap_or(defaults.step);
+        // Experiments repeat the paper unless told otherwise.
+        let planner = chosen(spec.planner.as_deref(), Planner::ModifiedRrt)?;
+        let options = PlanOptions {
+            planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
+            engine: chosen(spec.engine.as_deref(), defaults.engine)?,
+            interference: chosen(spec.interference.as_deref(), defaults.interference)?,
+            budget: spec.budget_ms.map(|ms| time_budget("budget_ms", ms, TimeUnit::Millisecond)).transpose()?,
+            step,
+            post: Some(Post::None),
+            ..defaults
+        };
+        let (variants, sweep) = variants(spec, planner, step)?.into_iter().unzip();
+        let sweep = if spec.sweep.is_some() { sweep } else { Vec::new() };
+        Ok(Method { name: spec.name.clone(), options, variants, sweep })
+    }
+}
+
+/// A way of rewinding by its name in tables, and where it stands in the sweep.
+type Variant = ((String, Processing), Swept);
+
+/// All combinations of a sweep, or the one way of rewinding of a method without.
+fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
+    let (post, repeats) = (post_of(spec, planner), repeats_of(spec));
+    let sweep = spec.sweep.clone().unwrap_or_default();
+    if spec.sweep.is_some() && sweep.step.is_empty() && sweep.post.is_empty() && sweep.repeats.is_empty() {
+        return Err(Error::invalid("sweep", "found nothing to sweep, expected step, post or repeats"));
+    }
+    let or = |list: &[f64], one: f64| if list.is_empty() { vec![one] } else { list.to_vec() };
+    let steps = or(&sweep.step, step);
+    let posts = if sweep.post.is_empty() { vec![post] } else { sweep.post.clone() };
+    let counts = if sweep.repeats.is_empty() { vec![repeats] } else { sweep.repeats.clone() };
+    let digits = counts.iter().max().map_or(1, |most| most.to_string().len());
+    let mut variants = Vec::new();
+    for (step, post, repeats) in combinations(&steps, &posts, &counts) {
+        let options = Post::named(&post)?.processing(step, repeats)?;
+        let mut name = spec.name.clone();
+        name += &if sweep.step.is_empty() { String::new() } else { format!(", step {step}") };
+        name += &if sweep.post.is_empty() { String::new() } else { format!(", {post}") };
+        name += &if sweep.repeats.is_empty() { String::new() } else { format!(", repeats {repeats:0digits$}") };
+        let swept = Swept {
+            of: spec.name.clone(),
+            step: (!sweep.step.is_empty()).then_some(step),
+            post: (!sweep.post.is_empty()).then_some(post),
+            repeats: (!sweep.repeats.is_empty()).then_some(repeats),
+        };
+        variants.push(((name, options), swept));
+    }
+    Ok(variants)
+}
+
+fn combinations<'a>(
+    steps: &'a [f64],
+    posts: &'a [String],
+    counts: &'a [usize],
+) -> impl Iterator<Item = (f64, String, usize)> + 'a {
+    let pairs = steps.iter().flat_map(move |step| posts.iter().map(move |post| (*step, post)));
+    pairs.flat_map(move |(step, post)| counts.iter().map(move |count| (step, post.clone(), *count)))
+}
+
+fn chosen<T: Choice>(name: Option<&str>, default: T) -> Result<T, Error> {
+    name.map_or(Ok(default), T::named)
+}
+
+fn each<T, U>(key: &str, list: &[T], check: impl Fn(&T) -> Result<U, Error>) -> Result<Vec<U>, Error> {
+    if list.is_empty() {
+        return Err(Error::invalid(key, "found none, expected at least one"));
+    }
+    list.iter().enumerate().map(|(k, one)| check(one).map_err(|e| e.under(&format!("{key}[{k}]")))).collect()
+}
+
+fn unique<'a>(key: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Error> {
+    let mut seen = std::collections::HashSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Error::invalid(key, format!("found the name \"{name}\" twice, expected names to differ")));
+        }
+    }
+    Ok(())
+}
+
+fn known<'a>(place: &str, what: &str, name: &str, names: impl Iterator<Item = &'a str> + Clone) -> Result<(), Error> {
+    if names.clone().any(|known| known == name) {
+        return Ok(());
+    }
+    let hint = nearest_name(name, names).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+    Err(Error::invalid(place, format!("found \"{name}\", expected the name of a {what}{hint}")))
+}
+
+fn fingerprint(spec: &ExperimentSpec, scenarios: &[Scenario]) -> String {
+    let scenes: Vec<_> = scenarios.iter().map(|s| json!({"name": s.name, "scene": s.scene.spec()})).collect();
+    let random: Vec<_> = spec.scenarios.iter().map(|s| &s.random).collect();
+    let mut rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
+    if spec.history {
+        rows["history"] = true.into(); // absent otherwise: what is known of older runs stays true
+    }
+    let text = rows.to_string();
+    fingerprint_of(&text)
+}

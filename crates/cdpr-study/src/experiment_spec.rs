@@ -1,0 +1,146 @@
+//! The experiment file as plain data; [`super::Experiment`] checks it once.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::random_scene::RandomScenesSpec;
+use super::statistics::Comparison;
+use cdpr_core::file_or_inline;
+use cdpr_core::model::SceneSpec;
+use cdpr_core::planning::PlannerSettings;
+
+/// An experiment: scenarios × methods × trials.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "cdpr experiment")]
+pub struct ExperimentSpec {
+    /// Version of the format, 1.
+    pub version: u32,
+    /// A name for messages.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Everything random flows from it; default 0.
+    #[serde(default)]
+    pub seed: u64,
+    /// Trials of each method in each scenario.
+    pub trials: usize,
+    /// Level of the confidence intervals; default 0.95.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub confidence: Option<f64>,
+    /// Where is planned.
+    pub scenarios: Vec<ScenarioSpec>,
+    /// How is planned; every method draws its own random numbers.
+    pub methods: Vec<MethodSpec>,
+    /// Also tells when each trial's path got better, in `history.csv`; default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub history: bool,
+    /// Which groups are compared.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub t_tests: Vec<TTestSpec>,
+}
+
+/// A scene, or scenes drawn around it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioSpec {
+    /// Name in tables.
+    pub name: String,
+    /// The scene, or the path of its file.
+    pub scene: SceneSource,
+    /// Obstacles that every trial draws anew, the same ones for all methods.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub random: Option<RandomScenesSpec>,
+}
+
+/// A scene in place, or the path of its file.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum SceneSource {
+    /// Path of a scene file (TOML or JSON), relative to the experiment's.
+    File(String),
+    /// The scene itself.
+    Inline(Box<SceneSpec>),
+}
+
+file_or_inline!(SceneSource, Box<SceneSpec>, "a scene table or the path of a scene file");
+
+/// A planner with its options and post-processing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MethodSpec {
+    /// Name in tables.
+    pub name: String,
+    /// modified-rrt (default), rrt, rrt-star, rrt-connect, two-trees or anytime.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub planner: Option<String>,
+    /// Options of the planner.
+    #[serde(default)]
+    pub options: PlannerSettings,
+    /// Time after which a trial ends, ms; rows of trials that ended by time are not reproducible.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub budget_ms: Option<f64>,
+    /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<f64>,
+    /// both, backward, forward, taut or none; the default depends on the planner, and is both for those of the paper.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub post: Option<String>,
+    /// How often rewinding runs; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repeats: Option<usize>,
+    /// cspace (default) or gjk.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub engine: Option<String>,
+    /// exact (default) or swept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interference: Option<String>,
+    /// Rewinds the same raw path of a trial in several ways; each becomes a method of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepSpec>,
+}
+
+/// Ways of rewinding one raw path: all combinations of what is listed.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SweepSpec {
+    /// Steps, m.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub step: Vec<f64>,
+    /// Orders: both, backward, forward.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub post: Vec<String>,
+    /// Numbers of repeats.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub repeats: Vec<usize>,
+}
+
+/// A comparison of the means of two groups.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TTestSpec {
+    /// Its letter.
+    pub group: String,
+    /// What is compared.
+    pub measure: Measure,
+    /// Scenario and method.
+    pub a: [String; 2],
+    /// Scenario and method.
+    pub b: [String; 2],
+    /// welch (default) or pooled.
+    #[serde(default)]
+    pub variances: Comparison,
+}
+
+/// A number that trials have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// Time of the planner, s.
+    PlanningSeconds,
+    /// Time of rewinding, s.
+    PostSeconds,
+    /// Length of the planner's path, m.
+    RawCost,
+    /// Length of the final path, m.
+    Cost,
+}

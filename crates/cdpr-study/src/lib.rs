@@ -1,0 +1,51 @@
+//! Experiments: scenarios × methods × trials, on all cores, with the same rows whatever the number of threads; their
+//! statistics; and a finished run as a page.
+
+pub mod batch_folder;
+pub mod batch_tables;
+pub mod experiment;
+pub mod experiment_file;
+pub mod experiment_spec;
+pub mod origin;
+pub mod random_scene;
+pub mod report;
+pub mod report_file;
+pub mod run;
+pub mod schema;
+pub mod statistics;
+pub mod summary;
+
+pub use batch_folder::{BatchFolder, merge};
+pub use batch_tables::{BatchRows, Tables};
+pub use experiment::{Experiment, Layout, Rules, Swept};
+pub use experiment_file::{experiment_from_text, load_experiment};
+pub use experiment_spec::{ExperimentSpec, SceneSource};
+pub use origin::{Origin, origin_here};
+pub use random_scene::{RandomScenes, RandomScenesSpec};
+pub use report_file::{load_study, save_plots};
+pub use run::{Progress, Row, RunOptions, TrialStatus, run, threads_of};
+pub use schema::schema;
+pub use statistics::{Comparison, Moments, TTest, t_test};
+pub use summary::Summary;
+
+use hmac_sha256::Hash;
+
+/// The seed that belongs to these words and to no others: a stream of its own for every trial, whatever runs beside it.
+///
+/// # Example
+/// ```
+/// use cdpr_study::derived_seed;
+/// assert_ne!(derived_seed(1, &["hard1", "rrt"], 0), derived_seed(1, &["hard1", "rrt"], 1));
+/// assert_ne!(derived_seed(1, &["a", "bc"], 0), derived_seed(1, &["ab", "c"], 0));
+/// ```
+pub fn derived_seed(seed: u64, words: &[&str], trial: usize) -> u64 {
+    let mut hash = Hash::new();
+    hash.update(seed.to_le_bytes());
+    for word in words {
+        hash.update((word.len() as u64).to_le_bytes());
+        hash.update(word.as_bytes());
+    }
+    hash.update((trial as u64).to_le_bytes());
+    let digest = hash.finalize();
+    u64::from_le_bytes(std::array::from_fn(|k| digest[k]))
+}

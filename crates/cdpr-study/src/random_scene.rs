@@ -1,0 +1,243 @@
+//! Random scenes: upright prisms among which start and goal are free (the paper, section 5 and Table 1).
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity};
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
+use cdpr_core::model::{Scene, SceneSpec, body};
+use cdpr_core::numerics::MOST_BODIES;
+use cdpr_core::plan::engine_for;
+use cdpr_core::watch::Watch;
+
+/// What is drawn into a scene, by default the paper's prisms: 0.1 to 0.3 m wide, square, 0.5 to 1.5 m high, on the
+/// floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RandomScenesSpec {
+    /// Number of prisms.
+    pub count: usize,
+    /// If given, any number from `count` to this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count_up_to: Option<usize>,
+    /// Least and largest width along x, m.
+    #[serde(default = "paper_width")]
+    pub width: [f64; 2],
+    /// Least and largest width along y, m; default as wide as along x.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<[f64; 2]>,
+    /// Least and largest height, m.
+    #[serde(default = "paper_height")]
+    pub height: [f64; 2],
+    /// Where they stand, whole; default the workspace.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<WorkspaceSpec>,
+    /// Anywhere in the region instead of on its floor.
+    #[serde(default)]
+    pub floating: bool,
+    /// Turned about the vertical by any angle instead of parallel to the axes.
+    #[serde(default)]
+    pub turned: bool,
+    /// Draw again what the straight line from start to goal solves.
+    #[serde(default)]
+    pub redraw_straight: bool,
+    /// Draws of one prism, or of a whole scene, after which it is given up.
+    #[serde(default = "many")]
+    pub attempts: usize,
+}
+
+fn paper_width() -> [f64; 2] {
+    [0.1, 0.3]
+}
+
+fn paper_height() -> [f64; 2] {
+    [0.5, 1.5]
+}
+
+fn many() -> usize {
+    10_000
+}
+
+/// Draws scenes around a base: its robot, workspace, query and own obstacles stay.
+#[derive(Debug, Clone)]
+pub struct RandomScenes {
+    base: Scene,
+    spec: RandomScenesSpec,
+    region: Aabb,
+    start: Point,
+    goal: Point,
+}
+
+impl RandomScenes {
+    /// Checks what is to be drawn.
+    ///
+    /// # Errors
+    /// Names the key: a size that is no interval or does not fit the region, a base without a query or whose own
+    /// start or goal is not valid.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_study::{RandomScenes, RandomScenesSpec};
+    /// let spec: RandomScenesSpec = serde_json::from_str(r#"{"count": 3}"#).unwrap();
+    /// let scenes = RandomScenes::new(cdpr_core::testing::empty(), spec)?;
+    /// assert_eq!(scenes.draw(7)?.obstacles().len(), 3);
+    /// assert_eq!(scenes.draw(7)?, scenes.draw(7)?);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn new(base: Scene, spec: RandomScenesSpec) -> Result<Self, Error> {
+        let given = |key: &str, end: Option<Point>| {
+            end.ok_or_else(|| Error::invalid("scene", format!("found no query.{key}, expected one")))
+        };
+        let (start, goal) = (given("start", base.start())?, given("goal", base.goal())?);
+        let region = match &spec.region {
+            Some(region) => {
+                Aabb { min: body::point("region.min", region.min)?, max: body::point("region.max", region.max)? }
+            }
+            None => *base.workspace(),
+        };
+        check_sizes(&spec, &region)?;
+        let scenes = RandomScenes { base, spec, region, start, goal };
+        match scenes.obstruction(&scenes.base)? {
+            Some(problem) => Err(Error::invalid("scene", format!("{problem}, even before obstacles are drawn"))),
+            None => Ok(scenes),
+        }
+    }
+
+    /// The scene of a seed. A prism that meets the platform or a cable at start or goal is drawn again.
+    ///
+    /// # Errors
+    /// No free scene was found in the attempts allowed; says what was in the way last.
+    pub fn draw(&self, seed: u64) -> Result<Scene, Error> {
+        self.draw_within(seed, &Watch::NONE)
+    }
+
+    /// As [`RandomScenes::draw`], within a watch.
+    ///
+    /// # Errors
+    /// As [`RandomScenes::draw`]; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn draw_within(&self, seed: u64, watch: &Watch) -> Result<Scene, Error> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut reason = String::new();
+        for _ in 0..self.spec.attempts {
+            let scene = self.draw_once(&mut rng, watch)?;
+            reason = match self.obstruction(&scene)? {
+                Some(problem) => problem,
+                None if self.spec.redraw_straight && self.straight_line_solves(&scene)? => {
+                    "the straight line solves it".to_string()
+                }
+                None => return Ok(scene),
+            };
+        }
+        Err(self.given_up(&reason))
+    }
+
+    fn draw_once(&self, rng: &mut ChaCha8Rng, watch: &Watch) -> Result<Scene, Error> {
+        let most = self.spec.count_up_to.unwrap_or(self.spec.count);
+        let count = if most > self.spec.count { rng.random_range(self.spec.count..=most) } else { self.spec.count };
+        let mut spec = self.base.spec().clone();
+        for _ in 0..count {
+            let name = self.free_name(&spec);
+            spec.obstacles.push(self.free_prism(name, rng, watch)?);
+        }
+        Scene::new(spec)
+    }
+
+    /// A prism that leaves start and goal free.
+    fn free_prism(&self, name: String, rng: &mut ChaCha8Rng, watch: &Watch) -> Result<BodySpec, Error> {
+        let mut reason = String::new();
+        for _ in 0..self.spec.attempts {
+            watch.check()?;
+            let prism = self.prism(name.clone(), rng);
+            let mut alone = self.base.spec().clone();
+            alone.obstacles = vec![prism.clone()];
+            alone.ignore.retain(|pair| pair.iter().all(|name| self.base.obstacles().iter().all(|o| o.name != *name)));
+            alone.wrench = None;
+            match Scene::new(alone) {
+                Err(problem) => reason = problem.to_string(), // such as an outlet inside the prism
+                Ok(scene) => match self.obstruction(&scene)? {
+                    Some(problem) => reason = problem,
+                    None => return Ok(prism),
+                },
+            }
+        }
+        Err(self.given_up(&reason))
+    }
+
+    fn prism(&self, name: String, rng: &mut ChaCha8Rng) -> BodySpec {
+        let mut number = |[least, largest]: [f64; 2]| least + (largest - least) * rng.random::<f64>();
+        let width = number(self.spec.width);
+        let depth = self.spec.depth.map_or(width, &mut number);
+        let height = number(self.spec.height);
+        let yaw = if self.spec.turned { number([0.0, std::f64::consts::TAU]) } else { 0.0 };
+        let (sine, cosine) = (yaw.sin().abs(), yaw.cos().abs());
+        let extents = [width * cosine + depth * sine, width * sine + depth * cosine, height];
+        let mut position: [f64; 3] = std::array::from_fn(|axis| {
+            let half = 0.5 * extents[axis];
+            number([self.region.min[axis] + half, self.region.max[axis] - half])
+        });
+        if !self.spec.floating {
+            position[2] = self.region.min.z + 0.5 * height;
+        }
+        BodySpec {
+            name: Some(name),
+            cuboid: Some([width, depth, height]),
+            position: Some(position),
+            rpy: self.spec.turned.then_some([0.0, 0.0, yaw]),
+            ..BodySpec::default()
+        }
+    }
+
+    fn free_name(&self, spec: &SceneSpec) -> String {
+        let taken = |name: &String| spec.obstacles.iter().any(|o| o.name.as_ref() == Some(name));
+        (0..).map(|k| format!("prism {k}")).find(|name| !taken(name)).expect("there are more numbers than obstacles")
+    }
+
+    /// Why start or goal is not valid.
+    fn obstruction(&self, scene: &Scene) -> Result<Option<String>, Error> {
+        let engine = engine_for(scene, Engine::Gjk, Interference::Exact)?;
+        let ends = [("start", self.start), ("goal", self.goal)];
+        let invalid = ends.iter().find(|(_, state)| !engine.state_valid(state));
+        Ok(invalid.map(|(key, state)| {
+            let reason = engine.explain(state, state).map_or(String::new(), |v| format!(": {}", v.sentence()));
+            format!("the {key} is not valid{reason}")
+        }))
+    }
+
+    fn straight_line_solves(&self, scene: &Scene) -> Result<bool, Error> {
+        Ok(GjkEngine::new(scene, Interference::Exact)?.motion_valid(&self.start, &self.goal))
+    }
+
+    fn given_up(&self, reason: &str) -> Error {
+        let problem = format!("found no free scene in {} draws; the last one failed: {reason}", self.spec.attempts);
+        Error::invalid("random", problem)
+    }
+}
+
+fn check_sizes(spec: &RandomScenesSpec, region: &Aabb) -> Result<(), Error> {
+    body::at_most("count", spec.count, MOST_BODIES)?;
+    body::at_most("count_up_to", spec.count_up_to.unwrap_or(0), MOST_BODIES)?;
+    let size = region.max - region.min;
+    let depth = spec.depth.unwrap_or(spec.width);
+    let across = if spec.turned { spec.width[1].hypot(depth[1]) } else { 0.0 };
+    let rooms =
+        [("width", spec.width, across, size.x), ("depth", depth, across, size.y), ("height", spec.height, 0.0, size.z)];
+    for (key, [least, largest], turned, room) in rooms {
+        if !(least > 0.0 && least <= largest && largest.max(turned) <= room) {
+            let problem = format!(
+                "found [{least}, {largest}] m, expected [least, largest] with 0 < least <= largest, and room in the \
+                 region ({room} m)"
+            );
+            return Err(Error::invalid(key, problem));
+        }
+    }
+    match spec.count_up_to.filter(|most| *most < spec.count) {
+        Some(most) => {
+            Err(Error::invalid("count_up_to", format!("found {most}, expected at least count ({})", spec.count)))
+        }
+        None => Ok(()),
+    }
+}

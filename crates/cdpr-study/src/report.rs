@@ -1,0 +1,66 @@
+//! A finished run as one self-contained HTML page: tables, plots, and the paper's numbers beside ours.
+
+mod paper;
+mod plots;
+mod study;
+mod tables;
+
+pub use plots::Plot;
+pub use study::{Cost, Costs, Described, MethodSummary, Study, SummaryFile, TestSummary};
+
+use cdpr_view::escaped;
+
+const STYLE: &str = "body{font:15px/1.45 sans-serif;margin:2rem auto;max-width:72rem;padding:0 1rem;color:#222}\
+table{border-collapse:collapse;font-size:13px}th,td{padding:.2rem .6rem;border-bottom:1px solid #ddd;text-align:left;\
+white-space:nowrap}th{border-bottom:2px solid #888}.wide{overflow-x:auto}figure{margin:1rem 0}svg{max-width:100%;\
+height:auto}summary{cursor:pointer;font-weight:bold;margin:.5rem 0}";
+
+/// The plots of a study.
+pub fn plots(study: &Study) -> Vec<Plot> {
+    plots::plots(study)
+}
+
+/// The page; it loads nothing, has no script, and no name in the study can add markup to it.
+///
+/// # Example
+/// ```
+/// use cdpr_study::report::{Study, SummaryFile, page};
+/// let summary = r#"{"experiment": "<b>", "fingerprint": "", "confidence": 0.95, "methods": [], "t_tests": []}"#;
+/// let summary: SummaryFile = serde_json::from_str(summary).unwrap();
+/// let page = page(&Study { summary, costs: Default::default() });
+/// assert!(page.starts_with("<!doctype html>") && page.contains("&lt;b&gt;") && !page.contains("<b>"));
+/// ```
+pub fn page(study: &Study) -> String {
+    let summary = &study.summary;
+    let title = escaped(&summary.experiment);
+    let paper = paper::printed(&summary.experiment);
+    let printed = paper.map(|(_, printed)| printed);
+    let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
+    let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
+    body += &format!(" Statistics are those of solved trials; {unsolved} rows are not solved and left out.</p>\n");
+    body += &tables::origins(study);
+    body += &tables::rules(study);
+    if let Some((paper, printed)) = paper {
+        let (note, citation) = (escaped(&printed.note), escaped(&paper.citation));
+        body += &format!("<h2>Beside the paper</h2>\n<p>{note} Source: {citation}.</p>\n");
+        if !printed.means.is_empty() {
+            body += &tables::beside(study, printed);
+            body += "<p>Intervals of the percentages are 95 % ones by the delta method, of independent samples.</p>\n";
+            body += &tables::claims(study, printed);
+        }
+    }
+    body += &tables::orders(study, printed);
+    body +=
+        "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers the last trials within 1.5 box lengths.</p>\n";
+    for plot in plots(study) {
+        body += &format!("<figure>{}</figure>\n", plot.svg());
+    }
+    if !summary.t_tests.is_empty() {
+        body += &format!("<h2>Two-sample t-tests</h2>\n{}", tables::t_tests(study, printed));
+    }
+    body += &format!("<h2>Statistics</h2>\n{}", tables::statistics(study));
+    format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title} – cdpr</title>\
+         <style>{STYLE}</style></head>\n<body>\n{body}</body></html>\n"
+    )
+}

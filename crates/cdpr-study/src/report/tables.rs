@@ -1,0 +1,252 @@
+//! Tables of a report as HTML. Every text from a file goes through `escaped`.
+
+use super::paper::{Claim, Printed};
+use super::study::{APART, Described, MethodSummary, Study};
+use crate::experiment_spec::Measure;
+use crate::{Origin, Rules};
+use cdpr_core::words::count;
+use cdpr_view::escaped;
+
+/// A table from its head and rows; cells are HTML.
+pub(super) fn table(head: &[&str], rows: &[Vec<String>]) -> String {
+    let line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
+        let cells: String = cells.map(|cell| format!("<{tag}>{cell}</{tag}>")).collect();
+        format!("<tr>{cells}</tr>\n")
+    };
+    let body: String = rows.iter().map(|row| line("td", &mut row.iter().map(String::as_str))).collect();
+    format!(
+        "<div class=\"wide\"><table>\n<thead>{}</thead>\n<tbody>{body}</tbody></table></div>\n",
+        line("th", &mut head.iter().copied())
+    )
+}
+
+/// A number with four significant digits.
+pub(super) fn four(number: f64) -> String {
+    if number == 0.0 || !number.is_finite() {
+        return if number == 0.0 { "0".into() } else { "–".into() };
+    }
+    let before = number.abs().log10().floor() as i32 + 1;
+    if before < -3 {
+        return format!("{number:.3e}");
+    }
+    format!("{number:.*}", (4 - before).clamp(0, 7) as usize)
+}
+
+fn cell(number: Option<f64>, scale: f64) -> String {
+    number.map_or("–".to_string(), |number| four(scale * number))
+}
+
+/// Name, unit and scale of what is described, and where it stands.
+type Column = (&'static str, f64, fn(&MethodSummary) -> &Described);
+
+const MEASURES: [Column; 6] = [
+    ("Planning time, ms", 1e3, |m| &m.planning_seconds),
+    ("Time of post-processing, µs", 1e6, |m| &m.post_seconds),
+    ("Cost of the planner's path, m", 1.0, |m| &m.raw_cost),
+    ("Cost of the final path, m", 1.0, |m| &m.cost),
+    ("Reduction by post-processing, %", 100.0, |m| &m.reduction),
+    ("Waypoints of the final path", 1.0, |m| &m.waypoints),
+];
+
+/// A table for each measure, all scenarios and methods.
+pub(super) fn statistics(study: &Study) -> String {
+    let interval = format!("{} % interval of the mean", 100.0 * study.summary.confidence);
+    let head = [
+        "scenario",
+        "method",
+        "solved",
+        "mean",
+        "sd",
+        &interval,
+        "median",
+        "quartiles",
+        "5 % and 95 %",
+        "least and largest",
+    ];
+    let pair = |low, high, scale| format!("{} … {}", cell(low, scale), cell(high, scale));
+    let row = |m: &MethodSummary, (_, scale, of): &Column| {
+        let d = of(m);
+        let [low, high] = d.confidence_interval;
+        vec![
+            escaped(&m.scenario),
+            escaped(&m.method),
+            format!("{} of {}", m.solved, m.n),
+            cell(d.mean, *scale),
+            cell(d.sd, *scale),
+            pair(low, high, *scale),
+            cell(d.median, *scale),
+            pair(d.q25, d.q75, *scale),
+            pair(d.q05, d.q95, *scale),
+            pair(d.min, d.max, *scale),
+        ]
+    };
+    let one = |column: &Column| {
+        let rows: Vec<Vec<String>> = study.summary.methods.iter().map(|m| row(m, column)).collect();
+        let open = if rows.len() > 24 { "" } else { " open" };
+        format!("<details{open}><summary>{}</summary>\n{}</details>\n", column.0, table(&head, &rows))
+    };
+    MEASURES.iter().map(one).collect()
+}
+
+/// What ran the trials, a paragraph each.
+pub(super) fn origins(study: &Study) -> String {
+    let line = |origin: &Origin| {
+        let Origin { program, version, cpu, architecture, os, cores, threads } = origin;
+        let threads = threads.map_or(String::new(), |threads| format!(", {}", count(threads, "thread")));
+        let cpu = cpu.as_deref().unwrap_or("unknown processor");
+        escaped(&format!("{program} {version} on {cpu} ({architecture}, {}), {os}{threads}", count(*cores, "core")))
+    };
+    study.summary.origins.iter().map(|origin| format!("<p>Run by {}.</p>\n", line(origin))).collect()
+}
+
+/// How each method plans.
+pub(super) fn rules(study: &Study) -> String {
+    let row = |rules: &Rules| {
+        let Rules { method, planner, engine, interference, step, post, repeats, sweep, .. } = rules;
+        let swept = |key: &str, is: bool| if is { format!("{key}, swept") } else { key.to_string() };
+        let sweep = sweep.as_ref();
+        vec![
+            escaped(method),
+            escaped(planner),
+            escaped(engine),
+            escaped(interference),
+            swept(&four(*step), sweep.is_some_and(|sweep| !sweep.step.is_empty())),
+            escaped(&swept(post, sweep.is_some_and(|sweep| !sweep.post.is_empty()))),
+            swept(&repeats.to_string(), sweep.is_some_and(|sweep| !sweep.repeats.is_empty())),
+        ]
+    };
+    let rows: Vec<Vec<String>> = study.summary.rules.iter().map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table(&["method", "planner", "engine", "interference", "step, m", "post-processing", "repeats"], &rows)
+}
+
+/// The t-tests, with the paper's p-values if it prints any.
+pub(super) fn t_tests(study: &Study, printed: Option<&Printed>) -> String {
+    let name = |pair: &[String; 2]| escaped(&pair.join(", "));
+    let row = |test: &super::study::TestSummary| {
+        let p = test.p.map_or("–".to_string(), |p| if p < 1e-3 { "&lt; 0.001".into() } else { format!("{p:.4}") });
+        let theirs = printed.and_then(|printed| printed.p_values.get(&test.group));
+        let theirs = theirs.map_or("–".to_string(), |p| escaped(p));
+        let measure = measure_name(test.measure).to_string();
+        let numbers = [cell(test.t, 1.0), cell(test.df, 1.0), p, theirs];
+        [vec![escaped(&test.group), measure, name(&test.a), name(&test.b)], numbers.to_vec()].concat()
+    };
+    let rows: Vec<Vec<String>> = study.summary.t_tests.iter().map(row).collect();
+    let head = ["group", "measure", "a", "b", "t", "degrees of freedom", "p", "p in the paper"];
+    table(
+        &head[..if printed.is_some() { 8 } else { 7 }],
+        &rows
+            .into_iter()
+            .map(|mut row| {
+                row.truncate(if printed.is_some() { 8 } else { 7 });
+                row
+            })
+            .collect::<Vec<_>>(),
+    )
+}
+
+fn measure_name(measure: Measure) -> &'static str {
+    match measure {
+        Measure::PlanningSeconds => "planning time",
+        Measure::PostSeconds => "time of post-processing",
+        Measure::RawCost => "cost of the planner's path",
+        Measure::Cost => "cost",
+    }
+}
+
+/// Means and standard deviations beside the paper's.
+pub(super) fn beside(study: &Study, printed: &Printed) -> String {
+    let mut rows = Vec::new();
+    for cell in &printed.means {
+        let measures = [
+            ("planning time, s", Measure::PlanningSeconds, cell.planning_seconds),
+            ("time of post-processing, s", Measure::PostSeconds, cell.post_seconds),
+            ("cost, m", Measure::Cost, cell.cost),
+        ];
+        for (name, measure, theirs) in measures {
+            let Some([mean, sd]) = theirs else { continue };
+            let ours = study.method(&cell.of).map(|m| m.of(measure));
+            let ours = ours.and_then(|d| Some((d.mean?, d.sd?)));
+            rows.push(vec![
+                escaped(&cell.of[0]),
+                escaped(&cell.of[1]),
+                name.to_string(),
+                format!("{mean} ± {sd}"),
+                ours.map_or("–".into(), |(mean, sd)| format!("{} ± {}", four(mean), four(sd))),
+                ours.map_or("–".into(), |(ours, _)| four(ours / mean)),
+            ]);
+        }
+    }
+    table(&["scenario", "method", "measure", "paper, mean ± sd", "here, mean ± sd", "here / paper"], &rows)
+}
+
+/// The percentages that the paper draws from its table, beside ours.
+pub(super) fn claims(study: &Study, printed: &Printed) -> String {
+    let row = |claim: &Claim| {
+        let found = percentage(study, claim);
+        let here = found.map_or("–".into(), |[p, low, high]| format!("{p:.2} ({low:.2} … {high:.2})"));
+        let neutral = if claim.less { 0.0 } else { 100.0 };
+        let verdict =
+            found.map_or("–", |[_, low, high]| match (claim.percent > neutral, low > neutral, high < neutral) {
+                (true, true, _) | (false, _, true) => "yes",
+                (true, _, true) | (false, true, _) => "no, the other way round",
+                _ => "not told apart",
+            });
+        vec![escaped(&claim.a[0]), escaped(&claim.says), format!("{:.2}", claim.percent), here, verdict.to_string()]
+    };
+    let rows: Vec<Vec<String>> = printed.claims.iter().map(row).collect();
+    table(&["scenario", "what", "paper, %", "here, % (interval)", "same direction"], &rows)
+}
+
+/// 100 a/b or 100 (1 − a/b) of two means, with a 95 % interval by the delta method for independent samples.
+fn percentage(study: &Study, claim: &Claim) -> Option<[f64; 3]> {
+    let of = |pair| {
+        let m = study.method(pair)?;
+        let d = m.of(claim.measure);
+        Some((d.mean?, d.sd? / d.mean? / (m.solved as f64).sqrt()))
+    };
+    let ((a, ea), (b, eb)) = (of(&claim.a)?, of(&claim.b)?);
+    let ratio = a / b;
+    let half = 1.96 * ratio * ea.hypot(eb);
+    let percents = [ratio, ratio - half, ratio + half].map(|r| 100.0 * if claim.less { 1.0 - r } else { r });
+    let [p, x, y] = percents;
+    Some([p, x.min(y), x.max(y)])
+}
+
+/// How far the orders of rewinding are apart; empty without a sweep over both.
+pub(super) fn orders(study: &Study, printed: Option<&Printed>) -> String {
+    let gaps = study.order_gaps();
+    if gaps.is_empty() {
+        return String::new();
+    }
+    let row = |gap: &super::study::OrderGap| {
+        let beyond = gap.beyond.map(|share| format!("{share:.1}"));
+        let numbers = [gap.difference, gap.gap, gap.largest, gap.gains[0], gap.gains[1]].map(|g| format!("{g:.3}"));
+        let names = [escaped(&gap.backward.scenario), escaped(&gap.backward.method), gap.trials.to_string()];
+        [&names[..], &numbers[..3], &beyond[..], &numbers[3..]].concat()
+    };
+    let rows: Vec<Vec<String>> = gaps.iter().map(row).collect();
+    let [different, one, five] = APART.map(|apart| format!("trials beyond {apart}, %"));
+    let head = [
+        "scenario",
+        "backward first, against its twin",
+        "trials",
+        "mean difference",
+        "mean gap",
+        "largest gap",
+        &different,
+        &one,
+        &five,
+        "both gain over backward",
+        "both gain over forward",
+    ];
+    let paper =
+        printed.and_then(|p| p.order_gap).map_or(String::new(), |gap| format!(" The paper prints a gap of {gap}."));
+    format!(
+        "<h2>Order of rewinding</h2>\n<p>Reductions on the same raw paths, in percentage points of the raw cost; the \
+         gap is the absolute difference.{paper}</p>\n{}",
+        table(&head, &rows)
+    )
+}

@@ -1,0 +1,419 @@
+//! Runs the trials of an experiment on several threads and hands over their rows in order.
+//!
+//! Trial 0 of every method in every scenario comes first, then trial 1 of all: so a rate measured early holds to the
+//! end. A trial draws from a stream of its own, so neither threads nor interruptions change a row.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::derived_seed;
+use super::experiment::{Experiment, Method, Scenario};
+use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::error::{Error, ErrorClass, caught};
+use cdpr_core::model::Scene;
+use cdpr_core::plan::{PlanOptions, PlanResult, engine_within, plan_with, post_process};
+use cdpr_core::planning::{Milestone, Status};
+use cdpr_core::watch::{Interrupt, Watch, thread_count};
+
+/// Trials that may be finished ahead of the oldest unfinished one: what bounds memory.
+const AHEAD: usize = 4096;
+/// Time between two looks at whether the caller wants to stop.
+const PATIENCE: Duration = Duration::from_millis(20);
+
+/// How a trial ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TrialStatus {
+    /// A path was found.
+    Solved,
+    /// The samples or the time ran out first.
+    BudgetSpent,
+    /// The start is not a valid state.
+    StartInvalid,
+    /// The goal is not a valid state.
+    GoalInvalid,
+    /// The program failed; the progress says how.
+    Failed,
+}
+
+/// A row of the tables: a trial of a method in a scenario.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Name of the method.
+    pub method: String,
+    /// Number of the trial.
+    pub trial: usize,
+    /// Seed of the trial: planning the scene with it gives the same path.
+    pub seed: u64,
+    /// How it ended.
+    pub status: TrialStatus,
+    /// Length of the planner's path, m.
+    pub raw_cost: Option<f64>,
+    /// Length of the final path, m.
+    pub cost: Option<f64>,
+    /// Waypoints of the planner's path.
+    pub raw_waypoints: Option<usize>,
+    /// Waypoints of the final path.
+    pub waypoints: Option<usize>,
+    /// Nodes of the tree.
+    pub nodes: Option<usize>,
+    /// Motions checked by the planner.
+    pub motion_checks: Option<usize>,
+    /// Time of the planner, s.
+    pub planning_seconds: Option<f64>,
+    /// Time of rewinding, s.
+    pub post_seconds: Option<f64>,
+    /// When the planner's path got better, if the experiment asks for it; stands with the first variant of a sweep alone.
+    #[serde(with = "milestones")]
+    pub history: Vec<Milestone>,
+}
+
+/// Milestones as one field of CSV: `seconds samples cost`, semicolons between them.
+mod milestones {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    use super::Milestone;
+
+    pub fn serialize<S: Serializer>(history: &[Milestone], serializer: S) -> Result<S::Ok, S::Error> {
+        let texts: Vec<_> = history.iter().map(|m| format!("{} {} {}", m.seconds, m.samples, m.cost)).collect();
+        serializer.serialize_str(&texts.join(";"))
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Milestone>, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let problem = |part| D::Error::custom(format!("found \"{part}\", expected seconds, samples and cost"));
+        text.split_terminator(';').map(|part| milestone(part).ok_or_else(|| problem(part))).collect()
+    }
+
+    fn milestone(text: &str) -> Option<Milestone> {
+        let mut numbers = text.split(' ');
+        let seconds = numbers.next()?.parse().ok()?;
+        let samples = numbers.next()?.parse().ok()?;
+        let cost = numbers.next()?.parse().ok()?;
+        numbers.next().is_none().then_some(Milestone { seconds, samples, cost })
+    }
+}
+
+/// How a run goes about it.
+pub struct RunOptions<'a> {
+    /// Threads; none means all there are.
+    pub threads: Option<usize>,
+    /// Asked often; true ends the run with [`Error::interrupted`], all rows so far handed over.
+    pub interrupted: &'a Interrupt<'a>,
+    /// Told after each trial.
+    pub progress: &'a mut dyn FnMut(Progress),
+}
+
+/// How far a run has come.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress {
+    /// Trials done, of all methods and scenarios.
+    pub done: usize,
+    /// Trials to do.
+    pub total: usize,
+    /// What went wrong in the trial just done, if the program failed.
+    pub failure: Option<String>,
+}
+
+/// Where the rows of a trial go: its group, and a row for each variant.
+pub type Sink<'a> = dyn FnMut(usize, &[Row]) -> Result<(), Error> + 'a;
+
+/// A trial of a method in a scenario.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Unit {
+    group: usize,
+    trial: usize,
+}
+
+/// How many threads these options ask for.
+///
+/// # Errors
+/// Zero threads, or too many.
+pub fn threads_of(options: &RunOptions) -> Result<usize, Error> {
+    let threads = options.threads.map(thread_count).transpose()?;
+    Ok(threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)))
+}
+
+/// Runs all trials below `end` that are not done yet; `next[group]` is the first one of a group that is not.
+///
+/// # Errors
+/// What the sink answers, a scenario in which no free scene is found, zero threads, [`Error::interrupted`].
+pub fn run(
+    experiment: &Experiment,
+    next: &[usize],
+    end: usize,
+    options: RunOptions,
+    sink: &mut Sink,
+) -> Result<(), Error> {
+    let threads = threads_of(&options)?;
+    let total = next.iter().map(|first| end.saturating_sub(*first)).sum();
+    let first = next.iter().copied().min().unwrap_or(end);
+    let queue = Queue::new(Units { trial: first, group: 0, end, next });
+    let (sender, results) = sync_channel(2 * threads);
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(total) {
+            let (sender, queue) = (sender.clone(), &queue);
+            let started = std::thread::Builder::new().spawn_scoped(scope, move || work(experiment, queue, &sender));
+            if let Err(problem) = started {
+                queue.stop();
+                return Err(Error::invalid("threads", format!("{threads} threads cannot be had: {problem}")));
+            }
+        }
+        drop(sender);
+        let written = (|| {
+            let mut early = BTreeMap::new();
+            let mut done = 0;
+            while done < total {
+                if (options.interrupted)() {
+                    return Err(Error::interrupted());
+                }
+                match results.recv_timeout(PATIENCE) {
+                    Ok((index, result)) => early.insert(index, result),
+                    Err(RecvTimeoutError::Timeout) => continue,
+                    Err(RecvTimeoutError::Disconnected) => return Err(Error::invalid("", "all threads have ended")),
+                };
+                while let Some(result) = early.remove(&done) {
+                    let Trial { group, rows, failure } = result?;
+                    sink(group, &rows)?;
+                    done += 1;
+                    queue.written(done);
+                    (options.progress)(Progress { done, total, failure });
+                    if done < total && (options.interrupted)() {
+                        return Err(Error::interrupted());
+                    }
+                }
+            }
+            Ok(())
+        })();
+        queue.stop();
+        drop(results); // threads that wait to hand over a result find nobody there, and end
+        written
+    })
+}
+
+/// What a trial came to.
+struct Trial {
+    group: usize,
+    rows: Vec<Row>,
+    failure: Option<String>,
+}
+
+/// The units in order of work.
+struct Units<'a> {
+    trial: usize,
+    group: usize,
+    end: usize,
+    next: &'a [usize],
+}
+
+impl Iterator for Units<'_> {
+    type Item = Unit;
+
+    fn next(&mut self) -> Option<Unit> {
+        while self.trial < self.end {
+            let unit = Unit { group: self.group, trial: self.trial };
+            self.group += 1;
+            if self.group >= self.next.len() {
+                (self.trial, self.group) = (self.trial + 1, 0);
+            }
+            if self.next.get(unit.group).is_some_and(|next| unit.trial >= *next) {
+                return Some(unit);
+            }
+        }
+        None
+    }
+}
+
+/// Hands out units, and holds threads back that are too far ahead of what has been written.
+struct Queue<'a> {
+    state: Mutex<QueueState<'a>>,
+    moved: Condvar,
+    stop: AtomicBool,
+}
+
+struct QueueState<'a> {
+    units: std::iter::Enumerate<Units<'a>>,
+    given: usize,
+    written: usize,
+}
+
+impl<'a> Queue<'a> {
+    fn new(units: Units<'a>) -> Self {
+        let state = QueueState { units: units.enumerate(), given: 0, written: 0 };
+        Queue { state: Mutex::new(state), moved: Condvar::new(), stop: AtomicBool::new(false) }
+    }
+
+    fn take(&self) -> Option<(usize, Unit)> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        while state.given >= state.written + AHEAD && !self.stopped() {
+            state = self.moved.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        state.given += 1;
+        if self.stopped() { None } else { state.units.next() }
+    }
+
+    fn written(&self, done: usize) {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).written = done;
+        self.moved.notify_all();
+    }
+
+    fn stop(&self) {
+        let _state = self.state.lock().unwrap_or_else(PoisonError::into_inner); // nobody is about to wait
+        self.stop.store(true, Ordering::Relaxed);
+        self.moved.notify_all();
+    }
+
+    fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+type Handover = SyncSender<(usize, Result<Trial, Error>)>;
+
+/// What one thread does.
+fn work(experiment: &Experiment, queue: &Queue, sender: &Handover) {
+    let mut engines = Engines::default();
+    while let Some((index, unit)) = queue.take() {
+        let result = match caught(|| trial(experiment, unit, &mut engines, &|| queue.stopped())) {
+            Err(bug) if bug.class() == ErrorClass::Internal => {
+                engines = Engines::default();
+                Ok(failed(experiment, unit, &bug.to_string()))
+            }
+            result => result,
+        };
+        if sender.send((index, result)).is_err() {
+            return;
+        }
+    }
+}
+
+/// Engines that this thread has compiled: threads share none, so that they do not fight over its hint.
+#[derive(Default)]
+struct Engines {
+    fixed: BTreeMap<usize, Vec<Compiled>>,
+    drawn: Option<(usize, usize, Scene, Vec<Compiled>)>,
+}
+
+type Compiled = ((Engine, Interference), Box<dyn Checker>);
+
+impl Engines {
+    /// The scene of a trial, and the engine for it.
+    fn of<'a>(
+        &'a mut self,
+        experiment: &'a Experiment,
+        (number, scenario): (usize, &'a Scenario),
+        trial: usize,
+        options: &PlanOptions,
+        watch: &Watch,
+    ) -> Result<(&'a Scene, &'a dyn Checker), Error> {
+        let (scene, known) = match &scenario.random {
+            None => (&scenario.scene, self.fixed.entry(number).or_default()),
+            Some(random) => {
+                if !matches!(&self.drawn, Some((n, t, ..)) if (*n, *t) == (number, trial)) {
+                    let seed = derived_seed(experiment.seed, &["scene", &scenario.name], trial);
+                    let scene =
+                        random.draw_within(seed, watch).map_err(|e| e.under(&format!("scenarios[{number}]")))?;
+                    self.drawn = Some((number, trial, scene, Vec::new()));
+                }
+                let (.., scene, known) = self.drawn.as_mut().expect("just drawn");
+                (&*scene, known)
+            }
+        };
+        let wanted = (options.engine, options.interference);
+        let at = match known.iter().position(|(key, _)| *key == wanted) {
+            Some(at) => at,
+            None => {
+                known.push((wanted, engine_within(scene, wanted.0, wanted.1, watch)?));
+                known.len() - 1
+            }
+        };
+        Ok((scene, &*known[at].1))
+    }
+}
+
+fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
+    let (scenario, method) = (group / experiment.methods.len(), group % experiment.methods.len());
+    (scenario, &experiment.scenarios[scenario], &experiment.methods[method])
+}
+
+fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
+    let (number, scenario, method) = parts(experiment, unit.group);
+    let (scene, engine) =
+        engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
+    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let options = PlanOptions { seed, ..method.options.clone() };
+    let planned = || {
+        let raw = plan_with(engine, scene, &options, interrupted)?;
+        let variants = method.variants.iter();
+        variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
+    };
+    match planned() {
+        Ok(results) => {
+            let row = |((name, _), found): (&(String, _), _)| row(&scenario.name, name, unit.trial, seed, found);
+            let mut rows: Vec<Row> = method.variants.iter().zip(&results).map(row).collect();
+            if experiment.layout.history {
+                rows[0].history = results[0].history.clone();
+            }
+            Ok(Trial { group: unit.group, rows, failure: None })
+        }
+        Err(error) if error.class() == ErrorClass::Interrupted => Err(error),
+        Err(error) => Ok(failed(experiment, unit, &error.to_string())),
+    }
+}
+
+fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
+    let status = match found.status {
+        Status::Solved => TrialStatus::Solved,
+        Status::BudgetSpent => TrialStatus::BudgetSpent,
+        Status::StartInvalid => TrialStatus::StartInvalid,
+        Status::GoalInvalid => TrialStatus::GoalInvalid,
+    };
+    let solved = status == TrialStatus::Solved;
+    Row {
+        scenario: scenario.to_string(),
+        method: method.to_string(),
+        trial,
+        seed,
+        status,
+        raw_cost: solved.then_some(found.raw_cost),
+        cost: solved.then_some(found.cost),
+        raw_waypoints: solved.then_some(found.raw_waypoints.len()),
+        waypoints: solved.then_some(found.waypoints.len()),
+        nodes: solved.then_some(found.stats.nodes),
+        motion_checks: solved.then_some(found.stats.motion_checks),
+        planning_seconds: Some(found.stats.planning_seconds),
+        post_seconds: solved.then_some(found.stats.post_seconds),
+        history: Vec::new(),
+    }
+}
+
+/// The rows of a trial in which the program failed.
+fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
+    let (_, scenario, method) = parts(experiment, unit.group);
+    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let nothing = PlanResult {
+        history: Vec::new(),
+        status: Status::BudgetSpent,
+        reason: None,
+        waypoints: Vec::new(),
+        cost: f64::NAN,
+        raw_waypoints: Vec::new(),
+        raw_cost: f64::NAN,
+        tree: Default::default(),
+        stats: Default::default(),
+    };
+    let failed = |(name, _): &(String, _)| Row {
+        status: TrialStatus::Failed,
+        planning_seconds: None,
+        ..row(&scenario.name, name, unit.trial, seed, &nothing)
+    };
+    let failure = format!("{}, {}, trial {} (seed {seed}): {problem}", scenario.name, method.name, unit.trial);
+    Trial { group: unit.group, rows: method.variants.iter().map(failed).collect(), failure: Some(failure) }
+}

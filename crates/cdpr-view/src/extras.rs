@@ -1,0 +1,339 @@
+//! What a page shows besides the scene and its path: the numbers that it plots along the path, shadows, and the
+//! wrench-feasible workspace.
+
+use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::region;
+use cdpr_core::collision::path_check::path_length;
+use cdpr_core::collision::{Clearance, Constraints, WrenchLimit, tightest};
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::model::Scene;
+use cdpr_core::numerics::TOUCH_DEPTH;
+use cdpr_core::planning::SearchTree;
+use cdpr_core::regions::{RegionOptions, Regions, regions_within};
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::constraint::limit_at;
+use cdpr_core::wrench::map::Grid;
+use cdpr_core::wrench::tensions::even_steps;
+use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
+
+/// Steps along a path at which its plots are computed: about one a pixel.
+const STEPS: f64 = 300.0;
+
+/// Numbers along a path, one column for each plot. Three or four digits more than a plot can show are left out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Motion {
+    /// Way along the path, m.
+    s: Vec<f32>,
+    /// For each cable its length, m.
+    lengths: Vec<Vec<f32>>,
+    /// Gap of the pair with the least room beyond what is required of it, m; empty where there is nothing to keep away from.
+    clearance: Vec<f32>,
+    /// What is required of that pair, m.
+    required: Vec<f32>,
+    /// Which pair, as indices into `pairs`.
+    tightest: Vec<usize>,
+    /// Names of the pairs that have the least room somewhere.
+    pairs: Vec<Vec<String>>,
+    /// For each cable its tension, N, none where the loads cannot be balanced; empty where the robot has no mass or no
+    /// tension limits.
+    tensions: Vec<Vec<Option<f32>>>,
+    /// For each cable the least and the largest tension, N.
+    tension_limits: Vec<[f64; 2]>,
+    /// One for each measure of a scene with `[wrench]`; empty for robots of so many cables that they would take long.
+    margins: Vec<Margins>,
+}
+
+/// Wrench margins along a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Margins {
+    measure: &'static str,
+    unit: &'static str,
+    /// Margin beyond what is demanded, none where a cable has no direction.
+    values: Vec<Option<f32>>,
+}
+
+/// What a path is plotted by; none for a path that goes nowhere.
+///
+/// # Errors
+/// As [`Constraints::within`]; a tension solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let length = path_length(waypoints);
+    if !(length > 0.0) {
+        return Ok(None);
+    }
+    let places = even_steps(waypoints, length / STEPS)?;
+    let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
+    let constraints = Constraints::within(scene, watch)?;
+    let mut motion = Motion {
+        s: places.iter().map(|place| place.s as f32).collect(),
+        lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
+        clearance: Vec::new(),
+        required: Vec::new(),
+        tightest: Vec::new(),
+        pairs: Vec::new(),
+        tensions: Vec::new(),
+        tension_limits: Vec::new(),
+        margins: margins(scene, &positions, watch)?,
+    };
+    let tightest: Result<Vec<_>, Error> =
+        positions.par_iter().map(|position| watch.check().map(|()| tightest(&constraints, position))).collect();
+    for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
+        let known = motion.pairs.iter().position(|pair| *pair == culprits);
+        // What is kept up to the tolerance of the engines must not look broken.
+        let kept = value >= required - TOUCH_DEPTH;
+        motion.clearance.push(if kept { value.max(required) } else { value } as f32);
+        motion.required.push(required as f32);
+        motion.tightest.push(known.unwrap_or(motion.pairs.len()));
+        if known.is_none() {
+            motion.pairs.push(culprits);
+        }
+    }
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
+        let found: Result<Vec<_>, Error> = positions
+            .par_iter()
+            .map_init(TensionQp::default, |solver, position| {
+                watch.check()?;
+                statics.tensions(solver, position, None)
+            })
+            .collect();
+        let count = statics.cables().len();
+        let row = |tensions: Option<Vec<f64>>| match tensions {
+            Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
+            None => vec![None; count],
+        };
+        motion.tensions = by_cable(found?.into_iter().map(row).collect());
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if positions.len() as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK {
+        return Ok(Vec::new());
+    }
+    let along = |measure: &Measure| {
+        let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
+        let value = |position| {
+            watch.check()?;
+            Ok(Some(measure.slack(position) as f32).filter(|slack| slack.is_finite()))
+        };
+        let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
+        Ok(Margins { measure: name, unit, values: values? })
+    };
+    measures.iter().map(along).collect()
+}
+
+fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
+    let length = |cable: &cdpr_core::model::Cable| {
+        (cable.outlet - (position + scene.orientation() * cable.attachment.coords)).norm() as f32
+    };
+    scene.robot().cables().iter().map(length).collect()
+}
+
+/// Rows with a number for each cable as columns.
+fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
+    let cables = rows.first().map_or(0, Vec::len);
+    (0..cables).map(|cable| rows.iter().map(|row| row[cable].clone()).collect()).collect()
+}
+
+/// Edges of a search tree beyond which a page shows only some of them, so that it stays below 2 MB.
+const MOST_EDGES: usize = 8000;
+
+/// Edges of a search tree, each as the positions of its ends.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Edges {
+    /// Every how many edges one is shown, 1 where all are.
+    every: usize,
+    /// How many the tree has.
+    count: usize,
+    /// x, y, z of both ends, edge after edge, m.
+    ends: Vec<f32>,
+}
+
+/// A search tree as the page draws it; none if it has no edges.
+pub(super) fn tree(tree: &SearchTree<Point>) -> Option<Edges> {
+    let count = tree.edges().count();
+    let every = count.div_ceil(MOST_EDGES);
+    let ends = || tree.edges().step_by(every).flatten().flat_map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+    (count > 0).then(|| Edges { every, count, ends: ends() })
+}
+
+/// Triangles of shadows beyond which a page goes without them, so that it stays below 2 MB.
+const MOST_TRIANGLES: usize = 6000;
+/// Pairs of a cable and an obstacle beyond which shadows are not even computed.
+const MOST_SHADOWS: usize = 2000;
+
+/// The shadows of a scene in the space of attachments; none if there are none or too many.
+pub(super) fn shadows(scene: &Scene, watch: &Watch) -> Result<Option<Value>, Error> {
+    let parts: usize = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
+    if parts == 0 || parts * scene.robot().cables().len() > MOST_SHADOWS {
+        return Ok(None);
+    }
+    let found = regions_within(scene, &RegionOptions::default(), watch)?;
+    let triangles: usize = found.meshes.iter().map(|region| region.mesh.triangles.len()).sum();
+    Ok((1..=MOST_TRIANGLES).contains(&triangles).then(|| regions_value(&found, false)))
+}
+
+/// Regions as the page reads them; `shown` tells whether they are visible at first.
+pub(super) fn regions_value(regions: &Regions, shown: bool) -> Value {
+    json!({ "space": regions.space, "shown": shown, "meshes": regions.meshes.iter().map(region).collect::<Vec<_>>() })
+}
+
+/// Most steps of the wrench-feasible workspace along its longest side: at most 4913 nodes.
+const MOST_MAP_STEPS: f64 = 16.0;
+/// With fewer steps a map would say nothing, and the page goes without it.
+const LEAST_MAP_STEPS: f64 = 6.0;
+/// Positions times choices of five cables, of which each may span a facet: about two seconds on two cores.
+const MARGIN_WORK: f64 = 4e6;
+
+/// In how many ways five cables are chosen.
+fn choices(cables: usize) -> f64 {
+    (0..5).map(|k| (cables.max(5) - k) as f64 / (k + 1) as f64).product()
+}
+
+/// How fine a map of a robot with this many cables is; none if it would take too long.
+fn map_steps(cables: usize) -> Option<f64> {
+    let steps = ((MARGIN_WORK / choices(cables)).cbrt() - 1.0).floor();
+    (steps >= LEAST_MAP_STEPS).then_some(steps.min(MOST_MAP_STEPS))
+}
+
+/// A coarse grid over the positions where the platform is in the workspace.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Feasible {
+    origin: [f64; 3],
+    step: f64,
+    counts: [usize; 3],
+    /// Margin beyond what is demanded, z fastest; none where it is not positive.
+    margins: Vec<Option<f32>>,
+    measure: &'static str,
+    unit: &'static str,
+}
+
+/// Where a scene with `[wrench]` has the wrenches that it demands; none for other scenes.
+///
+/// # Errors
+/// As [`measures`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>, Error> {
+    let measures = measures(scene)?;
+    let Some(first) = measures.first() else { return Ok(None) };
+    let (min, max) = Constraints::within(scene, watch)?.position_box();
+    let longest = (max - min).max();
+    let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
+    let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
+    // Where one measure of several fails, the whole demand does.
+    let margin = |node: usize| {
+        watch.check()?;
+        let position = grid.position(node);
+        let positive = |measure: &Measure| Some(measure.slack(&position)).filter(|slack| *slack > 0.0);
+        let slacks: Option<Vec<f64>> = measures.iter().map(positive).collect();
+        Ok(slacks.map(|slacks| slacks[0] as f32))
+    };
+    let limit = limit_at(first, &grid.origin);
+    let margins: Result<Vec<_>, Error> = (0..grid.len()).into_par_iter().map(margin).collect();
+    Ok(Some(Feasible {
+        origin: grid.origin.into(),
+        step: grid.step,
+        counts: grid.counts,
+        margins: margins?,
+        measure: limit.measure,
+        unit: limit.unit,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cdpr_core::testing::{block, hard1, paper_scene, scene};
+
+    #[test]
+    fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
+        let found =
+            motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
+        assert_eq!((found.s.len(), found.s[300]), (301, 1.0));
+        assert_eq!((found.lengths.len(), found.lengths[0].len(), found.clearance.len()), (8, 301, 301));
+        assert!(found.tightest.iter().all(|&k| found.pairs[k].len() == 2));
+        assert!(found.required.iter().all(|&required| required == 0.0));
+        let (first, end) = (Point::new(0.225, 0.925, 0.275), found.lengths[0][0]);
+        assert!((f64::from(end) - first.coords.norm()).abs() < 1e-6);
+        assert!(found.tensions.iter().all(|cable| cable.iter().flatten().all(|t| (9.9..1000.1).contains(t))));
+    }
+
+    #[test]
+    fn clearances_are_plotted_with_what_is_required_of_the_tightest_pair() {
+        use cdpr_core::model::{ClearancesSpec, PairClearanceSpec};
+        let mut spec = hard1().spec().clone();
+        spec.clearance = Some(0.02);
+        let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.08 };
+        spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
+        let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
+        let named = |k: usize| found.pairs[found.tightest[k]] == ["cable 3", "pillar"];
+        for k in 0..found.s.len() {
+            assert_eq!(found.required[k], if named(k) { 0.08 } else { 0.02 });
+        }
+        assert!((0..found.s.len()).any(named) && !(0..found.s.len()).all(named));
+    }
+
+    #[test]
+    fn trees_are_drawn_whole_up_to_a_size_and_evenly_thinned_beyond() {
+        let line = |nodes: usize| SearchTree {
+            states: (0..nodes).map(|k| Point::new(k as f64, 0.5, 2.0)).collect(),
+            parents: (0..nodes).map(|k| k.saturating_sub(1)).collect(),
+        };
+        assert_eq!((tree(&line(0)), tree(&line(1))), (None, None)); // a root alone has no edge
+        let whole = tree(&line(3)).unwrap();
+        assert_eq!((whole.every, whole.count), (1, 2));
+        assert_eq!(whole.ends, [0.0, 0.5, 2.0, 1.0, 0.5, 2.0, 1.0, 0.5, 2.0, 2.0, 0.5, 2.0]);
+        let thinned = tree(&line(MOST_EDGES + 2)).unwrap();
+        assert_eq!((thinned.every, thinned.count, thinned.ends.len()), (2, MOST_EDGES + 1, (MOST_EDGES / 2 + 1) * 6));
+    }
+
+    #[test]
+    fn a_path_that_stays_has_no_plots() {
+        assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()], &Watch::NONE).unwrap(), None);
+        assert_eq!(motion(&hard1(), &[], &Watch::NONE).unwrap(), None);
+    }
+
+    #[test]
+    fn wrench_margins_are_plotted_where_they_are_demanded() {
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
+        assert_eq!(motion(&hard1(), &path, &Watch::NONE).unwrap().unwrap().margins, []);
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let demanding = Scene::new(spec).unwrap();
+        let [found] = &motion(&demanding, &path, &Watch::NONE).unwrap().unwrap().margins[..] else {
+            panic!("one measure")
+        };
+        let [measure] = &measures(&demanding).unwrap()[..] else { panic!("one measure") };
+        assert_eq!((found.measure, found.unit, found.values.len()), ("capacity", "N", 301));
+        assert_eq!(found.values[0], Some(measure.slack(&path[0]) as f32));
+        assert_eq!(found.values[300], Some(measure.slack(&path[1]) as f32));
+    }
+
+    #[test]
+    fn only_scenes_that_demand_wrenches_have_a_wrench_feasible_workspace() {
+        assert_eq!(feasible(&hard1(), &Watch::NONE).unwrap(), None);
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let found = feasible(&Scene::new(spec).unwrap(), &Watch::NONE).unwrap().unwrap();
+        assert_eq!((found.counts, found.margins.len()), ([16, 16, 17], 16 * 16 * 17));
+    }
+
+    #[test]
+    fn maps_of_many_cables_are_coarser_or_left_out() {
+        assert_eq!([3, 8, 12, 16, 24].map(map_steps), [Some(16.0), Some(16.0), Some(16.0), Some(8.0), None]);
+    }
+
+    #[test]
+    fn too_many_shadows_are_left_out() {
+        assert!(shadows(&hard1(), &Watch::NONE).unwrap().is_some());
+        let many = (0..300).map(|k| block(&format!("{k}"), [0.01; 3], [0.5, 0.5, 0.001 * k as f64 + 0.1])).collect();
+        assert!(shadows(&scene(paper_scene("many", many)), &Watch::NONE).unwrap().is_none());
+    }
+}

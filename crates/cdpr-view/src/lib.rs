@@ -1,0 +1,215 @@
+//! One self-contained HTML page that shows a scene with its path or its forbidden regions; it opens offline.
+//!
+//! What is not asked for but helps to see is computed here: the plots along the path, shadows, the wrench-feasible
+//! workspace. A part of it that cannot be computed is left out; whoever asks for a page has checked path and scene before.
+//!
+//! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
+//! scene as JSON.
+
+mod extras;
+
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use cdpr_core::collision::path_check::PathViolation;
+use cdpr_core::error::{Error, ErrorClass};
+use cdpr_core::geometry::{Point, Polytope};
+use cdpr_core::model::{Obstacle, Scene};
+use cdpr_core::planning::SearchTree;
+use cdpr_core::regions::{NamedMesh, Regions};
+use cdpr_core::watch::Watch;
+
+const TEMPLATE: &str = include_str!("assets/template.html");
+const STYLE: &str = include_str!("assets/viewer.css");
+const SCRIPT: &str = include_str!("assets/viewer.js");
+
+/// What to show of a path.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ShownPath {
+    /// How planning ended, in the words of the path file.
+    pub status: Option<String>,
+    /// The final path, m.
+    pub waypoints: Vec<Point>,
+    /// Its length, m.
+    pub cost: Option<f64>,
+    /// The path before rewinding, m.
+    pub raw_waypoints: Vec<Point>,
+    /// Its length, m.
+    pub raw_cost: Option<f64>,
+    /// Name of the planner.
+    pub planner: Option<String>,
+    /// Its search tree; empty where it is not known, as with paths from files.
+    pub tree: Arc<SearchTree<Point>>,
+}
+
+/// The page for a scene, a path and what is wrong with it.
+///
+/// # Example
+/// ```
+/// let page = cdpr_view::page(&cdpr_core::testing::hard1(), None, &[]);
+/// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
+/// ```
+pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
+    page_within(scene, path, violations, &Watch::NONE).expect("nothing stops it")
+}
+
+/// As [`page`], within a watch.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn page_within(
+    scene: &Scene,
+    path: Option<&ShownPath>,
+    violations: &[PathViolation],
+    watch: &Watch,
+) -> Result<String, Error> {
+    let motion = path.map(|path| extra(extras::motion(scene, &path.waypoints, watch))).transpose()?.flatten();
+    let regions = extra(extras::shadows(scene, watch))?;
+    let feasible = extra(extras::feasible(scene, watch))?;
+    let mut data = data(scene, path, violations);
+    data["motion"] = json!(motion);
+    data["regions"] = json!(regions);
+    data["feasible"] = json!(feasible);
+    watch.check()?;
+    Ok(filled(scene, &data))
+}
+
+/// What a page shows besides, left out where it cannot be computed; only who stops ends it all.
+fn extra<T>(found: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
+    match found {
+        Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Err(error),
+        found => Ok(found.ok().flatten()),
+    }
+}
+
+/// The page for a scene and its forbidden regions: translucent, and switched on and off by cable.
+///
+/// # Example
+/// ```
+/// use cdpr_core::regions::{RegionOptions, regions};
+/// let scene = cdpr_core::testing::hard1();
+/// let page = cdpr_view::regions_page(&scene, &regions(&scene, &RegionOptions::default())?);
+/// assert!(page.contains("cable 3 / pillar"));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
+    let mut data = data(scene, None, &[]);
+    data["regions"] = extras::regions_value(regions, true);
+    filled(scene, &data)
+}
+
+fn filled(scene: &Scene, data: &Value) -> String {
+    let data = inert(&data.to_string());
+    let title = escaped(&format!("{} – cdpr", scene.name()));
+    let parts = [("/*{{style}}*/", STYLE), ("{{title}}", &title), ("{{data}}", &data), ("/*{{script}}*/", SCRIPT)];
+    fill(TEMPLATE, &parts)
+}
+
+fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> Value {
+    let q = scene.orientation();
+    let waypoints = path.map_or(&[][..], |path| &path.waypoints); // they may go from and to other places than the scene's
+    let cable = |c: &cdpr_core::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
+    let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
+    json!({
+        "version": 1,
+        "title": scene.name(),
+        "workspace": { "min": xyz(&scene.workspace().min), "max": xyz(&scene.workspace().max) },
+        "orientation": [q.w, q.i, q.j, q.k],
+        "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
+        "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
+        "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
+        "start": waypoints.first().or(scene.start().as_ref()).map(xyz),
+        "goal": waypoints.last().or(scene.goal().as_ref()).map(xyz),
+        "path": path.map(|p| json!({
+            "status": p.status,
+            "waypoints": p.waypoints.iter().map(xyz).collect::<Vec<_>>(),
+            "cost": p.cost,
+            "raw_waypoints": p.raw_waypoints.iter().map(xyz).collect::<Vec<_>>(),
+            "raw_cost": p.raw_cost,
+            "planner": p.planner,
+            "tree": extras::tree(&p.tree),
+        })),
+        "violations": violations,
+    })
+}
+
+fn xyz(p: &Point) -> [f64; 3] {
+    [p.x, p.y, p.z]
+}
+
+fn body(body: &Polytope) -> Value {
+    let faces: Vec<&Vec<usize>> = body.facets().iter().map(|f| &f.corners).collect();
+    json!({ "vertices": body.vertices().iter().map(xyz).collect::<Vec<_>>(), "faces": faces })
+}
+
+fn region(NamedMesh { name, kind, culprits, mesh }: &NamedMesh) -> Value {
+    let vertices: Vec<[f32; 3]> = mesh.vertices.iter().map(|p| xyz(p).map(|x| x as f32)).collect();
+    json!({ "name": name, "kind": kind, "culprits": culprits, "vertices": vertices, "triangles": mesh.triangles })
+}
+
+/// JSON that cannot end the script element it stands in.
+fn inert(json: &str) -> String {
+    let mut out = String::with_capacity(json.len());
+    for c in json.chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => out.push_str(&format!("\\u{:04x}", c as u32)),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// Text with the characters escaped that mean something in HTML.
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Replaces placeholders in one pass, so that nothing inside a replacement is taken for a placeholder.
+fn fill(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut places: Vec<(usize, &str, &str)> = parts
+        .iter()
+        .map(|(mark, text)| (template.find(mark).expect("the template has every placeholder"), *mark, *text))
+        .collect();
+    places.sort_unstable();
+    let mut out = String::new();
+    let mut done = 0;
+    for (at, mark, text) in places {
+        out.push_str(&template[done..at]);
+        out.push_str(text);
+        done = at + mark.len();
+    }
+    out.push_str(&template[done..]);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cdpr_core::regions::{RegionOptions, regions};
+    use cdpr_core::testing::{block, paper_scene, scene};
+
+    #[test]
+    fn hostile_names_stay_data() {
+        let name = "</script><script>alert(1)</script>{{title}}/*{{script}}*/";
+        let scene = scene(paper_scene(name, vec![block(name, [0.1; 3], [1.0; 3])]));
+        let page = page(&scene, None, &[]);
+        assert!(!page.contains("<script>alert(1)"));
+        assert_eq!(page.matches(SCRIPT).count(), 1);
+    }
+
+    #[test]
+    fn regions_stand_in_the_data_by_name_and_space() {
+        let name = "</script><script>alert(1)</script>";
+        let scene = scene(paper_scene("regions", vec![block(name, [0.1; 3], [1.0; 3])]));
+        let found = regions(&scene, &RegionOptions { all: true, ..RegionOptions::default() }).unwrap();
+        let page = regions_page(&scene, &found);
+        assert!(!page.contains("<script>alert(1)"));
+        let (_, rest) = page.split_once("id=\"cdpr-data\">").unwrap();
+        let data: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+        assert_eq!(data["regions"]["space"], "position");
+        let meshes = data["regions"]["meshes"].as_array().unwrap();
+        assert_eq!((meshes.len(), &meshes[0]["culprits"]), (found.meshes.len(), &json!(["platform", name])));
+        assert_eq!(meshes[0]["triangles"], json!(found.meshes[0].mesh.triangles));
+    }
+}

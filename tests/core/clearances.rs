@@ -1,0 +1,268 @@
+//! Clearances by kind and by pair, pairs that may touch, and pairs that are exempt: what is demanded, measured and listed.
+
+use cdpr_core::collision::path_check::{Nearest, nearest};
+use cdpr_core::collision::{Checker, Engine, Interference, Kind, Reason, check_path};
+use cdpr_core::geometry::Point;
+use cdpr_core::model::{ClearancesSpec, PairClearanceSpec, RobotSource, Scene, SceneSpec};
+use cdpr_core::plan::{PlanOptions, engine_for, lower_bound, plan};
+use cdpr_core::planning::Status;
+use cdpr_core::testing::{block, paper_scene, scene};
+use cdpr_core::watch::Watch;
+use cdpr_files::scene_from_text;
+use cdpr_files::text::Notation;
+
+const PATH: [Point; 3] = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.8), Point::new(1.7, 1.0, 1.8)];
+
+fn pillar() -> SceneSpec {
+    paper_scene("pillar", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])])
+}
+
+fn both(spec: &SceneSpec) -> [Box<dyn Checker>; 2] {
+    let scene = scene(spec.clone());
+    [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap())
+}
+
+fn of_path(spec: &SceneSpec, path: &[Point]) -> Nearest {
+    nearest(both(spec)[0].constraints(), path, &Watch::NONE).unwrap()
+}
+
+fn between(a: &str, b: &str) -> [String; 2] {
+    [a.to_string(), b.to_string()]
+}
+
+fn pair(a: &str, b: &str, clearance: f64) -> PairClearanceSpec {
+    PairClearanceSpec { between: between(a, b), clearance }
+}
+
+fn with(clearances: ClearancesSpec) -> SceneSpec {
+    SceneSpec { clearances: Some(clearances), ..pillar() }
+}
+
+/// The paper's robot with thick cables: some pairs can be no farther apart than their attachments.
+fn thick(diameter: f64, clearance: f64) -> SceneSpec {
+    let mut spec = SceneSpec { clearance: Some(clearance), ..paper_scene("thick", Vec::new()) };
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
+    robot.cables.iter_mut().for_each(|cable| cable.diameter = Some(diameter));
+    spec
+}
+
+#[test]
+fn a_demand_that_no_position_keeps_hides_no_gap() {
+    let free = of_path(&thick(0.0, 0.0), &PATH);
+    assert!(free.exempt.is_empty() && free.min_clearance_not_exempt.is_none());
+    let least = free.min_clearance.unwrap();
+    for clearance in [0.01, 0.2, 3.0] {
+        let found = of_path(&thick(0.0, clearance), &PATH);
+        let measured = found.min_clearance.unwrap();
+        assert_eq!((measured.value, &measured.culprits), (least.value, &least.culprits), "{clearance}");
+        if clearance == 0.01 {
+            assert!(found.exempt.is_empty() && measured.required == 0.01);
+            continue;
+        }
+        assert!(!found.exempt.is_empty());
+        for exempt in &found.exempt {
+            let (exemption, gap) = (&exempt.exemption, exempt.gap.unwrap());
+            assert_eq!((exemption.reason, exemption.demanded), (Reason::Unattainable, clearance));
+            assert!(gap >= least.value - 1e-12 && gap <= exemption.attainable.unwrap() + 1e-12);
+            assert!(exemption.attainable.unwrap() < clearance);
+        }
+        assert_eq!(found.exempt.iter().filter_map(|e| e.gap).fold(f64::INFINITY, f64::min), least.value);
+        let others = found.min_clearance_not_exempt;
+        assert!(others.is_none_or(|others| others.value >= least.value));
+    }
+}
+
+#[test]
+fn exempt_cables_must_still_not_touch() {
+    // The cables are at most 50 mm apart; as thick as that they can never keep from overlapping.
+    for (diameter, overlaps) in [(0.03, false), (0.06, true)] {
+        let mut spec = thick(diameter, 0.3);
+        let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
+        robot.cables[4].outlet = [0.0, 0.0, 0.3];
+        let [cspace, gjk] = both(&spec);
+        let exempt = &cspace.constraints().exempt;
+        let vertical = exempt.iter().find(|e| e.pair == ["cable 0", "cable 4"]).unwrap();
+        assert_eq!(vertical.attainable.unwrap() < 0.0, overlaps, "{vertical:?}");
+        assert!((vertical.attainable.unwrap() - (0.05 - diameter)).abs() < 1e-9);
+        assert_eq!(vertical.sentence().contains("must still not touch"), !overlaps, "{}", vertical.sentence());
+        let index = vertical.conditions[0];
+        let mut refused = [0, 0];
+        for k in 0..1000 {
+            let p = {
+                let at = |step: usize| 0.1 + 0.0018 * ((k * step) % 1000) as f64;
+                Point::new(at(1), at(13), at(7))
+            };
+            let near = cspace.constraints().list[index].clone();
+            let cdpr_core::collision::Condition::CableCable(near) = near else { unreachable!("a pair of cables") };
+            let gap = near.nearest(&p).distance - diameter;
+            for (engine, refused) in [&cspace, &gjk].into_iter().zip(&mut refused) {
+                let breaks = engine.breaks(index, &p, &p);
+                *refused += usize::from(breaks);
+                assert!(overlaps || gap.abs() < 1e-7 || breaks == (gap < 0.0), "{p}: {gap}");
+            }
+        }
+        assert!(refused[0] == refused[1] && (overlaps == (refused[0] == 0)), "{refused:?}");
+    }
+}
+
+#[test]
+fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
+    let clearances = ClearancesSpec {
+        platform_obstacle: Some(0.2),
+        cable_cable: Some(0.0),
+        pairs: vec![pair("pillar", "cable 3", 0.07), pair("cable 0", "cable 4", 0.001)],
+        ..ClearancesSpec::default()
+    };
+    let spec = SceneSpec { clearance: Some(0.01), ..with(clearances) };
+    let [engine, _] = both(&spec);
+    let constraints = engine.constraints();
+    for constraint in &constraints.list {
+        let Some(required) = constraints.required(constraint) else { continue };
+        let culprits = constraints.culprits(constraint);
+        let expected = match (constraints.kind(constraint), [&*culprits[0], &*culprits[1]]) {
+            (Kind::PlatformObstacle, _) => 0.2,
+            (Kind::CableObstacle, ["cable 3", "pillar"]) => 0.07,
+            (Kind::CableCable, ["cable 0", "cable 4"]) => 0.001,
+            (Kind::CableCable, _) => 0.0,
+            _ => 0.01,
+        };
+        assert_eq!(required, expected, "{culprits:?}");
+    }
+    // What is planned keeps each of them, and no path is shorter than its bound.
+    let scene = scene(spec);
+    let found = plan(&scene, &PlanOptions::default(), &|| false).unwrap();
+    assert_eq!(found.status, Status::Solved);
+    for engine in both(scene.spec()) {
+        assert!(check_path(&*engine, &found.waypoints, &Watch::NONE).unwrap().valid);
+        let (from, to) = (found.waypoints[0], *found.waypoints.last().unwrap());
+        let bound = lower_bound(&*engine, &from, &to, &Watch::NONE).unwrap();
+        assert!(bound <= found.cost + 1e-9 && found.cost > 2.5, "{bound} {}", found.cost);
+        let constraints = engine.constraints();
+        for (k, constraint) in constraints.list.iter().enumerate() {
+            let Some(required) = constraints.required(constraint) else { continue };
+            let gap = cdpr_core::collision::path_check::nearest_of(constraints, &[k], &found.waypoints, &Watch::NONE);
+            assert!(gap.unwrap().unwrap().value >= required - 1e-7, "{:?}", constraints.culprits(constraint));
+        }
+    }
+    // 0.2 m from the platform alone cost more than 0.01 m from all.
+    let narrow =
+        plan(&self::scene(SceneSpec { clearance: Some(0.01), ..pillar() }), &PlanOptions::default(), &|| false);
+    assert!(narrow.unwrap().cost < found.cost - 0.05);
+}
+
+/// A platform 0.05 m high that stands on a conveyor 0.2 m high at the start.
+fn conveyor() -> SceneSpec {
+    let mut spec = paper_scene("conveyor", vec![block("conveyor", [0.5, 2.0, 0.2], [0.3, 1.0, 0.1])]);
+    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.225]);
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
+    robot.cables.drain(..4); // those from below
+    SceneSpec { clearance: Some(0.02), ..spec }
+}
+
+#[test]
+fn a_pair_that_may_touch_touches_but_does_not_enter() {
+    let at = |z: f64| Point::new(0.3, 1.0, z);
+    let touching = SceneSpec { touch: vec![between("platform", "conveyor")], ..conveyor() };
+    for engine in both(&conveyor()) {
+        assert!(!engine.state_valid(&at(0.225)) && engine.state_valid(&at(0.2451)));
+    }
+    for engine in both(&touching) {
+        for (depth, valid) in [(-0.001, true), (0.0, true), (5e-10, true), (1e-7, false), (0.001, false)] {
+            assert_eq!(engine.state_valid(&at(0.225 - depth)), valid, "{depth}");
+            assert_eq!(engine.motion_valid(&at(0.4), &at(0.225 - depth)), valid, "{depth}");
+        }
+        // Along the conveyor, down to it and up again.
+        let along = [Point::new(0.3, 0.6, 0.225), Point::new(0.3, 1.4, 0.225)];
+        assert!(engine.motion_valid(&along[0], &along[1]));
+        assert!(!engine.motion_valid(&along[0], &(along[1] - cdpr_core::geometry::Vector::z() * 1e-6)));
+        // The cables keep their distance from it all the same.
+        let demands = engine.constraints().list.iter().filter(|c| engine.constraints().kind(c) == Kind::CableObstacle);
+        assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.constraints().required(c) == Some(0.02)));
+    }
+    let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap();
+    assert_eq!(planned.status, Status::Solved, "{:?}", planned.reason);
+    let found = of_path(&touching, &planned.waypoints);
+    let [exempt] = &found.exempt[..] else { panic!("{:?}", found.exempt) };
+    assert_eq!((exempt.exemption.reason, exempt.exemption.demanded), (Reason::Touch, 0.02));
+    assert_eq!(exempt.exemption.pair, ["platform", "conveyor"]);
+    assert!(exempt.gap.unwrap().abs() < 1e-9 && found.min_clearance.unwrap().value.abs() < 1e-9);
+    assert!(found.min_clearance_not_exempt.unwrap().value >= 0.02 - 1e-7);
+    // `ignore` lets it through, and says so.
+    let ignoring = SceneSpec { ignore: vec![between("platform", "conveyor")], ..conveyor() };
+    let unchecked = |engine: &dyn Checker| {
+        let constraints = engine.constraints();
+        constraints.list.iter().all(|constraint| constraints.kind(constraint) != Kind::PlatformObstacle)
+    };
+    assert!(both(&ignoring).iter().all(|engine| unchecked(&**engine)));
+    let [exempt] = &of_path(&ignoring, &PATH).exempt[..] else { panic!("one is listed") };
+    assert_eq!((exempt.exemption.reason, exempt.gap), (Reason::Ignore, None));
+}
+
+#[test]
+fn an_outlet_nearer_than_the_clearance_needs_one_of_its_own() {
+    // The outlet of cable 0 is 10 mm beside a mast.
+    let mast = SceneSpec {
+        clearance: Some(0.03),
+        ..paper_scene("mast", vec![block("mast", [0.1, 0.1, 1.0], [-0.06, 0.0, 0.0])])
+    };
+    let at = Point::new(1.0, 1.0, 1.0);
+    let [engine, _] = both(&mast);
+    assert!(!engine.state_valid(&at));
+    let note = &engine.constraints().notes[0];
+    assert!(note.contains("[[clearances.pairs]]") && note.contains("touch = [[\"cable 0\", \"mast\"]]"), "{note}");
+    let pairs = vec![pair("cable 0", "mast", 0.009)];
+    let own = SceneSpec { clearances: Some(ClearancesSpec { pairs, ..ClearancesSpec::default() }), ..mast.clone() };
+    let touch = SceneSpec { touch: vec![between("mast", "cable 0")], ..mast };
+    for spec in [own, touch] {
+        for engine in both(&spec) {
+            assert!(engine.state_valid(&at) && engine.constraints().notes.is_empty());
+        }
+    }
+}
+
+#[test]
+fn tables_of_clearances_are_read_and_slips_are_told() {
+    let text = |more: &str| {
+        let tables_from = ["[[clearances", "[clearances"].iter().filter_map(|table| more.find(table)).min();
+        let (keys, tables) = more.split_at(tables_from.unwrap_or(more.len()));
+        let scene = toml::to_string(&pillar()).unwrap().replace("version = 1\n", &format!("version = 1\n{keys}\n"));
+        scene_from_text(&format!("{scene}\n{tables}"), Notation::Toml, None)
+    };
+    let good = "touch = [[\"platform\", \"pillar\"]]\n[clearances]\ncable_cable = 0.02\n[[clearances.pairs]]\nbetween = [\"cable 1\", \"pillar\"]\nclearance = 0.05";
+    let scene: Scene = text(good).unwrap();
+    let again = Scene::new(serde_json::from_str(&serde_json::to_string(scene.spec()).unwrap()).unwrap()).unwrap();
+    assert_eq!((&again, again.fingerprint()), (&scene, scene.fingerprint()));
+    assert_ne!(scene.fingerprint(), text("").unwrap().fingerprint());
+    let named = |pairs: &str| format!("[clearances]\n{pairs}");
+    let two = "[[clearances.pairs]]\nbetween = [\"cable 1\", \"pillar\"]\nclearance = 0.05\n[[clearances.pairs]]\nbetween = [\"pillar\", \"cable 1\"]\nclearance = 0.06";
+    for (more, words) in [
+        (named("cabel_cable = 0.02"), vec!["clearances", "cabel_cable", "cable_cable"]),
+        (named("cable_cable = -0.02"), vec!["clearances.cable_cable", "-0.02"]),
+        (named("cable_cable = nan"), vec!["clearances.cable_cable", "NaN"]),
+        (
+            "[[clearances.pairs]]\nbetween = [\"cabel 1\", \"pillar\"]\nclearance = 0.1".to_string(),
+            vec!["clearances.pairs[0].between", "did you mean \"cable 1\""],
+        ),
+        (
+            "[[clearances.pairs]]\nbetween = [\"pillar\", \"pillar\"]\nclearance = 0.1".to_string(),
+            vec!["clearances.pairs[0].between", "different"],
+        ),
+        (
+            "[[clearances.pairs]]\nbetween = [\"cable 1\", \"pillar\"]".to_string(),
+            vec!["clearances.pairs[0]", "clearance"],
+        ),
+        (
+            "[[clearances.pairs]]\nbetween = [\"cable 1\", \"pillar\"]\nclearance = inf".to_string(),
+            vec!["clearances.pairs[0].clearance", "inf"],
+        ),
+        (two.to_string(), vec!["clearances.pairs[1].between", "has a clearance of 0.05 m already"]),
+        ("touch = [[\"platform\", \"piller\"]]".to_string(), vec!["touch[0]", "did you mean \"pillar\""]),
+        (
+            "touch = [[\"platform\", \"pillar\"]]\nignore = [[\"pillar\", \"platform\"]]".to_string(),
+            vec!["touch[0]", "stands in ignore already"],
+        ),
+    ] {
+        let told = text(&more).unwrap_err().to_string();
+        assert!(words.iter().all(|word| told.contains(word)), "{words:?} in {told}");
+    }
+}

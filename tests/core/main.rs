@@ -1,0 +1,13 @@
+//! Planning, checking and wrenches: known answers, properties, and wrong answers that were found once.
+
+mod anytime;
+mod clearances;
+mod decomposition;
+mod orientation;
+mod planners;
+mod planning;
+mod properties;
+mod random_scenes;
+mod regions;
+mod regressions;
+mod wrench_planning;

@@ -1,0 +1,279 @@
+//! Planning and rewinding: the figures of the study, reproducibility, and how a run can end.
+
+use std::time::{Duration, Instant};
+
+use cdpr_core::collision::path_check::path_length;
+use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
+use cdpr_core::geometry::Point;
+use cdpr_core::model::{QuerySpec, Scene};
+use cdpr_core::plan::{PlanOptions, PlanResult, Processing, plan, shorten_path, trace_rewinding};
+use cdpr_core::planning::{Planner, PlannerOptions, Status};
+use cdpr_core::postprocess::{Direction, Order, RewindOptions};
+use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::watch::Watch;
+use rand::RngExt;
+use rayon::prelude::*;
+
+const STEP: f64 = 0.1;
+
+fn planned(scene: &Scene, options: PlanOptions) -> PlanResult {
+    plan(scene, &options, &|| false).unwrap()
+}
+
+/// The default planner with so many samples.
+fn samples(max_samples: usize) -> PlannerOptions {
+    let mut planner = PlannerOptions::of(Planner::ModifiedRrt);
+    planner.limits_mut().max_samples = max_samples;
+    planner
+}
+
+/// Every segment valid, and every state in steps of a millimetre.
+fn assert_valid(engine: &GjkEngine, path: &[Point]) {
+    for pair in path.windows(2) {
+        assert!(engine.motion_valid(&pair[0], &pair[1]));
+        let steps = ((pair[1] - pair[0]).norm() / 1e-3).ceil();
+        for k in 0..=steps as usize {
+            assert!(engine.state_valid(&(pair[0] + (pair[1] - pair[0]) * (k as f64 / steps.max(1.0)))));
+        }
+    }
+}
+
+/// Another implementation found these mean costs over 1000 runs: raw, and after rewinding in steps of 0.1 m.
+fn mean_costs_are_near(scene: &Scene, raw: f64, rewound: f64) {
+    const SEEDS: u64 = 1000;
+    let engine = GjkEngine::new(scene, Interference::Exact).unwrap();
+    let results: Vec<PlanResult> = (0..SEEDS)
+        .into_par_iter()
+        .map(|seed| planned(scene, PlanOptions { seed, step: STEP, ..PlanOptions::paper() }))
+        .collect();
+    for result in &results {
+        assert_eq!(result.status, Status::Solved);
+        assert!(result.cost <= result.raw_cost);
+        assert!((path_length(&result.waypoints) - result.cost).abs() < 1e-12);
+    }
+    results.par_iter().step_by(10).for_each(|result| assert_valid(&engine, &result.waypoints));
+    let mean = |cost: fn(&PlanResult) -> f64| results.iter().map(cost).sum::<f64>() / SEEDS as f64;
+    let (found_raw, found) = (mean(|r| r.raw_cost), mean(|r| r.cost));
+    eprintln!("{}: raw {found_raw:.3} m (expected {raw}), rewound {found:.3} m (expected {rewound})", scene.name());
+    assert!((found_raw / raw - 1.0).abs() < 0.03 && (found / rewound - 1.0).abs() < 0.03);
+}
+
+#[test]
+fn hard1_costs_what_the_study_says() {
+    mean_costs_are_near(&hard1(), 2.950, 2.621);
+}
+
+#[test]
+fn hard3_costs_what_the_study_says() {
+    mean_costs_are_near(&hard3(), 3.184, 2.812);
+}
+
+#[test]
+fn the_same_seed_gives_the_same_path_and_another_seed_another() {
+    let path = |seed| planned(&hard1(), PlanOptions { seed, ..PlanOptions::paper() }).waypoints;
+    assert_eq!(path(5), path(5));
+    assert_ne!(path(5), path(6));
+}
+
+#[test]
+fn without_obstacles_the_path_is_the_straight_line() {
+    let found = planned(&empty(), PlanOptions::default());
+    assert_eq!((found.waypoints.len(), found.stats.motion_checks), (2, 1));
+}
+
+#[test]
+fn start_equal_to_goal_costs_nothing() {
+    let at = Some(Point::new(0.3, 1.0, 0.3));
+    let found = planned(&hard1(), PlanOptions { start: at, goal: at, ..PlanOptions::paper() });
+    assert_eq!((found.status, found.cost, found.waypoints.len()), (Status::Solved, 0.0, 2));
+}
+
+#[test]
+fn invalid_ends_are_answers_with_reasons() {
+    let inside = Some(Point::new(1.0, 1.0, 0.5));
+    let outside = Some(Point::new(-5.0, 1.0, 0.5));
+    for (options, status) in [
+        (PlanOptions { start: inside, ..PlanOptions::paper() }, Status::StartInvalid),
+        (PlanOptions { goal: inside, ..PlanOptions::paper() }, Status::GoalInvalid),
+        (PlanOptions { goal: outside, ..PlanOptions::paper() }, Status::GoalInvalid),
+    ] {
+        let found = planned(&hard1(), options);
+        assert_eq!((found.status, found.reason.is_some(), found.waypoints.len()), (status, true, 0));
+        assert!(found.cost.is_nan());
+    }
+}
+
+/// A slab across the whole workspace: no way through.
+fn walled() -> Scene {
+    scene(paper_scene("walled", vec![block("wall", [0.05, 2.0, 2.0], [1.0, 1.0, 1.0])]))
+}
+
+/// The walled scene with cables that may pass the wall, so that only the platform is held back.
+fn walled_platform() -> Scene {
+    let mut spec = walled().spec().clone();
+    spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
+    scene(spec)
+}
+
+#[test]
+fn a_spent_budget_is_told() {
+    let found = planned(&walled_platform(), PlanOptions { planner: samples(300), ..PlanOptions::paper() });
+    assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 300));
+    assert!(found.raw_cost.is_nan());
+}
+
+#[test]
+fn a_time_budget_and_an_interruption_end_the_search() {
+    let endless = PlanOptions { planner: samples(usize::MAX), ..PlanOptions::paper() };
+    let clock = Instant::now();
+    let budget = Some(Duration::from_millis(50));
+    let found = planned(&walled_platform(), PlanOptions { budget, ..endless.clone() });
+    assert_eq!(found.status, Status::BudgetSpent);
+    let interrupted = plan(&walled_platform(), &endless, &|| clock.elapsed() > Duration::from_millis(200));
+    assert!(interrupted.unwrap_err().to_string().contains("interrupted"));
+    assert!(clock.elapsed() < Duration::from_secs(5));
+}
+
+#[test]
+fn bad_questions_are_errors() {
+    let ask = |scene: &Scene, options: PlanOptions| plan(scene, &options, &|| false).unwrap_err().to_string();
+    for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        assert!(ask(&hard1(), PlanOptions { step, ..PlanOptions::paper() }).contains("step"));
+    }
+    let nowhere = Some(Point::new(f64::NAN, 0.0, 0.0));
+    assert!(ask(&hard1(), PlanOptions { start: nowhere, ..PlanOptions::paper() }).contains("start"));
+    let mut spec = paper_scene("no query", Vec::new());
+    spec.query = None;
+    assert!(ask(&scene(spec), PlanOptions::default()).contains("query.start"));
+}
+
+#[test]
+fn a_goal_in_free_space_behind_a_turned_platform_is_planned() {
+    let mut spec = hard1().spec().clone();
+    let half = std::f64::consts::FRAC_PI_8;
+    let turned = Some([half.cos(), 0.0, 0.0, half.sin()].into());
+    spec.query = Some(QuerySpec { orientation: turned, ..spec.query.unwrap() });
+    let scene = scene(spec);
+    let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
+    let found = planned(&scene, PlanOptions::default());
+    assert_eq!(found.status, Status::Solved);
+    assert_valid(&engine, &found.waypoints);
+}
+
+/// A valid random walk in hard1.
+fn wandering_path(engine: &GjkEngine, seed: u64) -> Vec<Point> {
+    let mut rng = cdpr_tests::rng(seed);
+    let mut path = vec![Point::new(0.3, 1.0, 0.3)];
+    while path.len() < 12 {
+        let next = Point::from(cdpr_tests::vector(&mut rng, 0.9)) + Point::new(1.0, 1.0, 1.0).coords;
+        if engine.motion_valid(&path[path.len() - 1], &next) {
+            path.push(next);
+        }
+    }
+    path
+}
+
+#[test]
+fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
+    let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
+    for seed in 0..60 {
+        let path = wandering_path(&engine, seed);
+        let cost = |options: &RewindOptions| {
+            let rewound = shorten_path(&engine, &path, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap();
+            assert_eq!((rewound[0], rewound[rewound.len() - 1]), (path[0], path[path.len() - 1]));
+            assert_valid(&engine, &rewound);
+            path_length(&rewound)
+        };
+        let order = |order| cost(&RewindOptions { step: STEP, order, repeats: 1 });
+        let (backward, forward, both) = (order(Order::Backward), order(Order::Forward), order(Order::Both));
+        assert!(backward <= path_length(&path) && forward <= path_length(&path));
+        assert_eq!(both, backward.min(forward));
+        assert!(cost(&RewindOptions { step: STEP, order: Order::Both, repeats: 5 }) <= both);
+    }
+}
+
+#[test]
+fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
+    let scene = hard1();
+    let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
+    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints;
+    let pair = |order| {
+        let options = RewindOptions { step: STEP, order, repeats: 1 };
+        shorten_path(&engine, &raw, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap()
+    };
+    let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &Watch::NONE).unwrap();
+    for (order, first, second) in [
+        (Order::Backward, Direction::Backward, Direction::Forward),
+        (Order::Forward, Direction::Forward, Direction::Backward),
+    ] {
+        let once = traced(&raw, first);
+        assert!(path_length(&once.path) < path_length(&raw));
+        assert_eq!(traced(&once.path, second).path, pair(order));
+        assert!(once.tries.iter().any(|t| t.valid) && once.tries.iter().any(|t| !t.valid));
+        for asked in &once.tries {
+            assert_eq!(asked.valid, engine.motion_valid(&asked.from, &asked.to));
+        }
+    }
+}
+
+#[test]
+fn rewinding_handles_doubled_waypoints_and_detours() {
+    let engine = GjkEngine::new(&empty(), Interference::Exact).unwrap();
+    let (a, b, c) = (Point::new(0.3, 1.0, 0.3), Point::new(1.0, 1.6, 1.0), Point::new(1.7, 1.0, 1.7));
+    for path in [vec![a, a, b, b, c, c], vec![a, c, a, c], vec![a, a], vec![a, c]] {
+        let rewound =
+            shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
+        let straight = (path[path.len() - 1] - path[0]).norm();
+        assert!((path_length(&rewound) - straight).abs() < 1e-9, "{path:?} gave {rewound:?}");
+    }
+}
+
+#[test]
+fn rewinding_refuses_a_path_in_collision_by_name() {
+    let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
+    let path = [Point::new(0.3, 1.0, 0.3), Point::new(1.7, 1.0, 1.7)];
+    let error = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("waypoints[0]") && error.contains("pillar"), "{error}");
+}
+
+#[test]
+fn a_report_names_segment_place_culprits_and_nearest_approach() {
+    let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
+    let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 0.4), Point::new(1.7, 1.0, 1.7)];
+    let report = check_path(&engine, &path, &Watch::NONE).unwrap();
+    assert!(!report.valid && report.violations.iter().all(|v| v.segment == 1));
+    let platform = report.violations.iter().find(|v| v.violation.culprits == ["platform", "pillar"]).unwrap();
+    // The platform's face x = p.x + 0.075 reaches the pillar's side x = 0.85 where p.x = 0.775.
+    assert!((platform.violation.at - (0.775 - 0.3) / 1.4).abs() < 1e-8, "{platform:?}");
+    assert!(report.nearest.min_clearance.unwrap().value < -0.1);
+}
+
+#[test]
+fn random_scenes_give_valid_paths_or_honest_ends() {
+    let mut rng = cdpr_tests::rng(11);
+    let (mut solved, mut asked) = (0, 0);
+    for seed in 0..150 {
+        let pillar = |k: usize| {
+            let (x, y) = (rng.random::<f64>() * 1.6 + 0.2, rng.random::<f64>() * 1.6 + 0.2);
+            block(&format!("p{k}"), [0.15, 0.15, 1.0], [x, y, 0.5])
+        };
+        let mut spec = paper_scene("random", (0..3).map(pillar).collect());
+        spec.clearance = Some([0.0, 0.01][seed as usize % 2]);
+        let scene = scene(spec);
+        let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
+        let found = planned(&scene, PlanOptions { seed, planner: samples(500), ..PlanOptions::paper() });
+        // As in the paper, only scenes count whose start and goal are free.
+        asked += usize::from(matches!(found.status, Status::Solved | Status::BudgetSpent));
+        if found.status == Status::Solved {
+            solved += 1;
+            assert_valid(&engine, &found.waypoints);
+            assert!(
+                check_path(&engine, &found.waypoints, &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value
+                    > scene.pairs().largest() - 1e-7
+            );
+        }
+    }
+    assert!(solved > 20 && 2 * solved > asked, "{solved} of {asked}");
+}

@@ -1,0 +1,12 @@
+//! What reads and writes files, meshes, pages and experiments.
+
+mod array_lengths;
+mod bad_input;
+mod batch;
+mod built_scenes;
+mod hostile_files;
+mod import;
+mod mesh;
+mod mesh_bodies;
+mod mesh_parts;
+mod wrench_map;
