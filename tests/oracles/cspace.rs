@@ -365,12 +365,12 @@ fn a_motion_is_free_up_to_its_first_contact() {
     for k in 0..300 {
         let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
         let kind = Kind { clearance, special: k % 2 == 0, ..Kind::default() };
-        let scene = crate::support::scenes::scene(&mut rng, kind);
+        let scene = cdpr_tests::scenes::scene(&mut rng, kind);
         let rule = if k % 4 == 0 { Interference::Swept } else { Interference::Exact };
         let engines: [Box<dyn Checker>; 2] =
             [Box::new(CspaceEngine::new(&scene, rule).unwrap()), Box::new(GjkEngine::new(&scene, rule).unwrap())];
         for _ in 0..4 {
-            let p = Point::from(crate::support::vector(&mut rng, 2.0));
+            let p = Point::from(cdpr_tests::vector(&mut rng, 2.0));
             let q = p + direction(&mut rng) * uniform(&mut rng, 0.1, 2.0);
             for engine in &engines {
                 let violations = engine.violations(&p, &q);
@@ -405,7 +405,7 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
     let mut inside = 0;
     for k in 0..60 {
         let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
-        let scene = crate::support::scenes::scene(&mut rng, Kind { clearance, ..Kind::default() });
+        let scene = cdpr_tests::scenes::scene(&mut rng, Kind { clearance, ..Kind::default() });
         let (cspace, gjk) = engines(&scene);
         let pieces = cspace.pieces(&Watch::NONE).unwrap();
         let outer = cspace.polyhedra(&Watch::NONE).unwrap();
