@@ -21,7 +21,7 @@ fn engines(scene: &Scene) -> (CspaceEngine, GjkEngine) {
 fn assert_agree(name: &str, spec: SceneSpec) {
     let scene = Scene::new(spec).unwrap();
     let (cspace, gjk) = engines(&scene);
-    let space = TranslationSpace::of(gjk.constraints());
+    let space = TranslationSpace::of(gjk.conditions());
     let mut rng = rng(1);
     let (mut hits, mut free) = (0, 0);
     for _ in 0..4000 {
@@ -284,7 +284,7 @@ fn the_same_answers_without_simd() {
         let scene = cdpr_tests::scenes::scene(&mut rng, kind);
         let fast = CspaceEngine::new(&scene, Interference::Exact).unwrap();
         let portable = fast.clone().portable();
-        let space = TranslationSpace::of(fast.constraints());
+        let space = TranslationSpace::of(fast.conditions());
         for _ in 0..500 {
             let (Some(p), Some(q)) = (space.sample(&mut rng), space.sample(&mut rng)) else { break };
             let q = p + (q - p) * 10f64.powf(uniform(&mut rng, -6.0, 0.0));
@@ -314,7 +314,7 @@ fn recompiling_after_a_change_gives_what_compiling_gives() {
         for clearance in [0.0, 0.02] {
             let after = scene(SceneSpec { clearance: Some(clearance), ..paper_scene("posts", obstacles.clone()) });
             let (again, fresh) = (before.recompiled(&after).unwrap(), engines(&after).0);
-            let space = TranslationSpace::of(fresh.constraints());
+            let space = TranslationSpace::of(fresh.conditions());
             for _ in 0..2000 {
                 let (p, q) = (space.sample(&mut rng).unwrap(), space.sample(&mut rng).unwrap());
                 let q = p + (q - p) * 0.2;
@@ -382,15 +382,15 @@ fn a_motion_is_free_up_to_its_first_contact() {
                 let until = |t: f64| p + (q - p) * t;
                 assert!(t == 0.0 || engine.motion_valid(&p, &until(t - 1e-6)), "{t}");
                 assert!(engine.breaks(index, &p, &until(t)) && !engine.motion_valid(&p, &until(t)));
-                let constraints = engine.constraints();
-                let condition = &constraints.list[index];
-                if condition.details().closes_seam(&constraints.bodies) {
+                let conditions = engine.conditions();
+                let condition = &conditions.list[index];
+                if condition.details().closes_seam(&conditions.bodies) {
                     seams += 1; // the violation is reported of a part beside it, which is met later
                     assert!(violations.iter().all(|violation| t <= violation.at));
                     continue;
                 }
                 contacts += 1;
-                let found = (t, constraints.kind(condition), constraints.culprits(condition));
+                let found = (t, conditions.kind(condition), conditions.culprits(condition));
                 let first = violations.into_iter().next().unwrap();
                 assert_eq!(found, (first.at, first.kind, first.culprits));
             }
@@ -418,7 +418,7 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
                 .iter()
                 .all(|piece| outer.iter().any(|p| (p.condition, &p.half_spaces) == (piece.condition, &piece.outer)))
         );
-        let space = TranslationSpace::of(gjk.constraints());
+        let space = TranslationSpace::of(gjk.conditions());
         for _ in 0..300 {
             let Some(p) = space.sample(&mut rng) else { break };
             for polyhedron in &certain {
@@ -449,7 +449,7 @@ fn both_engines_plan_the_same_path() {
 #[test]
 fn a_million_checks_allocate_nothing() {
     let engine = engines(&hard3()).0;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let mut rng = rng(13);
     let places: Vec<Point> = (0..1001).map(|_| space.sample(&mut rng).unwrap()).collect();
     let mut free = 0;

@@ -13,7 +13,7 @@ pub mod path_check;
 pub mod validity;
 pub mod violation;
 
-pub use crate::conditions::{Condition, Constraints, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
+pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
 pub use clearance::{Clearance, tightest};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;

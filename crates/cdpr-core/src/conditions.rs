@@ -135,7 +135,7 @@ impl Condition {
 /// Everything that does not depend on the position is settled here, once: rotated platform and attachments, which pairs touch
 /// by construction, which can never keep the demanded distance. Engines only evaluate the list.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Constraints {
+pub struct Conditions {
     /// What the conditions are about.
     pub bodies: Bodies,
     /// The conditions, cheap ones first.
@@ -157,7 +157,7 @@ fn open_orientation(scene: &Scene) -> Option<String> {
 /// Conditions from which on all cores work on them.
 const IN_PARALLEL: usize = 256;
 
-impl Constraints {
+impl Conditions {
     /// The conditions of a scene at its orientation.
     ///
     /// # Errors
@@ -166,7 +166,7 @@ impl Constraints {
         Self::within(scene, &Watch::NONE)
     }
 
-    /// As [`Constraints::new`], within a watch.
+    /// As [`Conditions::new`], within a watch.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -180,7 +180,7 @@ impl Constraints {
             condition.is_about_gap(&bodies).then(|| condition.members(&bodies).try_into().ok())?
         });
         let Remarks { exempt, notes } = remarks;
-        Ok(Constraints { bodies, list, exempt, notes })
+        Ok(Conditions { bodies, list, exempt, notes })
     }
 
     /// The kind of a condition.
@@ -256,7 +256,7 @@ impl Constraints {
         self.for_each(watch, |index| self.certain_polyhedra_of(index, self.regions(index, &scale, &fat).iter()))
     }
 
-    /// What [`Constraints::polyhedra`] gives, with what is certainly forbidden of each.
+    /// What [`Conditions::polyhedra`] gives, with what is certainly forbidden of each.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -265,7 +265,7 @@ impl Constraints {
         self.for_each(watch, |index| self.pieces_of(index, self.regions(index, &scale, &fat).iter(), &fat))
     }
 
-    /// The share of one condition, of which these are the regions, in [`Constraints::polyhedra`].
+    /// The share of one condition, of which these are the regions, in [`Conditions::polyhedra`].
     pub fn polyhedra_of<'r>(
         &self,
         condition: usize,
@@ -276,7 +276,7 @@ impl Constraints {
         outer.into_iter().map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
     }
 
-    /// The share of one condition, of which these are the regions, in [`Constraints::certain_polyhedra`].
+    /// The share of one condition, of which these are the regions, in [`Conditions::certain_polyhedra`].
     pub fn certain_polyhedra_of<'r>(
         &self,
         condition: usize,
@@ -286,7 +286,7 @@ impl Constraints {
         certain.map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
     }
 
-    /// The share of one condition, of which these are the regions, in [`Constraints::pieces`].
+    /// The share of one condition, of which these are the regions, in [`Conditions::pieces`].
     pub fn pieces_of<'r>(
         &self,
         condition: usize,

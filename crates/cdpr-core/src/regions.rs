@@ -11,7 +11,7 @@
 use serde::Serialize;
 
 use crate::choices;
-use crate::collision::{Constraints, Kind};
+use crate::collision::{Conditions, Kind};
 use crate::error::{Error, nearest_name};
 use crate::geometry::{Aabb, TriangleMesh, Vector};
 use crate::model::Scene;
@@ -102,7 +102,7 @@ impl NamedMesh {
 /// A pair whose contact the scene ignores forbids nothing, and regions outside the box are left out.
 ///
 /// # Errors
-/// All regions in the space of attachments, a name that is not in the scene, and as [`Constraints::new`].
+/// All regions in the space of attachments, a name that is not in the scene, and as [`Conditions::new`].
 ///
 /// # Example
 /// ```
@@ -122,19 +122,19 @@ pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error>
 /// As [`regions`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn regions_within(scene: &Scene, options: &RegionOptions, watch: &Watch) -> Result<Regions, Error> {
     let space = options.checked(scene)?;
-    let constraints = Constraints::within(scene, watch)?;
+    let conditions = Conditions::within(scene, watch)?;
     let within = match space {
         Space::Attachment => *scene.workspace(),
         Space::Position => {
-            let (min, max) = constraints.position_box();
+            let (min, max) = conditions.position_box();
             Aabb { min, max }
         }
     };
     let mut found = Regions { space, within, meshes: Vec::new() };
-    for condition in &constraints.list {
+    for condition in &conditions.list {
         watch.check()?;
-        let (details, bodies) = (condition.details(), &constraints.bodies);
-        let (kind, culprits) = (details.kind(), constraints.culprits(condition));
+        let (details, bodies) = (condition.details(), &conditions.bodies);
+        let (kind, culprits) = (details.kind(), conditions.culprits(condition));
         if !options.wants(kind, &culprits) || details.closes_seam(bodies) {
             continue;
         }

@@ -43,7 +43,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     };
     let (Planned { scene, engine, result: found }, appraisal) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
-    engine.iter().for_each(|engine| out.notes(engine.constraints()));
+    engine.iter().for_each(|engine| out.notes(engine.conditions()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
     json["lower_bound"] = bound.into();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::along::{at, first_true};
-use crate::conditions::{Condition, Constraints};
+use crate::conditions::{Condition, Conditions};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::TOUCH_DEPTH;
@@ -23,17 +23,17 @@ pub struct Clearance {
 }
 
 /// The nearest approach of a motion, over all conditions that are about a gap.
-pub fn clearance(constraints: &Constraints, from: &Point, to: &Point) -> Option<Clearance> {
-    nearest(constraints, from, to).map(|nearest| reached(constraints, nearest, from, to))
+pub fn clearance(conditions: &Conditions, from: &Point, to: &Point) -> Option<Clearance> {
+    nearest(conditions, from, to).map(|nearest| reached(conditions, nearest, from, to))
 }
 
 /// Where a motion first comes as near as it ever does, from the least gap and the condition it is about.
-fn reached(constraints: &Constraints, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
-    let nearest = &constraints.list[index];
-    let until = |t: f64| gap(constraints, nearest, from, &at(from, to, t));
+fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
+    let nearest = &conditions.list[index];
+    let until = |t: f64| gap(conditions, nearest, from, &at(from, to, t));
     let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
-    let required = constraints.required(nearest).map_or(0.0, |gap| gap.max(0.0));
-    Clearance { value, at: first_true(reached), culprits: constraints.culprits(nearest), required }
+    let required = conditions.required(nearest).map_or(0.0, |gap| gap.max(0.0));
+    Clearance { value, at: first_true(reached), culprits: conditions.culprits(nearest), required }
 }
 
 /// Conditions that are looked at between two looks at the watch.
@@ -45,7 +45,7 @@ const AT_A_TIME: usize = 256;
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn path_clearance(
-    constraints: &Constraints,
+    conditions: &Conditions,
     indices: &[usize],
     waypoints: &[Point],
     watch: &Watch,
@@ -65,9 +65,9 @@ pub fn path_clearance(
                     continue;
                 }
                 let index = indices[block * AT_A_TIME + k];
-                let condition = &constraints.list[index];
-                let apart = condition.details().boxes_apart(&constraints.bodies, from, to);
-                let gap = if apart >= least { None } else { gap(constraints, condition, from, to) };
+                let condition = &conditions.list[index];
+                let apart = condition.details().boxes_apart(&conditions.bodies, from, to);
+                let gap = if apart >= least { None } else { gap(conditions, condition, from, to) };
                 if let Some(gap) = gap.filter(|gap| *gap < least) {
                     best = Some((segment, gap, index));
                 }
@@ -77,42 +77,42 @@ pub fn path_clearance(
         }
     }
     Ok(best.map(|(segment, value, index)| {
-        (segment, reached(constraints, (value, index), &waypoints[segment], &waypoints[segment + 1]))
+        (segment, reached(conditions, (value, index), &waypoints[segment], &waypoints[segment + 1]))
     }))
 }
 
 /// Who has the least room at a position: the pair whose gap exceeds what is required of it by the least, or falls short by
 /// the most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
-pub fn tightest(constraints: &Constraints, position: &Point) -> Option<Clearance> {
-    let required = |condition: &Condition| constraints.required(condition).unwrap_or(0.0);
-    let (room, index) = least(constraints, position, position, required)?;
-    let condition = &constraints.list[index];
+pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> {
+    let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
+    let (room, index) = least(conditions, position, position, required)?;
+    let condition = &conditions.list[index];
     let required = required(condition);
-    Some(Clearance { value: room + required, at: 0.0, culprits: constraints.culprits(condition), required })
+    Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
 }
 
 /// The least gap of a motion, m, and the index of the condition it is about.
-pub fn nearest(constraints: &Constraints, from: &Point, to: &Point) -> Option<(f64, usize)> {
-    least(constraints, from, to, |_| 0.0)
+pub fn nearest(conditions: &Conditions, from: &Point, to: &Point) -> Option<(f64, usize)> {
+    least(conditions, from, to, |_| 0.0)
 }
 
 /// The least gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose boxes
 /// are further apart than the least found so far are not looked at.
 fn least(
-    constraints: &Constraints,
+    conditions: &Conditions,
     from: &Point,
     to: &Point,
     deducted: impl Fn(&Condition) -> f64,
 ) -> Option<(f64, usize)> {
     let mut best: Option<(f64, usize)> = None;
-    for (index, condition) in constraints.list.iter().enumerate() {
+    for (index, condition) in conditions.list.iter().enumerate() {
         let deducted = deducted(condition);
-        if best.is_some_and(|(least, _)| {
-            condition.details().boxes_apart(&constraints.bodies, from, to) - deducted >= least
-        }) {
+        if best
+            .is_some_and(|(least, _)| condition.details().boxes_apart(&conditions.bodies, from, to) - deducted >= least)
+        {
             continue;
         }
-        let room = gap(constraints, condition, from, to).map(|gap| gap - deducted);
+        let room = gap(conditions, condition, from, to).map(|gap| gap - deducted);
         if let Some(room) = room.filter(|room| best.is_none_or(|(least, _)| *room < least)) {
             best = Some((room, index));
         }
@@ -121,8 +121,8 @@ fn least(
 }
 
 /// The least gap over a motion that a condition is about, m, whether or not it is demanded. None where it is not about a gap;
-/// see [`Constraints::required`].
-fn gap(constraints: &Constraints, condition: &Condition, from: &Point, to: &Point) -> Option<f64> {
-    let (condition, bodies) = (condition.details(), &constraints.bodies);
+/// see [`Conditions::required`].
+fn gap(conditions: &Conditions, condition: &Condition, from: &Point, to: &Point) -> Option<f64> {
+    let (condition, bodies) = (condition.details(), &conditions.bodies);
     condition.is_about_gap(bodies).then(|| condition.distance(bodies, from, to))
 }

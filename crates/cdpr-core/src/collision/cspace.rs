@@ -19,7 +19,7 @@ use super::explain;
 use super::gjk_engine::GjkEngine;
 use super::validity::{Checker, Validity};
 use super::violation::Violation;
-use crate::conditions::{Condition, Constraints, Fattened, Inner, Interference, Piece, Polyhedron, Region, Scale};
+use crate::conditions::{Condition, Conditions, Fattened, Inner, Interference, Piece, Polyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
@@ -87,7 +87,7 @@ impl CspaceEngine {
     /// The engine for a scene.
     ///
     /// # Errors
-    /// As [`Constraints::new`].
+    /// As [`Conditions::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
         Self::within(scene, interference, &Watch::NONE)
     }
@@ -95,7 +95,7 @@ impl CspaceEngine {
     /// As [`CspaceEngine::new`], within a watch.
     ///
     /// # Errors
-    /// As [`Constraints::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    /// As [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let reference = GjkEngine::within(scene, interference, watch)?;
         Self::compile(reference, |_| None, watch)
@@ -104,10 +104,10 @@ impl CspaceEngine {
     /// The engine for a scene that differs little from the one of this engine: what did not change is not compiled again.
     ///
     /// # Errors
-    /// As [`Constraints::new`].
+    /// As [`Conditions::new`].
     pub fn recompiled(&self, scene: &Scene) -> Result<Self, Error> {
         let reference = GjkEngine::new(scene, self.reference.interference())?;
-        let (old, new) = (self.reference.constraints(), reference.constraints());
+        let (old, new) = (self.reference.conditions(), reference.conditions());
         let scale = new.scale();
         let same_frame = old.bodies.cables == new.bodies.cables
             && old.bodies.platform == new.bodies.platform
@@ -123,10 +123,10 @@ impl CspaceEngine {
         known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let constraints = reference.constraints();
-        let (scale, cells, fat) = (constraints.scale(), cells_for(constraints), constraints.fattened());
-        let compiled: Vec<Arc<[Compiled]>> = constraints.map(watch, |index| {
-            known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells, &fat).into())
+        let conditions = reference.conditions();
+        let (scale, cells, fat) = (conditions.scale(), cells_for(conditions), conditions.fattened());
+        let compiled: Vec<Arc<[Compiled]>> = conditions.map(watch, |index| {
+            known(index).unwrap_or_else(|| compiled(conditions, index, &scale, &cells, &fat).into())
         })?;
         let mut planes = Planes::default();
         let (mut outer, mut heads, mut regions_of) = (Vec::new(), Vec::new(), Vec::new());
@@ -141,9 +141,9 @@ impl CspaceEngine {
         }
         let pieces = compiled.iter().flat_map(|pieces| pieces.iter());
         let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())), watch)?;
-        let exceeds = |index: &usize| constraints.list[*index].details().exceeds_regions(reference.interference());
-        let beyond_regions = (0..constraints.list.len()).filter(exceeds).collect();
-        let (min, max) = constraints.position_box();
+        let exceeds = |index: &usize| conditions.list[*index].details().exceeds_regions(reference.interference());
+        let beyond_regions = (0..conditions.list.len()).filter(exceeds).collect();
+        let (min, max) = conditions.position_box();
         let touch = Vector::repeat(TOUCH_DEPTH);
         Ok(CspaceEngine {
             low: min - touch,
@@ -263,7 +263,7 @@ impl CspaceEngine {
 
     /// Whether a motion breaks a condition that exceeds its regions.
     fn breaks_beyond_regions(&self, from: &Point, to: &Point) -> bool {
-        let list = &self.constraints().list;
+        let list = &self.conditions().list;
         let breaks = |&index: &usize| !list[index].certainly_keeps(from, to) && self.reference_refuses(index, from, to);
         self.beyond_regions.iter().any(breaks)
     }
@@ -315,8 +315,8 @@ impl Clone for CspaceEngine {
 }
 
 impl Checker for CspaceEngine {
-    fn constraints(&self) -> &Constraints {
-        self.reference.constraints()
+    fn conditions(&self) -> &Conditions {
+        self.reference.conditions()
     }
 
     fn interference(&self) -> Interference {
@@ -325,25 +325,25 @@ impl Checker for CspaceEngine {
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         let inside = self.inside(from) && self.inside(to);
-        if !inside || self.constraints().list[index].details().exceeds_regions(self.interference()) {
+        if !inside || self.conditions().list[index].details().exceeds_regions(self.interference()) {
             return self.reference_refuses(index, from, to);
         }
         self.kernel.run(OneCondition { motion: Motion { engine: self, from, to }, index })
     }
 
     fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        let (constraints, fat) = (self.constraints(), self.constraints().fattened());
-        constraints.for_each(watch, |index| constraints.polyhedra_of(index, self.regions(index), &fat))
+        let (conditions, fat) = (self.conditions(), self.conditions().fattened());
+        conditions.for_each(watch, |index| conditions.polyhedra_of(index, self.regions(index), &fat))
     }
 
     fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        let constraints = self.constraints();
-        constraints.for_each(watch, |index| constraints.certain_polyhedra_of(index, self.regions(index)))
+        let conditions = self.conditions();
+        conditions.for_each(watch, |index| conditions.certain_polyhedra_of(index, self.regions(index)))
     }
 
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
-        let (constraints, fat) = (self.constraints(), self.constraints().fattened());
-        constraints.for_each(watch, |index| constraints.pieces_of(index, self.regions(index), &fat))
+        let (conditions, fat) = (self.conditions(), self.conditions().fattened());
+        conditions.for_each(watch, |index| conditions.pieces_of(index, self.regions(index), &fat))
     }
 }
 
@@ -364,14 +364,14 @@ impl Validity for CspaceEngine {
     }
 
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
-        clearance::clearance(self.constraints(), from, to)
+        clearance::clearance(self.conditions(), from, to)
     }
 }
 
 /// Cells along each axis for so many conditions: enough that few regions share a cell, few enough to fill in no time.
-fn cells_for(constraints: &Constraints) -> Cells {
-    let (min, max) = constraints.position_box();
-    let n = match constraints.list.len() {
+fn cells_for(conditions: &Conditions) -> Cells {
+    let (min, max) = conditions.position_box();
+    let n = match conditions.list.len() {
         0..100 => 4,
         100..1500 => 8,
         1500..6000 => 16,
@@ -382,16 +382,16 @@ fn cells_for(constraints: &Constraints) -> Cells {
 }
 
 /// The regions of a condition that reach into the box of positions.
-fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
-    let condition = constraints.list[index].details();
+fn compiled(conditions: &Conditions, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
+    let condition = conditions.list[index].details();
     let piece = |region: Region| {
         let reached = match &region.outer {
             Some(outer) => cells.reached_by(outer, &region.inner),
-            None => cells.reached(&|center, half| condition.slack(&constraints.bodies, center) <= half.norm()),
+            None => cells.reached(&|center, half| condition.slack(&conditions.bodies, center) <= half.norm()),
         };
         Compiled { region, reached }
     };
-    let pieces = constraints.regions(index, scale, fat).into_iter().map(piece);
+    let pieces = conditions.regions(index, scale, fat).into_iter().map(piece);
     pieces.filter(|piece| !piece.reached.is_empty()).collect()
 }
 
@@ -405,7 +405,7 @@ fn head(condition: usize, region: &Region, outer: &Range<u32>, planes: &mut Plan
 }
 
 /// For each new condition the old one that is the same, where cables, platform and workspace are the same.
-fn unchanged(old: &Constraints, new: &Constraints) -> Vec<Option<usize>> {
+fn unchanged(old: &Conditions, new: &Conditions) -> Vec<Option<usize>> {
     let (old_obstacles, new_obstacles) = (&old.bodies.obstacles, &new.bodies.obstacles);
     let same_body = |body: usize| {
         let wanted = &new_obstacles[body];

@@ -3,14 +3,14 @@
 use super::along::{at, first_true, least_between};
 use super::validity::Checker;
 use super::violation::Violation;
-use crate::conditions::Constraints;
+use crate::conditions::Conditions;
 use crate::geometry::Point;
 
 /// All conditions that a motion breaks according to an engine, those that break first first.
 pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
-    let constraints = checker.constraints();
-    let broken: Vec<usize> = (0..constraints.list.len()).filter(|&k| checker.breaks(k, from, to)).collect();
-    let reported = broken.iter().filter(|&&k| !is_reported_beside(constraints, k, &broken));
+    let conditions = checker.conditions();
+    let broken: Vec<usize> = (0..conditions.list.len()).filter(|&k| checker.breaks(k, from, to)).collect();
+    let reported = broken.iter().filter(|&&k| !is_reported_beside(conditions, k, &broken));
     let mut violations: Vec<Violation> = reported.map(|&k| violation(checker, k, from, to)).collect();
     violations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
     merge_parts(violations)
@@ -18,19 +18,19 @@ pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Ve
 
 /// Whether a broken condition is about a seam while that on a part beside the seam is broken as well, which gives the right
 /// culprit and depth.
-fn is_reported_beside(constraints: &Constraints, index: usize, broken: &[usize]) -> bool {
-    let (list, bodies) = (&constraints.list, &constraints.bodies);
+fn is_reported_beside(conditions: &Conditions, index: usize, broken: &[usize]) -> bool {
+    let (list, bodies) = (&conditions.list, &conditions.bodies);
     let seam = list[index].details();
     seam.closes_seam(bodies) && broken.iter().any(|&other| seam.is_seam_beside(list[other].details(), bodies))
 }
 
 /// Where and how badly a motion breaks a condition that it is known to break.
 fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> Violation {
-    let (constraints, condition) = (checker.constraints(), &checker.constraints().list[index]);
+    let (conditions, condition) = (checker.conditions(), &checker.conditions().list[index]);
     // What a motion sweeps only grows, so the first contact and the last are found by bisection on the whole test.
     let first = first_true(|t| checker.breaks(index, from, &at(from, to, t)));
     let last = 1.0 - first_true(|t| checker.breaks(index, &at(from, to, 1.0 - t), to));
-    let (details, bodies) = (condition.details(), &constraints.bodies);
+    let (details, bodies) = (condition.details(), &conditions.bodies);
     let distance_at = |p: &Point| details.distance(bodies, p, p);
     let gap = details.worst_distance(bodies, checker.interference(), from, to).unwrap_or_else(|| {
         if from == to { distance_at(from) } else { least_between(first, last, |t| distance_at(&at(from, to, t))) }
@@ -41,7 +41,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         wrench: None,
         at: first,
         kind: details.kind(),
-        culprits: constraints.culprits(condition),
+        culprits: conditions.culprits(condition),
         gap: Some(gap),
         required: Some(required),
         margin: Some((gap - required).min(0.0)), // it is known to be broken: more is rounding

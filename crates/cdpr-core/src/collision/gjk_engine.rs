@@ -5,7 +5,7 @@ use super::clearance::{self, Clearance};
 use super::explain;
 use super::validity::{Checker, Validity};
 use super::violation::Violation;
-use crate::conditions::{Constraints, Interference};
+use crate::conditions::{Conditions, Interference};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -26,7 +26,7 @@ use crate::watch::Watch;
 /// ```
 #[derive(Debug, Clone)]
 pub struct GjkEngine {
-    constraints: Constraints,
+    conditions: Conditions,
     interference: Interference,
 }
 
@@ -34,7 +34,7 @@ impl GjkEngine {
     /// The engine for a scene.
     ///
     /// # Errors
-    /// As [`Constraints::new`].
+    /// As [`Conditions::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
         Self::within(scene, interference, &Watch::NONE)
     }
@@ -42,15 +42,15 @@ impl GjkEngine {
     /// As [`GjkEngine::new`], within a watch.
     ///
     /// # Errors
-    /// As [`Constraints::within`].
+    /// As [`Conditions::within`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
-        Ok(GjkEngine { constraints: Constraints::within(scene, watch)?, interference })
+        Ok(GjkEngine { conditions: Conditions::within(scene, watch)?, interference })
     }
 }
 
 impl Checker for GjkEngine {
-    fn constraints(&self) -> &Constraints {
-        &self.constraints
+    fn conditions(&self) -> &Conditions {
+        &self.conditions
     }
 
     fn interference(&self) -> Interference {
@@ -58,7 +58,7 @@ impl Checker for GjkEngine {
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
-        self.constraints.list[index].breaks(&self.constraints.bodies, self.interference, from, to)
+        self.conditions.list[index].breaks(&self.conditions.bodies, self.interference, from, to)
     }
 }
 
@@ -69,7 +69,7 @@ impl Validity for GjkEngine {
 
     fn motion_valid(&self, from: &Point, to: &Point) -> bool {
         let finite = from.iter().chain(to.iter()).all(|x| x.is_finite());
-        let Constraints { bodies, list, .. } = &self.constraints;
+        let Conditions { bodies, list, .. } = &self.conditions;
         finite && !list.iter().any(|condition| condition.breaks(bodies, self.interference, from, to))
     }
 
@@ -78,6 +78,6 @@ impl Validity for GjkEngine {
     }
 
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
-        clearance::clearance(&self.constraints, from, to)
+        clearance::clearance(&self.conditions, from, to)
     }
 }

@@ -4,7 +4,7 @@ use super::along::{at, first_true};
 use super::clearance::{self, Clearance};
 use super::violation::Violation;
 use crate::choices;
-use crate::conditions::{Constraints, Interference, Piece, Polyhedron};
+use crate::conditions::{Conditions, Interference, Piece, Polyhedron};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -55,7 +55,7 @@ pub trait Validity<State = Point>: Sync {
 /// An engine that checks motions against the conditions of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
     /// The conditions that the engine checks.
-    fn constraints(&self) -> &Constraints;
+    fn conditions(&self) -> &Conditions;
 
     /// How it keeps cables from each other.
     fn interference(&self) -> Interference;
@@ -63,28 +63,28 @@ pub trait Checker: Validity + Send {
     /// Whether a motion breaks the condition at this index of the list.
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
 
-    /// As [`Constraints::polyhedra`].
+    /// As [`Conditions::polyhedra`].
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        self.constraints().polyhedra(watch)
+        self.conditions().polyhedra(watch)
     }
 
-    /// As [`Constraints::certain_polyhedra`].
+    /// As [`Conditions::certain_polyhedra`].
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        self.constraints().certain_polyhedra(watch)
+        self.conditions().certain_polyhedra(watch)
     }
 
-    /// As [`Constraints::pieces`].
+    /// As [`Conditions::pieces`].
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
-        self.constraints().pieces(watch)
+        self.conditions().pieces(watch)
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it breaks
@@ -94,7 +94,7 @@ pub trait Checker: Validity + Send {
             return None;
         }
         let mut first: Option<(f64, usize)> = None;
-        for index in 0..self.constraints().list.len() {
+        for index in 0..self.conditions().list.len() {
             let breaks_until = |t: f64| self.breaks(index, from, &at(from, to, t));
             // Conditions that are kept up to the first contact known need no search.
             if breaks_until(first.map_or(1.0, |(t, _)| t)) {
@@ -109,12 +109,12 @@ pub trait Checker: Validity + Send {
 
     /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.
     fn gap(&self, from: &Point, to: &Point) -> Option<f64> {
-        clearance::nearest(self.constraints(), from, to).map(|(gap, _)| gap)
+        clearance::nearest(self.conditions(), from, to).map(|(gap, _)| gap)
     }
 
     /// Whether no cable meets another or the platform at a position.
     fn free_of_interference(&self, position: &Point) -> bool {
-        let mut list = self.constraints().list.iter().enumerate();
+        let mut list = self.conditions().list.iter().enumerate();
         !list.any(|(index, c)| c.details().within_robot() && self.breaks(index, position, position))
     }
 }

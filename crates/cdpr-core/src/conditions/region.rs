@@ -106,7 +106,7 @@ impl Region {
     }
 }
 
-/// Positions that certainly break a constraint.
+/// Positions that certainly break a condition.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Inner {
     /// No such set is known.

@@ -104,7 +104,7 @@ const HALVINGS: usize = 12;
 impl<'a> Taut<'a> {
     /// The polyhedra that an engine keeps out of.
     pub fn new(engine: &'a dyn Checker) -> Self {
-        let (low, high) = engine.constraints().position_box();
+        let (low, high) = engine.conditions().position_box();
         let (hindered, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
         Taut { engine, hulls: OnceLock::new(), low, high, hindered, room, ways }
     }

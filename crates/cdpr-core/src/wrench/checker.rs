@@ -1,7 +1,7 @@
 //! An engine that asks for wrench feasibility as well, after everything that is cheaper.
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Constraints, Interference, Piece, Polyhedron, Validity, Violation};
+use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -20,8 +20,8 @@ impl WrenchChecker {
 }
 
 impl Checker for WrenchChecker {
-    fn constraints(&self) -> &Constraints {
-        self.geometry.constraints()
+    fn conditions(&self) -> &Conditions {
+        self.geometry.conditions()
     }
 
     fn interference(&self) -> Interference {
