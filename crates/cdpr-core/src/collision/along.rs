@@ -1,4 +1,4 @@
-//! Functions of the fraction of a motion that is done, from 0 to 1.
+//! Searches along a motion, by the fraction of it that is done, from 0 to 1.
 
 use crate::geometry::Point;
 use crate::numerics::BISECTION_STEPS;

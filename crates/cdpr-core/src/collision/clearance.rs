@@ -16,7 +16,7 @@ pub struct Clearance {
     pub value: f64,
     /// Fraction of the motion at which it is first reached, 0 to 1.
     pub at: f64,
-    /// Between whom.
+    /// The names of the members.
     pub culprits: Vec<String>,
     /// The clearance that the pair is held to, m; 0 where it must only not touch.
     pub required: f64,
@@ -36,11 +36,11 @@ fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, 
     Clearance { value, at: first_true(reached), culprits: conditions.culprits(nearest), required }
 }
 
-/// Conditions that are looked at between two looks at the watch.
+/// Conditions measured between two polls of the watch.
 const AT_A_TIME: usize = 256;
 
-/// The nearest approach of a path with regard to some conditions, by their indices, and its segment. A gap changes by no
-/// more than the way gone, so one that is wide is not looked at again until the way could have used it up.
+/// The nearest approach of a path, and its segment, for the conditions with these indices. A gap changes by at most the
+/// distance travelled, so a wide one is not measured again until the path could have used it up.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -51,7 +51,7 @@ pub fn path_clearance(
     watch: &Watch,
 ) -> Result<Option<(usize, Clearance)>, Error> {
     let mut best: Option<(usize, f64, usize)> = None;
-    // For each condition a way along the path less which, at a later place, its gap is at most smaller.
+    // For each condition: after s metres of path its gap is at least this less s.
     let mut wide_until = vec![f64::NEG_INFINITY; indices.len()];
     let mut way = 0.0;
     for (segment, pair) in waypoints.windows(2).enumerate() {
@@ -71,7 +71,7 @@ pub fn path_clearance(
                 if let Some(gap) = gap.filter(|gap| *gap < least) {
                     best = Some((segment, gap, index));
                 }
-                // Where no distance is to be kept there is never a gap.
+                // A condition that is about no gap is not measured again.
                 *wide_until = way + if apart >= least { apart } else { gap.unwrap_or(f64::INFINITY) };
             }
         }
@@ -81,8 +81,7 @@ pub fn path_clearance(
     }))
 }
 
-/// Who has the least room at a position: the pair whose gap exceeds what is required of it by the least, or falls short by
-/// the most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
+/// The pair with the least room at a position: its gap exceeds the required one by least, or falls short of it by most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
 pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> {
     let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
     let (room, index) = least(conditions, position, position, required)?;
@@ -96,8 +95,8 @@ pub fn nearest(conditions: &Conditions, from: &Point, to: &Point) -> Option<(f64
     least(conditions, from, to, |_| 0.0)
 }
 
-/// The least gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose boxes
-/// are further apart than the least found so far are not looked at.
+/// The least gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose bounding
+/// boxes are further apart than the least gap found so far are skipped.
 fn least(
     conditions: &Conditions,
     from: &Point,

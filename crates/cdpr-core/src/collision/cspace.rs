@@ -1,10 +1,10 @@
 //! The exact fast engine: a scene compiled to convex polyhedra in the space of positions.
 //!
 //! At fixed orientation a motion is a straight segment p(t) of positions, and what a condition forbids is a convex
-//! polyhedron of positions ([`crate::conditions::region`]). A motion is valid when its segment, clipped against the planes (`clip`), misses
-//! them all; a `grid` over the positions says which ones it can meet. Each polyhedron comes as a pair, one that certainly
-//! holds the forbidden set and one that is certainly inside of it; only between the two, in contact, at the rounded edges of
-//! a clearance and at the crossing of two cables, the gjk engine is asked. So the answers are those of the gjk engine, at
+//! polyhedron of positions ([`crate::conditions::region`]). A motion is valid when its segment, clipped against the planes
+//! (`clip`), misses them all; a `grid` over the positions lists those that it can meet. Each polyhedron is a pair: one
+//! certainly holds the forbidden set, the other is certainly inside of it. Only between the two (in contact, at the rounded
+//! edges of a clearance, where two cables cross) does the gjk engine decide. So the answers are those of the gjk engine, for
 //! the price of a few multiplications.
 
 mod clip;
@@ -72,7 +72,7 @@ struct Compiled {
     reached: Vec<Reached>,
 }
 
-/// What is asked of a region that its outer polyhedron does not settle.
+/// What decides about a motion that meets the outer polyhedron of a region.
 #[derive(Debug, Clone)]
 struct Head {
     /// Index of its condition.
@@ -169,7 +169,7 @@ impl CspaceEngine {
         self
     }
 
-    /// Bytes that the compiled scene takes, the conditions themselves not counted.
+    /// Bytes that the compiled scene takes, without the conditions themselves.
     pub fn bytes(&self) -> usize {
         let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter());
         let kept = pieces.map(|p| size_of::<Compiled>() + p.reached.len() * size_of::<Reached>() + p.region.bytes());
@@ -190,7 +190,7 @@ impl CspaceEngine {
         (p.x >= low.x) & (p.y >= low.y) & (p.z >= low.z) & (p.x <= high.x) & (p.y <= high.y) & (p.z <= high.z)
     }
 
-    /// Whether a region says no to a motion.
+    /// Whether a motion breaks a condition by way of a region.
     #[inline(always)]
     fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
         let outer = self.planes.of(&self.outer[region]);
@@ -213,7 +213,7 @@ impl CspaceEngine {
         self.reference.breaks(condition, from, to)
     }
 
-    /// Whether any region says no to a motion inside the box of positions.
+    /// Whether a motion inside the box of positions breaks a condition by way of any region.
     #[inline(always)]
     fn refused<L: Lanes>(&self, lanes: L, from: &Point, to: &Point) -> bool {
         let segment = Segment::new(lanes, from, to);
@@ -269,7 +269,7 @@ impl CspaceEngine {
     }
 }
 
-/// Asks all regions about a motion.
+/// Checks a motion against all regions.
 struct Motion<'a> {
     engine: &'a CspaceEngine,
     from: &'a Point,
@@ -285,7 +285,7 @@ impl Task for Motion<'_> {
     }
 }
 
-/// Asks the regions of one condition about a motion.
+/// Checks a motion against the regions of one condition.
 struct OneCondition<'a> {
     motion: Motion<'a>,
     index: usize,
@@ -368,7 +368,7 @@ impl Validity for CspaceEngine {
     }
 }
 
-/// Cells along each axis for so many conditions: enough that few regions share a cell, few enough to fill in no time.
+/// Cells along each axis, by the number of conditions: enough that few regions share a cell, few enough to fill quickly.
 fn cells_for(conditions: &Conditions) -> Cells {
     let (min, max) = conditions.position_box();
     let n = match conditions.list.len() {

@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::conditions::Conditions;
 use crate::geometry::Point;
 
-/// All conditions that a motion breaks according to an engine, those that break first first.
+/// All conditions that a motion breaks according to an engine, in the order in which it breaks them.
 pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
     let conditions = checker.conditions();
     let broken: Vec<usize> = (0..conditions.list.len()).filter(|&k| checker.breaks(k, from, to)).collect();
@@ -44,7 +44,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         culprits: conditions.culprits(condition),
         gap: Some(gap),
         required: Some(required),
-        margin: Some((gap - required).min(0.0)), // it is known to be broken: more is rounding
+        margin: Some((gap - required).min(0.0)), // a positive difference is rounding: the condition is broken
     }
 }
 

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
 
-/// The engines there are.
+/// The collision engines.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Engine {
     /// Polyhedra in the space of positions: exact and fast.
@@ -35,13 +35,13 @@ pub trait Validity<State = Point>: Sync {
     /// Whether it may go straight from one state to another; both ends are part of the motion.
     fn motion_valid(&self, from: &State, to: &State) -> bool;
 
-    /// All conditions that a motion breaks, those that break first first; empty if it is valid.
+    /// All conditions that a motion breaks, in the order in which it breaks them; empty if it is valid.
     fn violations(&self, from: &State, to: &State) -> Vec<Violation>;
 
     /// The nearest approach of a motion to anything it must keep away from; none where there is no such thing.
     fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
 
-    /// Whether one question may take many milliseconds. Planners then look at the clock before each, not now and then.
+    /// Whether one check may take many milliseconds. Planners then poll the clock before each check, not only now and then.
     fn may_be_slow(&self) -> bool {
         false
     }
@@ -88,7 +88,8 @@ pub trait Checker: Validity + Send {
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it breaks
-    /// there; none if it keeps them all. Where several are broken at the same place, the first of the list is given.
+    /// there; none if it keeps them all. If it breaks several at the same place, the first of the list is given. What an
+    /// engine checks besides the list (wrenches) does not count.
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
         if self.motion_valid(from, to) {
             return None;

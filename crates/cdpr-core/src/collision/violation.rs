@@ -1,4 +1,4 @@
-//! What is reported of a motion that breaks a condition.
+//! How a broken condition is reported.
 
 use serde::Serialize;
 
@@ -21,8 +21,7 @@ pub struct Violation {
     pub required: Option<f64>,
     /// Gap less what is required, m: never positive.
     pub margin: Option<f64>,
-    /// Whether nothing is known to be broken, but that it holds could not be proved either: the slack that is left is next
-    /// to nothing. Only where the kind is wrench.
+    /// Whether the condition may hold but could not be proved: almost no slack is left. Only where the kind is wrench.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
     /// What the wrenches lack, and which cables limit them; only where the kind is wrench.
@@ -53,7 +52,7 @@ pub struct WrenchLimit {
 }
 
 impl WrenchLimit {
-    /// The margin as a number to order by: where there is none, it is least.
+    /// The margin as a number to sort by; minus infinity where there is none.
     pub fn order(&self) -> f64 {
         self.wrench_margin.unwrap_or(f64::NEG_INFINITY)
     }

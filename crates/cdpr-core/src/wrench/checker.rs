@@ -43,6 +43,10 @@ impl Checker for WrenchChecker {
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
         self.geometry.pieces(watch)
     }
+
+    fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
+        self.geometry.first_contact(from, to)
+    }
 }
 
 impl Validity for WrenchChecker {
