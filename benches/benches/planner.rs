@@ -4,7 +4,7 @@
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, Post, Processing, engine_for, lower_bound, plan, plan_with, shorten_path};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path};
 use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::testing;
 use cdpr_core::watch::Watch;
@@ -19,7 +19,9 @@ fn modified_rrt(c: &mut Criterion) {
             group.bench_function(format!("{}, {}", scene.name(), engine.name()), |b| {
                 b.iter(|| {
                     let options = |seed| PlanOptions { engine, seed, ..PlanOptions::paper() };
-                    (0..seeds).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").cost).sum::<f64>()
+                    (0..seeds)
+                        .map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").result.cost)
+                        .sum::<f64>()
                 });
             });
         }
@@ -46,7 +48,7 @@ fn planners(c: &mut Criterion) {
                     let ask = |seed| {
                         let post = Some(Post::None);
                         let options = PlanOptions { planner: planner.clone(), seed, post, ..PlanOptions::default() };
-                        plan_with(&*engine, &scene, &options, &|| false).expect("sound").cost
+                        plan(Query::of(&scene).by(&*engine), &options, &()).expect("sound").result.cost
                     };
                     (0..SEEDS).map(ask).sum::<f64>()
                 });
@@ -63,8 +65,9 @@ fn refine(c: &mut Criterion) {
     for scene in [testing::hard1(), testing::hard3()] {
         let engine = compiled(&scene);
         let paper = |seed| {
-            plan_with(&*engine, &scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false)
+            plan(Query::of(&scene).by(&*engine), &PlanOptions { seed, ..PlanOptions::paper() }, &())
                 .expect("sound")
+                .result
                 .waypoints
         };
         let paths: Vec<_> = (0..SEEDS).map(paper).collect();

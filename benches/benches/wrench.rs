@@ -134,7 +134,7 @@ fn planning(c: &mut Criterion) {
     group.bench_function("cogiro, 50 seeds", |b| {
         b.iter(|| {
             let options = |seed| PlanOptions { seed, ..PlanOptions::paper() };
-            (0..50).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").cost).sum::<f64>()
+            (0..50).map(|seed| plan(&scene, &options(seed), &|| false).expect("sound").result.cost).sum::<f64>()
         });
     });
     group.finish();

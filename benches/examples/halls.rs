@@ -37,9 +37,9 @@ fn row(count: usize, clearance: f64, seed: u64, budget: Duration) {
     let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).expect("sound");
     let compile = milliseconds(clock);
     let long = PlanOptions { budget: Some(budget), ..PlanOptions::default() };
-    let best = plan(&scene, &long, &|| false).expect("sound");
+    let best = plan(&scene, &long, &|| false).expect("sound").result;
     let clock = Instant::now();
-    let default = plan(&scene, &PlanOptions::default(), &|| false).expect("sound");
+    let default = plan(&scene, &PlanOptions::default(), &|| false).expect("sound").result;
     let whole = milliseconds(clock);
     if best.status != Status::Solved || default.status != Status::Solved {
         println!(

@@ -124,7 +124,7 @@ fn meshes() -> Result<(), Box<dyn Error>> {
 
 fn paths() -> Result<(), Box<dyn Error>> {
     let (scene, options) = (testing::hard1(), PlanOptions::paper());
-    let result = plan(&scene, &options, &|| false)?;
+    let result = plan(&scene, &options, &|| false)?.result;
     let json = cdpr_files::plan_json(&scene, &options, &result, &Nearest::default(), None);
     for name in ["path_json/hard1.json", "path_csv/hard1.csv"] {
         put(name, "")?;

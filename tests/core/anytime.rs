@@ -1,6 +1,6 @@
 //! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow reference, odd scenes.
 
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
@@ -10,7 +10,7 @@ use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
-    PlanOptions, PlanResult, Post, Processing, engine_for, lower_bound, plan, plan_heard, shorten_path,
+    Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
 };
 use cdpr_core::planning::{
     AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, anytime,
@@ -22,8 +22,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-fn planned(scene: &Scene, options: &PlanOptions) -> PlanResult {
-    plan(scene, options, &|| false).unwrap()
+fn planned<'q>(query: impl Into<Query<'q>>, options: &PlanOptions) -> PlanResult {
+    plan(query, options, &|| false).unwrap().result
 }
 
 fn seeded(seed: u64) -> PlanOptions {
@@ -256,8 +256,7 @@ fn a_time_budget_is_used_and_honoured() {
         let run = || {
             let clock = Instant::now();
             let options = PlanOptions { budget: Some(budget), ..seeded(1) };
-            let watch = options.watch(&|| false);
-            let found = plan_heard(&*engine, scene, &options, &watch, &|_, _, _| {}).unwrap();
+            let found = plan(Query::of(scene).by(&*engine), &options, &()).unwrap().result;
             assert_eq!(found.status, status);
             clock.elapsed()
         };
@@ -281,24 +280,27 @@ fn without_a_budget_a_scene_without_a_path_is_given_up() {
 
 #[test]
 fn interrupted_it_returns_what_it_has() {
-    let stop = std::sync::atomic::AtomicBool::new(false);
-    let engine = engine_for(&hard1(), Engine::Cspace, Interference::Exact).unwrap();
+    struct Content(AtomicBool);
+    impl Observer for Content {
+        fn interrupted(&self) -> bool {
+            self.0.load(Ordering::Relaxed)
+        }
+
+        fn improved(&self, _seconds: f64, cost: f64, path: &[Point]) {
+            assert!((path_length(path) - cost).abs() < 1e-12);
+            self.0.store(cost < 2.45, Ordering::Relaxed);
+        }
+    }
     let options = PlanOptions { budget: Some(Duration::from_secs(60)), ..seeded(0) };
     let clock = Instant::now();
-    let interrupted = || stop.load(Ordering::Relaxed);
-    let found = plan_heard(&*engine, &hard1(), &options, &options.watch(&interrupted), &|_, cost, path| {
-        assert!((path_length(path) - cost).abs() < 1e-12);
-        stop.store(cost < 2.45, Ordering::Relaxed);
-    })
-    .unwrap();
+    let found = plan(&hard1(), &options, &Content(AtomicBool::new(false))).unwrap().result;
     assert!(found.status == Status::Solved && found.cost < 2.45 && clock.elapsed() < Duration::from_secs(30));
 }
 
 #[test]
 fn odd_questions_are_answered() {
     let here = Point::new(0.3, 1.0, 0.3);
-    let at = Some(here);
-    let same = planned(&hard1(), &PlanOptions { start: at, goal: at, ..seeded(0) });
+    let same = planned(Query::of(&hard1()).from(here).to(here), &seeded(0));
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
@@ -435,7 +437,7 @@ fn the_way_back_is_as_short_as_the_way_there() {
     for seed in 0..3 {
         let there = planned(&forest, &seeded(seed));
         let (start, goal) = (forest.goal(), forest.start());
-        let back = planned(&forest, &PlanOptions { start, goal, ..seeded(seed) });
+        let back = planned(Query { start, goal, ..Query::of(&forest) }, &seeded(seed));
         assert!((there.cost / back.cost - 1.0).abs() < 1e-3, "{seed}: {} and {}", there.cost, back.cost);
         assert!((there.cost / 12.0087 - 1.0).abs() < 1e-3, "{seed}: {}", there.cost);
     }

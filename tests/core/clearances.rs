@@ -130,7 +130,7 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
     }
     // What is planned keeps each of them, and no path is shorter than its bound.
     let scene = scene(spec);
-    let found = plan(&scene, &PlanOptions::default(), &|| false).unwrap();
+    let found = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(found.status, Status::Solved);
     for engine in both(scene.spec()) {
         assert!(check_path(&*engine, &found.waypoints, &Watch::NONE).unwrap().valid);
@@ -147,7 +147,7 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
     // 0.2 m from the platform alone cost more than 0.01 m from all.
     let narrow =
         plan(&self::scene(SceneSpec { clearance: Some(0.01), ..pillar() }), &PlanOptions::default(), &|| false);
-    assert!(narrow.unwrap().cost < found.cost - 0.05);
+    assert!(narrow.unwrap().result.cost < found.cost - 0.05);
 }
 
 /// A platform 0.05 m high that stands on a conveyor 0.2 m high at the start.
@@ -179,7 +179,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
         let demands = engine.conditions().list.iter().filter(|c| engine.conditions().kind(c) == Kind::CableObstacle);
         assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.conditions().required(c) == Some(0.02)));
     }
-    let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap();
+    let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(planned.status, Status::Solved, "{:?}", planned.reason);
     let found = of_path(&touching, &planned.waypoints);
     let [exempt] = &found.exempt[..] else { panic!("{:?}", found.exempt) };

@@ -84,7 +84,7 @@ fn ways_agree_with_planners_on_random_scenes() {
                 }
                 Way::None => {
                     none += 1;
-                    let found = plan(&scene, &options, &|| false).unwrap();
+                    let found = plan(&scene, &options, &|| false).unwrap().result;
                     assert_ne!(found.status, Status::Solved, "count {count}, seed {seed}");
                 }
                 Way::Undecided => {}

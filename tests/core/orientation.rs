@@ -4,7 +4,7 @@ use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan, plan_choosing};
+use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::regions::{RegionOptions, regions};
 use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
@@ -117,23 +117,23 @@ fn plank() -> SceneSpec {
 }
 
 fn choose(scene: &Scene) -> Planned {
-    plan_choosing(scene, &PlanOptions::default(), &|| false, &|_, _, _| {}).unwrap()
+    plan(scene, &PlanOptions::default(), &()).unwrap()
 }
 
 #[test]
 fn planning_takes_the_orientation_with_the_shortest_path() {
     let scene = Scene::new(plank()).unwrap();
     assert!(!scene.orientation_is_fixed() && scene.orientation_name() == Some("across") && scene.choices().len() == 3);
-    let alone: Vec<_> = scene.choices().iter().map(|s| plan(s, &PlanOptions::default(), &|| false).unwrap()).collect();
+    let alone: Vec<_> =
+        scene.choices().iter().map(|s| plan(s, &PlanOptions::default(), &|| false).unwrap().result).collect();
     let planned = choose(&scene);
     let least = alone.iter().filter(|r| r.status == Status::Solved).map(|r| r.cost).fold(f64::INFINITY, f64::min);
     assert!(alone[0].status != Status::Solved && planned.result.cost == least, "{} {least}", planned.result.cost);
-    assert_eq!(planned.scene.orientation_name(), Some("along"));
-    assert!(planned.scene.orientation_is_fixed());
+    assert_eq!(planned.turned.unwrap().orientation_name(), Some("along"));
     // The straight line is free there, so that the third orientation is not searched at all.
     assert_eq!(planned.result.stats.samples, alone[0].stats.samples + alone[1].stats.samples);
-    let told = scene.turned(OrientationSource::Named("askew".to_string())).unwrap();
-    assert_eq!(choose(&told).scene.orientation_name(), Some("askew"));
+    let askew = scene.turned(OrientationSource::Named("askew".to_string())).unwrap();
+    assert!(choose(&askew).turned.is_none());
 }
 
 #[test]
@@ -142,17 +142,21 @@ fn without_a_path_the_answer_is_that_of_the_orientation_that_came_farthest() {
     spec.orientations = vec![named("blocked", 0.9), named("across", std::f64::consts::FRAC_PI_2)];
     spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid across only
     let planned = choose(&Scene::new(spec).unwrap());
-    assert_eq!((planned.result.status, planned.scene.orientation_name()), (Status::GoalInvalid, Some("across")));
+    assert_eq!(
+        (planned.result.status, planned.turned.unwrap().orientation_name()),
+        (Status::GoalInvalid, Some("across"))
+    );
 }
 
 #[test]
 fn a_path_is_checked_at_its_own_orientation() {
     let scene = Scene::new(plank()).unwrap();
     let planned = choose(&scene);
+    let along = planned.turned.as_ref().unwrap();
+    assert!(along.orientation_is_fixed());
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("path.json");
-    save_path(&file, &plan_json(&planned.scene, &PlanOptions::default(), &planned.result, &Nearest::default(), None))
-        .unwrap();
+    save_path(&file, &plan_json(along, &PlanOptions::default(), &planned.result, &Nearest::default(), None)).unwrap();
     let loaded = load_waypoints(&file).unwrap();
     let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
     assert_eq!(warning, None);
@@ -182,7 +186,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     assert!(refused.contains("none of the scene's orientations (across, askew)"), "{refused}");
     let bare =
         Scene::new(SceneSpec { orientations: vec![named("across", 1.0), named("askew", 0.3)], ..plank() }).unwrap();
-    assert_eq!(bare.turned([1.0, 0.0, 0.0, 0.0].into()).unwrap().fingerprint(), planned.scene.fingerprint());
+    assert_eq!(bare.turned([1.0, 0.0, 0.0, 0.0].into()).unwrap().fingerprint(), along.fingerprint());
     assert!(scene_of_path(&bare, &loaded, false).unwrap_err().to_string().contains("none of the scene's orientations"));
     // A path that was planned for just this scene at an orientation without a name is checked at that.
     let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();

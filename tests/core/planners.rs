@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Query, plan};
 use cdpr_core::planning::{
-    Aids, Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status,
-    TranslationSpace, Until,
+    Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status, TranslationSpace,
+    Until,
 };
 use cdpr_core::postprocess::Taut;
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 fn planned(scene: &Scene, planner: &PlannerOptions, seed: u64) -> PlanResult {
     let options = PlanOptions { planner: planner.clone(), seed, ..PlanOptions::paper() };
-    plan(scene, &options, &|| false).unwrap()
+    plan(scene, &options, &|| false).unwrap().result
 }
 
 fn every_planner() -> impl Iterator<Item = PlannerOptions> {
@@ -92,7 +92,7 @@ fn both_engines_lead_to_the_same_path() {
     for planner in every_planner() {
         let by = |engine| {
             let options = PlanOptions { planner: planner.clone(), engine, seed: 2, ..PlanOptions::paper() };
-            plan(&hard1(), &options, &|| false).unwrap().waypoints
+            plan(&hard1(), &options, &|| false).unwrap().result.waypoints
         };
         assert_eq!(by(Engine::Cspace), by(Engine::Gjk), "{planner:?}");
     }
@@ -109,12 +109,12 @@ fn edges_of_rrt_are_at_most_a_step_long() {
 fn a_goal_within_one_step_is_tried_at_once() {
     for planner in every_planner() {
         let start = Point::new(0.3, 1.0, 0.3);
-        let options =
-            PlanOptions { planner, start: Some(start), goal: Some(Point::new(0.35, 1.0, 0.3)), ..PlanOptions::paper() };
-        let found = plan(&hard1(), &options, &|| false).unwrap();
+        let options = PlanOptions { planner, ..PlanOptions::paper() };
+        let hard1 = hard1();
+        let from_there = Query::of(&hard1).from(start);
+        let found = plan(from_there.to(Point::new(0.35, 1.0, 0.3)), &options, &|| false).unwrap().result;
         assert_eq!((found.raw_waypoints.len(), found.stats.samples, found.stats.motion_checks), (2, 0, 1));
-        let same = PlanOptions { goal: Some(start), ..options };
-        assert_eq!(plan(&hard1(), &same, &|| false).unwrap().cost, 0.0);
+        assert_eq!(plan(from_there.to(start), &options, &|| false).unwrap().result.cost, 0.0);
     }
 }
 
@@ -171,8 +171,9 @@ fn the_search_tree_is_kept_and_holds_the_path() {
         way.reverse();
         assert_eq!(way, found.raw_waypoints);
     }
-    let outside = PlanOptions { start: Some(Point::new(9.0, 1.0, 1.0)), ..PlanOptions::paper() };
-    assert!(plan(&hard1(), &outside, &|| false).unwrap().tree.states.is_empty());
+    let hard1 = hard1();
+    let outside = Query::of(&hard1).from(Point::new(9.0, 1.0, 1.0));
+    assert!(plan(outside, &PlanOptions::paper(), &|| false).unwrap().result.tree.states.is_empty());
 }
 
 #[test]
@@ -187,7 +188,7 @@ fn nodes_time_and_interruption_end_every_planner() {
         planner.limits_mut().max_nodes = usize::MAX;
         let options = PlanOptions { planner, budget: Some(Duration::from_millis(30)), ..PlanOptions::paper() };
         let clock = Instant::now();
-        assert_eq!(plan(&wall, &options, &|| false).unwrap().status, Status::BudgetSpent);
+        assert_eq!(plan(&wall, &options, &|| false).unwrap().result.status, Status::BudgetSpent);
         let asked = plan(&wall, &PlanOptions { budget: None, ..options }, &|| clock.elapsed().as_millis() > 100);
         assert!(asked.unwrap_err().to_string().contains("interrupted") && clock.elapsed().as_secs() < 5);
     }
@@ -199,7 +200,6 @@ fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Resu
     let engine = CspaceEngine::new(&scene, Interference::Exact)?;
     let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-    let aids = Aids { guide: &Taut::new(&engine), listener: &|_, _, _| {} };
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
         let limits = Limits::samples(200);
         let (step, goal_bias) = (number, number);
@@ -207,7 +207,8 @@ fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Resu
         let star = PlannerOptions::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), limits });
         for planner in [rrt, star] {
             let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
-            let found = planner.search(&problem, &engine, &aids, &mut rng, &Watch::NONE)?;
+            let found =
+                planner.search(&problem, &engine, &Taut::new(&engine), &|_, _, _| {}, &mut rng, &Watch::NONE)?;
             assert!(found.samples <= 200);
             assert!(found.waypoints.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
         }

@@ -6,7 +6,7 @@ use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{QuerySpec, Scene};
-use cdpr_core::plan::{PlanOptions, PlanResult, Processing, plan, shorten_path, trace_rewinding};
+use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, plan, shorten_path, trace_rewinding};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::postprocess::{Direction, Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
@@ -16,8 +16,8 @@ use rayon::prelude::*;
 
 const STEP: f64 = 0.1;
 
-fn planned(scene: &Scene, options: PlanOptions) -> PlanResult {
-    plan(scene, &options, &|| false).unwrap()
+fn planned<'q>(query: impl Into<Query<'q>>, options: PlanOptions) -> PlanResult {
+    plan(query, &options, &|| false).unwrap().result
 }
 
 /// The default planner with so many samples.
@@ -83,21 +83,21 @@ fn without_obstacles_the_path_is_the_straight_line() {
 
 #[test]
 fn start_equal_to_goal_costs_nothing() {
-    let at = Some(Point::new(0.3, 1.0, 0.3));
-    let found = planned(&hard1(), PlanOptions { start: at, goal: at, ..PlanOptions::paper() });
+    let at = Point::new(0.3, 1.0, 0.3);
+    let found = planned(Query::of(&hard1()).from(at).to(at), PlanOptions::paper());
     assert_eq!((found.status, found.cost, found.waypoints.len()), (Status::Solved, 0.0, 2));
 }
 
 #[test]
 fn invalid_ends_are_answers_with_reasons() {
-    let inside = Some(Point::new(1.0, 1.0, 0.5));
-    let outside = Some(Point::new(-5.0, 1.0, 0.5));
-    for (options, status) in [
-        (PlanOptions { start: inside, ..PlanOptions::paper() }, Status::StartInvalid),
-        (PlanOptions { goal: inside, ..PlanOptions::paper() }, Status::GoalInvalid),
-        (PlanOptions { goal: outside, ..PlanOptions::paper() }, Status::GoalInvalid),
+    let (inside, outside) = (Point::new(1.0, 1.0, 0.5), Point::new(-5.0, 1.0, 0.5));
+    let hard1 = hard1();
+    for (query, status) in [
+        (Query::of(&hard1).from(inside), Status::StartInvalid),
+        (Query::of(&hard1).to(inside), Status::GoalInvalid),
+        (Query::of(&hard1).to(outside), Status::GoalInvalid),
     ] {
-        let found = planned(&hard1(), options);
+        let found = planned(query, PlanOptions::paper());
         assert_eq!((found.status, found.reason.is_some(), found.waypoints.len()), (status, true, 0));
         assert!(found.cost.is_nan());
     }
@@ -136,12 +136,14 @@ fn a_time_budget_and_an_interruption_end_the_search() {
 
 #[test]
 fn bad_questions_are_errors() {
-    let ask = |scene: &Scene, options: PlanOptions| plan(scene, &options, &|| false).unwrap_err().to_string();
+    fn ask<'q>(query: impl Into<Query<'q>>, options: PlanOptions) -> String {
+        plan(query, &options, &|| false).unwrap_err().to_string()
+    }
     for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         assert!(ask(&hard1(), PlanOptions { step, ..PlanOptions::paper() }).contains("step"));
     }
-    let nowhere = Some(Point::new(f64::NAN, 0.0, 0.0));
-    assert!(ask(&hard1(), PlanOptions { start: nowhere, ..PlanOptions::paper() }).contains("start"));
+    let nowhere = Point::new(f64::NAN, 0.0, 0.0);
+    assert!(ask(Query::of(&hard1()).from(nowhere), PlanOptions::paper()).contains("start"));
     let mut spec = paper_scene("no query", Vec::new());
     spec.query = None;
     assert!(ask(&scene(spec), PlanOptions::default()).contains("query.start"));

@@ -49,7 +49,7 @@ fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
     for rule in [RuleSpec::Certified, RuleSpec::Grid] {
         let scene = cogiro(WrenchSpec { rule: Some(rule), grid: Some(0.25), ..balls(40.0, 10.0) });
         for (engine, seed) in [(Engine::Cspace, 0), (Engine::Cspace, 1), (Engine::Gjk, 0)] {
-            let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::paper() }, &|| false).unwrap();
+            let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::paper() }, &|| false).unwrap().result;
             assert_eq!(result.status, Status::Solved);
             let slack = slack_along(&measures(&scene).unwrap(), &result.waypoints);
             assert!(slack >= 0.0 || rule == RuleSpec::Grid && slack > -20.0, "{slack}");
@@ -60,7 +60,7 @@ fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
 #[test]
 fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_that_limit_it() {
     let scene = cogiro(balls(5000.0, 30.0));
-    let result = plan(&scene, &PlanOptions::default(), &|| false).unwrap();
+    let result = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(result.status, Status::StartInvalid);
     let reason = result.reason.expect("a reason");
     let limit = reason.wrench.clone().expect("a wrench limit");
@@ -132,7 +132,7 @@ fn under_the_papers_rule_the_nearest_grid_point_decides() {
 #[test]
 fn the_papers_robot_is_told_to_lack_a_rank() {
     let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
-    let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap();
+    let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap().result;
     let words = "rank 5 of 6, underconstrained: no tensions resist turning about z";
     let reason = result.reason.unwrap();
     assert!(reason.sentence().contains(words), "{}", reason.sentence());

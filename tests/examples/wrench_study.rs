@@ -29,7 +29,7 @@ fn main() -> Result<(), cdpr_core::Error> {
 
 /// Plans a scene with seeds from 0 and prints a line about it.
 fn report(name: &str, scene: &Scene, measures: &[Measure], seeds: u64) -> Result<(), cdpr_core::Error> {
-    let run = |seed| plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false);
+    let run = |seed| plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &()).map(|planned| planned.result);
     let results: Vec<PlanResult> = (0..seeds).map(run).collect::<Result<_, _>>()?;
     if let Some(reason) = results.iter().find_map(|r| r.reason.as_ref()) {
         println!("  {name} [wrench]: {}", reason.sentence());

@@ -205,7 +205,7 @@ fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
     let rrt = RrtOptions { goal_bias: 0.05, limits: cdpr_core::planning::Limits::samples(3000), ..Default::default() };
     let planner = PlannerOptions::Rrt(rrt);
     let options = PlanOptions { planner, seed: row.seed, post: Some(Post::Forward), ..PlanOptions::paper() };
-    let again = plan(&hard1(), &options, &|| false).unwrap();
+    let again = plan(&hard1(), &options, &|| false).unwrap().result;
     assert_eq!(
         (row.raw_cost, row.cost),
         (Some(again.raw_cost).filter(|c| c.is_finite()), Some(again.cost).filter(|c| c.is_finite()))

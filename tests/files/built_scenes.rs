@@ -19,7 +19,7 @@ fn load(name: &str) -> Scene {
 }
 
 fn planned(scene: &Scene, seed: u64) -> PlanResult {
-    plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false).expect("a well-posed question")
+    plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false).expect("a well-posed question").result
 }
 
 /// The least slack at 1001 places of each segment.

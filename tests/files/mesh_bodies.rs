@@ -52,7 +52,7 @@ fn clear_of_triangles(scene: &Scene, mesh: &TriangleMesh, waypoints: &[Point]) -
 }
 
 fn solved(scene: &Scene) -> Vec<Point> {
-    let found = plan(scene, &PlanOptions::default(), &|| false).unwrap();
+    let found = plan(scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(found.status, Status::Solved, "{}: {:?}", scene.name(), scene.notes());
     found.waypoints
 }
@@ -87,7 +87,7 @@ fn concave_obstacles_are_planned_around_through_their_hollow() {
         // Its hull, which fills the hollow, leaves no such path.
         let blocked = match with_hull(&mesh, start, goal) {
             Err(error) => error.to_string().contains("inside obstacle"),
-            Ok(scene) => plan(&scene, &PlanOptions::default(), &|| false).unwrap().status != Status::Solved,
+            Ok(scene) => plan(&scene, &PlanOptions::default(), &|| false).unwrap().result.status != Status::Solved,
         };
         assert!(blocked, "{name} has no hollow");
     }

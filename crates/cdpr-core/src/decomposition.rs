@@ -1,9 +1,9 @@
-//! Adaptive decomposition of the box of positions into cells: a way through it, or the proof that there is none.
+//! Adaptive cell decomposition of the box of positions: finds a path, or proves that there is none.
 //!
-//! A cell is closed (inside a forbidden polyhedron), free (outside of all of them) or open (neither). A search looks for a chain of
-//! free and open cells from start to goal, divides the open cells on it, and looks again. A chain of free cells is a
-//! path. If there is no chain, closed cells separate start and goal, and there is no path. Only cells on a chain are
-//! divided, so narrow passages cost little and the rest of the space nothing.
+//! A cell is closed (inside a forbidden polyhedron), free (outside all of them) or open (neither). The search looks for a chain of
+//! free and open cells from start to goal, divides the open cells on it, and repeats. A chain of free cells is a path. If there is no
+//! chain, closed cells separate start and goal, and there is no path. Only cells on a chain are divided, so narrow passages cost
+//! little and the rest of the space nothing.
 //!
 //! This is the subdivision search of C. Wang, Y.-J. Chiang and C. Yap, "On soft predicates in subdivision motion
 //! planning", Computational Geometry 48, 2015; proofs by closed cells go back to L. Zhang, Y. J. Kim and D. Manocha, "A
@@ -17,73 +17,73 @@ use crate::geometry::{HalfSpace, Point, Vector};
 use crate::watch::Watch;
 use chain::Chains;
 
-/// What a search found.
+/// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Way {
     /// A path, m.
     Path(Vec<Point>),
     /// Closed cells separate start and goal: there is no path.
     None,
-    /// Neither within the effort or the time, or cells would have to be smaller than they can be.
+    /// Undecided: effort or time ran out, or cells would have to be smaller than possible.
     Undecided,
 }
 
-/// How a search weighs lengths against narrowness.
+/// How a search trades path length against the width of passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taste {
-    /// Way through an open cell of this level costs twice as much as through a free one, 1.7 times more or less for each
-    /// level more or less. A low level prefers wide detours, a high one short ways through narrow passages.
+    /// Distance through an open cell of level l costs 1 + 1.7^(l - `level`) times as much as through a free one. A low `level` prefers
+    /// wide detours, a high one short paths through narrow passages.
     pub level: i32,
-    /// Factor of the distance that is left, in ordering the cells to look at; at least 1. The higher, the fewer cells
-    /// are looked at, and the longer the chains.
+    /// Weight of the remaining distance in the A* ordering; at least 1. The larger it is, the fewer cells are visited, and the longer
+    /// the chains.
     pub haste: f64,
 }
 
 /// See [`Taste::level`].
 const GROWTH: f64 = 1.7;
-/// Times that the box can be halved. Coordinates of cells are multiples of 2^-LEVELS of its sides.
+/// Maximum number of halvings of the box. Coordinates of cells are multiples of 2^-LEVELS of its sides.
 const LEVELS: u8 = 14;
-/// What asking about a motion costs, in cells looked at.
+/// Cost of checking a motion, in visited cells.
 const MOTION: usize = 10;
 
-/// The cells.
+/// A cell decomposition.
 #[derive(Debug, Clone)]
 pub struct Decomposition {
     pieces: Vec<Piece>,
     low: Point,
     size: Vector,
-    /// The whole box, and then the eight parts of each cell that was divided, one after another.
+    /// The whole box, followed by the eight parts of each divided cell.
     cells: Vec<Cell>,
     chains: Chains,
-    /// Cells that may yet be looked at; negative where more were than was allowed.
+    /// Number of cells that may still be visited; negative if the last search exceeded its effort.
     credit: i64,
-    /// Whether a cell that might be passed is too small to be divided.
+    /// Whether a cell that might be passable is too small to be divided.
     at_the_limit: bool,
 }
 
 #[derive(Debug, Clone)]
 struct Cell {
-    /// Corner of smallest coordinates, in sizes of the smallest cells.
+    /// Corner with the smallest coordinates, in units of the smallest cells.
     low: [u32; 3],
-    /// How often the box was halved for it.
+    /// Number of halvings of the box that led to this cell.
     level: u8,
     kind: Kind,
     center: Point,
-    /// The pieces that reach into it, unless it is divided.
+    /// The pieces that reach into the cell, unless it is divided.
     near: Vec<u32>,
-    /// The passable cells that touch it, if only in a corner; none for cells that are not passable.
+    /// The passable cells that touch this one, even if only in a corner; empty for cells that are not passable.
     beside: Vec<u32>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Outside of all pieces.
+    /// Outside all pieces.
     Free,
-    /// Neither inside of one piece nor outside of all, or the engine refused a motion in it.
+    /// Neither inside one piece nor outside all of them, or the engine rejected a motion in it.
     Open,
     /// Inside a piece, or too small to be divided.
     Closed,
-    /// Divided; the first of its parts.
+    /// Divided; holds the index of the first part.
     Divided(u32),
 }
 
@@ -103,13 +103,13 @@ impl Decomposition {
         Decomposition { pieces, low, size: high - low, cells: vec![whole], chains, credit: 0, at_the_limit: false }
     }
 
-    /// What is forbidden.
+    /// The forbidden polyhedra.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// Searches a way with an effort of so many cells to look at; the next call goes on from there, and makes up for what was
-    /// looked at beyond that. `free` has the last word on motions within cells that no piece reaches into.
+    /// Searches for a path, visiting about `effort` cells. The next call continues the search and deducts what this call visited
+    /// beyond that. `free` makes the final decision on motions within cells that no piece reaches into.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -146,7 +146,7 @@ impl Decomposition {
         Ok(Way::Undecided)
     }
 
-    /// Start, the middles of where cells of a chain touch, goal: between two of them a path stays in one cell.
+    /// Start, the centres of the contacts between consecutive cells, goal: between two of these points the path stays in one cell.
     fn places(&self, chain: &[u32], start: &Point, goal: &Point) -> Vec<Point> {
         let contact = |pair: &[u32]| {
             let [(a, b), (c, d)] = [self.bounds(pair[0]), self.bounds(pair[1])];
@@ -155,7 +155,7 @@ impl Decomposition {
         std::iter::once(*start).chain(chain.windows(2).map(contact)).chain([*goal]).collect()
     }
 
-    /// Smallest and largest coordinates of a cell, m; cells that touch have the same ones where they do.
+    /// Smallest and largest coordinates of a cell, m; equal where cells touch.
     fn bounds(&self, cell: u32) -> (Point, Point) {
         let cell = &self.cells[cell as usize];
         let at =
@@ -164,7 +164,7 @@ impl Decomposition {
         (corner(0), corner(cell.span()))
     }
 
-    /// The undivided cell that holds a position.
+    /// The undivided cell that contains a position.
     fn cell_at(&self, place: &Point) -> u32 {
         let mut at = 0;
         while let Kind::Divided(first) = self.cells[at as usize].kind {
@@ -174,7 +174,7 @@ impl Decomposition {
         at
     }
 
-    /// Divides a cell in eight, or gives it up.
+    /// Divides a cell into eight, or closes it if it is too small.
     fn divide(&mut self, cell: u32) {
         let first = self.cells.len() as u32;
         let parent = &mut self.cells[cell as usize];
@@ -204,7 +204,7 @@ impl Decomposition {
         }
     }
 
-    /// Finds out of a new cell what it is, if these pieces may reach into it.
+    /// Classifies a new cell, given the pieces that may reach into it.
     fn classify(&mut self, new: u32, candidates: &[u32]) {
         let (low, high) = self.bounds(new);
         let (center, half) = (nalgebra::center(&low, &high), (high - low) * 0.5);
@@ -226,7 +226,7 @@ impl Decomposition {
         }
     }
 
-    /// Makes a new cell known to those of some others that it touches.
+    /// Connects a new cell to those of the given cells that it touches.
     fn connect(&mut self, new: u32, others: impl Iterator<Item = u32>) {
         if !self.cells[new as usize].kind.passable() {
             return;
@@ -242,7 +242,7 @@ impl Decomposition {
 }
 
 impl Cell {
-    /// Length of its sides, in sizes of the smallest cells.
+    /// Length of its sides, in units of the smallest cells.
     fn span(&self) -> u32 {
         1 << (LEVELS - self.level)
     }

@@ -1,4 +1,4 @@
-//! Convex bodies and what can be asked of two of them: distance (GJK), overlap depth (separating axes), contact.
+//! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact.
 
 mod cell;
 pub mod clip;
@@ -32,9 +32,9 @@ pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, SupportMap, Swept, Triangle};
 pub use surface::{Faults, Piece, pieces};
 
-/// A place in the world or in the platform frame, m.
+/// A position in the world or platform frame, m.
 pub type Point = nalgebra::Point3<f64>;
 /// A displacement, m, or a direction.
 pub type Vector = nalgebra::Vector3<f64>;
-/// World-from-platform rotation.
+/// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;

@@ -1,6 +1,7 @@
 //! The whole answer to a planning question: engine, planner, rewinding, and a last check of the path.
 
 mod choosing;
+mod query;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -16,13 +17,15 @@ use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{
-    Aids, Guide, Listener, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
+    Guide, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
 };
 use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
 use crate::watch::{Interrupt, Watch};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
-pub use choosing::{Planned, plan_choosing};
+pub use query::{Observer, Planned, Query};
+
+type Improved<'a> = crate::planning::Improved<'a, Point>;
 
 /// What is done to a planner's path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,7 +100,7 @@ impl Processing {
     }
 }
 
-/// How to plan; the question itself stands in the scene.
+/// How to plan; [`Query`] is the question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
     /// Search method and its options.
@@ -108,10 +111,6 @@ pub struct PlanOptions {
     pub interference: Interference,
     /// Everything random flows from it.
     pub seed: u64,
-    /// Start instead of the scene's, m.
-    pub start: Option<Point>,
-    /// Goal instead of the scene's, m.
-    pub goal: Option<Point>,
     /// Step of rewinding, m.
     pub step: f64,
     /// What is done to the planner's path; none is [`Post::of`] the planner.
@@ -130,8 +129,6 @@ impl Default for PlanOptions {
             engine: Engine::default(),
             interference: Interference::default(),
             seed: 0,
-            start: None,
-            goal: None,
             step,
             post: None,
             repeats,
@@ -300,56 +297,61 @@ fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Erro
     }
 }
 
-/// Plans the query of a scene at the scene's orientation; [`plan_choosing`] chooses one where the scene leaves it open.
+/// Plans a path: compiles the scene, searches, post-processes, and checks the path once more.
+///
+/// Where the scene leaves the orientation open, each of [`Scene::choices`] is tried in turn, except those whose lower
+/// bound shows that no path there is shorter than the best so far; the shortest path wins. The budget begins with the
+/// call, and what is left of it is shared evenly by the orientations that are left.
 ///
 /// # Errors
-/// A scene without start or goal where the options give none, bad options, [`Error::interrupted`].
+/// No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is no error: the best path
+/// so far is the answer.
 ///
 /// # Example
 /// ```
-/// use cdpr_core::plan::{plan, PlanOptions};
+/// use cdpr_core::plan::{PlanOptions, plan};
 /// use cdpr_core::planning::Status;
-/// let result = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &|| false)?;
-/// assert_eq!(result.status, Status::Solved);
-/// assert!(result.cost <= result.raw_cost && result.cost > 1.98); // the straight line has 1.98 m
+/// let found = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result;
+/// assert_eq!(found.status, Status::Solved);
+/// assert!((found.cost - 2.435167).abs() < 1e-3); // the straight line has 1.98 m
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn plan(scene: &Scene, options: &PlanOptions, interrupted: &Interrupt) -> Result<PlanResult, Error> {
-    let watch = options.watch(interrupted);
-    match engine_within(scene, options.engine, options.interference, &watch) {
-        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(PlanResult::out_of_time()),
-        engine => plan_heard(&*engine?, scene, options, &watch, &|_, _, _| {}),
+pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
+    let query = query.into();
+    RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
+    if query.engine.is_none() && query.scene.orientation_is_open() {
+        return choosing::plan_choosing(&query, options, observer);
     }
+    let interrupted = || observer.interrupted();
+    let improved = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
+    plan_within(&query, options, &options.watch(&interrupted), &improved)
 }
 
-/// As [`plan`], by an engine that is there already; the options' engine and interference are not looked at.
-///
-/// # Errors
-/// As [`plan`].
-pub fn plan_with(
-    engine: &dyn Checker,
-    scene: &Scene,
-    options: &PlanOptions,
-    interrupted: &Interrupt,
-) -> Result<PlanResult, Error> {
-    plan_heard(engine, scene, options, &options.watch(interrupted), &|_, _, _| {})
+/// Plans at the orientation of the scene.
+fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &Improved) -> Result<Planned, Error> {
+    if let Some(engine) = query.engine {
+        let result = plan_by(engine, query, options, watch, improved)?;
+        return Ok(Planned { turned: None, engine: None, result });
+    }
+    let engine = match engine_within(query.scene, options.engine, options.interference, watch) {
+        Err(error) if error.class() == ErrorClass::OutOfTime => {
+            return Ok(Planned { turned: None, engine: None, result: PlanResult::out_of_time() });
+        }
+        engine => engine?,
+    };
+    let result = plan_by(&*engine, query, options, watch, improved)?;
+    Ok(Planned { turned: None, engine: Some(engine), result })
 }
 
-/// As [`plan_with`], within a watch that began with the call (the options' budget is not looked at), telling somebody of
-/// every better path that the anytime planner finds.
-///
-/// # Errors
-/// As [`plan`].
-pub fn plan_heard(
+fn plan_by(
     engine: &dyn Checker,
-    scene: &Scene,
+    query: &Query,
     options: &PlanOptions,
     watch: &Watch,
-    listener: &Listener<Point>,
+    improved: &Improved,
 ) -> Result<PlanResult, Error> {
-    RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
     let processing = options.post().processing(options.step, options.repeats)?;
-    let raw = search(engine, scene, options, watch, listener)?;
+    let raw = search(engine, query, options, watch, improved)?;
     let grace = watch.deadline.map(|deadline| deadline + POST_GRACE);
     post_process(engine, &raw, &processing, &Watch { deadline: grace, ..*watch })
 }
@@ -357,13 +359,12 @@ pub fn plan_heard(
 /// The planner's answer before rewinding; its path stands in `raw_waypoints` alone.
 fn search(
     engine: &dyn Checker,
-    scene: &Scene,
+    query: &Query,
     options: &PlanOptions,
     watch: &Watch,
-    listener: &Listener<Point>,
+    improved: &Improved,
 ) -> Result<PlanResult, Error> {
-    let start = end("start", options.start, scene.start())?;
-    let goal = end("goal", options.goal, scene.goal())?;
+    let [start, goal] = query.ends()?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if !engine.state_valid(&state) {
             return Ok(PlanResult::unsolved(status, engine.explain(&state, &state), Stats::default()));
@@ -372,8 +373,7 @@ fn search(
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let aids = Aids { guide: &Taut::new(engine), listener };
-    let outcome = options.planner.search(&problem, engine, &aids, &mut rng, watch)?;
+    let outcome = options.planner.search(&problem, engine, &Taut::new(engine), improved, &mut rng, watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -449,26 +449,12 @@ impl PlanResult {
     }
 }
 
-fn end(key: &str, given: Option<Point>, of_scene: Option<Point>) -> Result<Point, Error> {
-    match given {
-        Some(point) => crate::model::body::point(key, point.into()),
-        None => of_scene.ok_or_else(|| {
-            Error::invalid(
-                format!("query.{key}"),
-                format!("found none, expected a position; give query.{key} in the scene, or --{key}"),
-            )
-        }),
-    }
-}
-
 /// Checks a path for validity, all segments: a collision on a returned path would be a defect of this program.
 fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
     match first_invalid_segment(engine, waypoints) {
         None => Ok(()),
         Some(segment) => {
-            let problem =
-                format!("segment {segment} of the planned path did not pass its last check; please report this scene");
-            Err(Error::invalid("", problem))
+            Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")))
         }
     }
 }

@@ -1,6 +1,6 @@
-//! Sampling planners: functions of problem, validity, options and generator, returning an outcome.
+//! Sampling-based planners: functions of problem, validity, options and random generator that return an outcome.
 //!
-//! They know the trait [`crate::collision::Validity`], not the engine behind it, and a [`StateSpace`], not its geometry.
+//! They depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a geometry.
 
 pub mod anytime;
 mod bidirectional;
@@ -16,11 +16,11 @@ pub mod space;
 pub mod tree;
 pub mod two_trees;
 
-pub use anytime::{AnytimeOptions, Guide, Listener, anytime};
+pub use anytime::{AnytimeOptions, Guide, Improved, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
 pub use outcome::{Milestone, Outcome, Status};
-pub use planner::{Aids, Planner, PlannerOptions, PlannerSettings};
+pub use planner::{Planner, PlannerOptions, PlannerSettings};
 pub use rrt::{RrtOptions, rrt};
 pub use rrt_connect::{RrtConnectOptions, rrt_connect};
 pub use rrt_star::{RrtStarOptions, rrt_star};

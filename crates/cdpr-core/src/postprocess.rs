@@ -1,4 +1,4 @@
-//! Making any waypoint path shorter.
+//! Shortening of waypoint paths.
 
 pub mod rewind;
 pub mod taut;

@@ -7,7 +7,7 @@ use crate::collision::{Checker, Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point};
 use crate::model::Scene;
-use crate::plan::{PlanOptions, engine_within, plan_with};
+use crate::plan::{PlanOptions, Query, engine_within, plan};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use crate::watch::{Interrupt, Watch};
 
@@ -51,11 +51,10 @@ pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]
     pairs.sort_by(|(free, length, _), (other_free, other, _)| free.cmp(other_free).then(other.total_cmp(length)));
     let settings = PlannerSettings { max_samples: Some(SAMPLES), ..PlannerSettings::default() };
     let planner = PlannerOptions::new(Planner::TwoTrees, PlanOptions::default().step, &settings)?;
+    let options = PlanOptions { planner, ..PlanOptions::default() };
     let mut best: Option<(f64, [Point; 2])> = None;
     for (_, straight, [start, goal]) in pairs.into_iter().take(TRIALS) {
-        let options =
-            PlanOptions { planner: planner.clone(), start: Some(start), goal: Some(goal), ..PlanOptions::default() };
-        let found = plan_with(&*engine, scene, &options, interrupted)?;
+        let found = plan(Query::of(scene).from(start).to(goal).by(&*engine), &options, &|| interrupted())?.result;
         let detour = found.cost / straight;
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
             best = Some((detour, [start, goal]));

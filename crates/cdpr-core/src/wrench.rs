@@ -1,4 +1,4 @@
-//! Wrench feasibility: what the cables can exert, what they must, and how far the one is from the other (the paper,
+//! Wrench feasibility: the wrenches that the cables can exert, those that they must exert, and the margin between them (the paper,
 //! section 3.3).
 
 mod active_set;

@@ -7,10 +7,10 @@ use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path
 use cdpr_core::geometry::Point;
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
-    Appraisal, PlanOptions, PlanResult, Post, appraise, check, engine_within, lower_bound, plan_choosing, plan_heard,
+    Appraisal, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
     shorten_path, trace_rewinding,
 };
-use cdpr_core::planning::{Listener, PlannerOptions, PlannerSettings};
+use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
@@ -23,7 +23,7 @@ use pyo3::prelude::*;
 use crate::convert::{named, point, points, quaternion, row, serialized, triples};
 use crate::drawing::drawn;
 use crate::errors::{answered, interruptible, raised};
-use crate::search::{Planned, Tree, heard, search_tree, tree_arrays};
+use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
 
 /// A checked scene, with the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -282,36 +282,35 @@ impl Scene {
             engine: named(engine)?,
             interference: named(interference)?,
             seed,
-            start: start.map(point),
-            goal: goal.map(point),
             step,
             post: post.map(named).transpose()?,
             repeats,
             budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
-        let search = |stop: &Interrupt, tell: &Listener<Point>| {
-            let watch = options.watch(stop);
-            let (scene, engine, found) = match &self.0.choices()[..] {
-                [_] => match compiled(self, (options.engine, options.interference), &watch) {
-                    Err(error) if error.class() == ErrorClass::OutOfTime => {
-                        (self.0.clone(), None, PlanResult::out_of_time())
-                    }
+        let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&self.0) };
+        let search = |observer: &dyn Observer| {
+            let stop = || observer.interrupted();
+            let watch = options.watch(&stop);
+            let (turned, engine, found) = if self.0.orientation_is_open() {
+                let planned = plan(query, &options, observer)?;
+                (planned.turned, planned.engine.map(Arc::from), planned.result)
+            } else {
+                match compiled(self, (options.engine, options.interference), &watch) {
+                    Err(error) if error.class() == ErrorClass::OutOfTime => (None, None, PlanResult::out_of_time()),
                     engine => {
                         let engine = engine?;
-                        let found = plan_heard(&*engine, &self.0, &options, &watch, tell)?;
-                        (self.0.clone(), Some(engine), found)
+                        let options = PlanOptions { budget: watch.left(), ..options.clone() };
+                        let found = plan(query.by(&*engine), &options, observer)?.result;
+                        (None, Some(engine), found)
                     }
-                },
-                _ => {
-                    let planned = plan_choosing(&self.0, &options, stop, tell)?;
-                    (planned.scene, planned.engine.map(Arc::from), planned.result)
                 }
             };
+            let scene = turned.unwrap_or_else(|| self.0.clone());
             let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found.waypoints, false, &watch);
             let appraisal = engine.map(appraise).transpose()?.unwrap_or_default();
             Ok((scene, found, appraisal))
         };
-        let (scene, found, appraisal) = heard(py, on_improvement.as_ref(), search)?;
+        let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let Appraisal { nearest, wrench, .. } = appraisal;
         let json = answered(|| Ok(cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
         Ok((json.to_string(), tree_arrays(py, &found.tree)?))

@@ -1,10 +1,11 @@
 //! Searches: what they find on the way, and their trees as arrays.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use cdpr_core::Error;
 use cdpr_core::geometry::Point;
-use cdpr_core::planning::{Listener, SearchTree};
+use cdpr_core::plan::Observer;
+use cdpr_core::planning::SearchTree;
 use cdpr_core::watch::Interrupt;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -34,28 +35,48 @@ pub fn search_tree((states, parents): Tree) -> PyResult<SearchTree<Point>> {
     Ok(SearchTree { states, parents })
 }
 
-/// Runs a search that tells of better paths; a Ctrl-C that comes when there is a path ends the search with it.
-pub fn heard<T: Send>(
+/// Runs a search and calls back with every better path; a Ctrl-C that comes when there is a path ends the search with it.
+pub fn observed<T: Send>(
     py: Python<'_>,
     on_improvement: Option<&Py<PyAny>>,
-    search: impl FnOnce(&Interrupt, &Listener<Point>) -> Result<T, Error> + Send,
+    search: impl FnOnce(&dyn Observer) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    let failure: Mutex<Option<PyErr>> = Mutex::default();
-    let failed = || failure.lock().unwrap_or_else(PoisonError::into_inner);
-    let tell = |seconds: f64, cost: f64, path: &[Point]| {
-        let Some(callback) = on_improvement else { return };
-        let told = Python::attach(|py| {
-            let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
-            callback.call1(py, (seconds, cost, waypoints)).map(drop)
-        });
-        *failed() = told.err();
-    };
+    let failure = Mutex::default();
     let (found, signal) =
-        interruptible_with_rest(py, |interrupted| search(&|| interrupted() || failed().is_some(), &tell));
+        interruptible_with_rest(py, |stop| search(&Callback { stop, function: on_improvement, failure: &failure }));
     let stopped = |error: &PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
-    match (failed().take(), signal) {
+    let failed = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
+    match (failed, signal) {
         (Some(error), _) => Err(error),
         (None, Some(signal)) if !(stopped(&signal) && found.is_ok()) => Err(signal),
         _ => found.map_err(raised),
+    }
+}
+
+/// Calls a Python function with every better path. An exception in it ends the search.
+struct Callback<'a> {
+    stop: &'a Interrupt<'a>,
+    function: Option<&'a Py<PyAny>>,
+    failure: &'a Mutex<Option<PyErr>>,
+}
+
+impl Callback<'_> {
+    fn failure(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.failure.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Observer for Callback<'_> {
+    fn interrupted(&self) -> bool {
+        (self.stop)() || self.failure().is_some()
+    }
+
+    fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
+        let Some(function) = self.function else { return };
+        let called = Python::attach(|py| {
+            let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
+            function.call1(py, (seconds, cost, waypoints)).map(drop)
+        });
+        *self.failure() = called.err();
     }
 }

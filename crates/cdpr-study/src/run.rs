@@ -16,7 +16,7 @@ use super::experiment::{Experiment, Method, Scenario};
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::error::{Error, ErrorClass, caught};
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, engine_within, plan_with, post_process};
+use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_within, plan, post_process};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::watch::{Interrupt, Watch, thread_count};
 
@@ -350,7 +350,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     let options = PlanOptions { seed, ..method.options.clone() };
     let planned = || {
-        let raw = plan_with(engine, scene, &options, interrupted)?;
+        let raw = plan(Query::of(scene).by(engine), &options, &|| interrupted())?.result;
         let variants = method.variants.iter();
         variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
     };

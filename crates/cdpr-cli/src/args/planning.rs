@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{PlanOptions, Post, Processing};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
-use cdpr_core::{Choice, Error};
+use cdpr_core::{Choice, Error, Scene};
 use clap::{Args, ValueHint};
 
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
@@ -125,13 +125,19 @@ impl PlanArgs {
             engine: self.checker.engine,
             interference: self.checker.interference,
             seed: self.seed,
-            start: self.start.as_deref().map(Point::from_slice),
-            goal: self.goal.as_deref().map(Point::from_slice),
             step: self.rewinding.step,
             post: self.post,
             repeats: self.rewinding.repeats,
             budget: self.budget_ms,
         })
+    }
+}
+
+impl PlanArgs {
+    /// The question about a scene.
+    pub fn query<'a>(&self, scene: &'a Scene) -> Query<'a> {
+        let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
+        Query { start: end(&self.start), goal: end(&self.goal), ..Query::of(scene) }
     }
 }
 

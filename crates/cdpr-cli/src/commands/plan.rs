@@ -4,7 +4,7 @@ use cdpr_core::collision::{Checker, Kind, Violation};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
-use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Planned, Post, appraise, plan_choosing};
+use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Interrupt;
 use cdpr_core::{Error, Scene};
@@ -29,20 +29,22 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     let options = args.options()?;
     let in_scene = |e: Error| e.in_file(&args.scene.scene);
-    let better = |seconds: f64, cost: f64, path: &[Point]| {
-        out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
-    };
+    let query = args.query(&scene);
+    query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
-        let planned = plan_choosing(&scene, &options, stop, &better)?;
-        let Planned { scene, engine, result } = &planned;
+        let planned = plan(query, &options, &Reporter { stop, out })?;
+        let Planned { turned, engine, result } = &planned;
+        let scene = turned.as_ref().unwrap_or(&scene);
         let appraise = |engine: &dyn Checker| appraise(scene, engine, &result.waypoints, bounded, &watch);
         let appraisal = engine.as_deref().map(appraise).transpose()?.unwrap_or_default();
         Ok((planned, appraisal))
     };
-    let (Planned { scene, engine, result: found }, appraisal) =
+    let (Planned { turned, engine, result: found }, appraisal) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    let ends = query.ends().map_err(in_scene)?;
+    let scene = turned.unwrap_or(scene);
     engine.iter().for_each(|engine| out.notes(engine.conditions()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
@@ -50,7 +52,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     match args.scene.format {
         Format::Json => out.result(&format!("{json:#}")),
         Format::Text => {
-            out.result(&question(&scene, &options));
+            out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
@@ -63,11 +65,27 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if interrupted() {
         out.say("interrupted: this is the best path until then");
     } else if let Some(path) = &args.html {
-        let page = page(&shown_scene(&scene, &options)?, Some(&shown(&options, &found)), &[]);
+        let page = page(&shown_scene(&scene, ends)?, Some(&shown(&options, &found)), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     say_next(args, &scene, &found, out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// Prints every better path, and stops the search on request.
+struct Reporter<'a> {
+    stop: &'a Interrupt<'a>,
+    out: &'a Console,
+}
+
+impl Observer for Reporter<'_> {
+    fn interrupted(&self) -> bool {
+        (self.stop)()
+    }
+
+    fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
+        self.out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
+    }
 }
 
 fn excess_line(cost: f64, bound: f64) -> String {
@@ -76,11 +94,10 @@ fn excess_line(cost: f64, bound: f64) -> String {
 }
 
 /// The scene with the start and goal that were really asked for.
-fn shown_scene(scene: &Scene, options: &PlanOptions) -> Result<Scene, Error> {
+fn shown_scene(scene: &Scene, [start, goal]: [Point; 2]) -> Result<Scene, Error> {
     let mut spec = scene.spec().clone();
     let query = spec.query.get_or_insert_default();
-    query.start = options.start.map(<[f64; 3]>::from).or(query.start);
-    query.goal = options.goal.map(<[f64; 3]>::from).or(query.goal);
+    (query.start, query.goal) = (Some(start.into()), Some(goal.into()));
     Scene::new(spec)
 }
 
@@ -98,10 +115,8 @@ fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
     }
 }
 
-fn question(scene: &Scene, options: &PlanOptions) -> String {
-    let end = |given: Option<Point>, own: Option<Point>| given.or(own).map_or("?".to_string(), |p| position(&p));
-    let ends = [end(options.start, scene.start()), end(options.goal, scene.goal())];
-    format!("{}; from {} to {}", scene_line(scene), ends[0], ends[1])
+fn question(scene: &Scene, [start, goal]: [Point; 2]) -> String {
+    format!("{}; from {} to {}", scene_line(scene), position(&start), position(&goal))
 }
 
 fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {

@@ -1,4 +1,4 @@
-//! The cheapest chain of cells: A* (P. E. Hart, N. J. Nilsson, B. Raphael, 1968), with a weight on the distance that is left.
+//! The cheapest chain of cells: A* (P. E. Hart, N. J. Nilsson, B. Raphael, 1968), with a weight on the remaining distance.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -8,24 +8,24 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
 
-/// Cells looked at between two looks at the clock.
+/// Cells visited between two looks at the clock.
 const POLL: usize = 256;
-/// Stands for no cell.
+/// No cell.
 const NOBODY: u32 = u32::MAX;
 
-/// Room for a search, used again for the next.
+/// Scratch memory for a search, reused for the next.
 #[derive(Debug, Clone, Default)]
 pub struct Chains {
-    /// For each cell the cost of the cheapest chain to it.
+    /// For each cell, the cost of the cheapest chain to it.
     cost: Vec<f64>,
-    /// For each cell the one before it on that chain.
+    /// For each cell, its predecessor on that chain.
     before: Vec<u32>,
     queue: BinaryHeap<Entry>,
 }
 
 impl Chains {
-    /// The cells from the first of the ends to the second, which holds the goal; empty if there is no chain, or time is over. And
-    /// how many cells were looked at.
+    /// The cells from the first end to the second, which contains the goal; empty if there is no chain or time runs out. Also returns
+    /// the number of visited cells.
     pub fn find(
         &mut self,
         cells: &[Cell],
@@ -44,7 +44,7 @@ impl Chains {
         }
         while let Some(Entry { cost, cell, .. }) = self.queue.pop() {
             if cost > self.cost[cell as usize] {
-                continue; // found again, cheaper, in the meantime
+                continue; // reached more cheaply in the meantime
             }
             looked += 1;
             if looked % POLL == 0 && watch.expired()? {
@@ -85,7 +85,7 @@ impl Chains {
     }
 }
 
-/// A cell to look at: the one of lowest order first, of these the one of lowest index.
+/// A cell to visit: lowest order first, ties by lowest index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Entry {
     order: f64,

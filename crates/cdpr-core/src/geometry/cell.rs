@@ -1,4 +1,4 @@
-//! What lies in one cell of the cuts through a surface: polygons over points, and the planes of the cuts.
+//! The content of one cell of a mesh decomposition: polygons over points, and the cutting planes.
 
 use std::collections::HashMap;
 
@@ -8,21 +8,21 @@ use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// Polygons between two looks at the watch.
+/// Polygons between two checks of the watch.
 const LOOK: usize = 1 << 12;
 
 /// An intersection of half-spaces, and the flat convex polygons of the surface in it.
 pub(super) struct Cell {
     pub sides: Vec<HalfSpace>,
     pub points: Vec<Point>,
-    /// Corners of the polygons one after the other, as indices into the points.
+    /// Corners of the polygons, one polygon after another, as indices into the points.
     corners: Vec<u32>,
-    /// Of each polygon: the plane it lies in, and where its corners end.
+    /// For each polygon: its plane, and the end of its corners.
     ends: Vec<(u32, u32)>,
 }
 
 impl Cell {
-    /// All triangles, which lie in planes of these numbers.
+    /// All triangles, with the indices of the planes that they lie in.
     pub fn whole(triangles: &[[Point; 3]], plane_of: &[u32], watch: &Watch) -> Result<Self, Error> {
         let mut cell = Cell { sides: Vec::new(), points: Vec::new(), corners: Vec::new(), ends: Vec::new() };
         let mut places: HashMap<[u64; 3], u32> = HashMap::new();
@@ -63,8 +63,8 @@ impl Cell {
         Aabb::around(&self.points)
     }
 
-    /// What lies behind a plane and what lies before it. A polygon in the plane goes where its body is, which the
-    /// normals of the surface's planes tell; without them it goes behind.
+    /// The parts behind and in front of a plane. A polygon in the plane goes to the side of its body, which the normals of the
+    /// surface's planes determine; without them it goes behind.
     pub fn halves(
         &self,
         plane: &HalfSpace,
@@ -98,7 +98,7 @@ impl Cell {
         Ok(halves.map(|half| half.cell))
     }
 
-    /// The points behind and before a plane, and where polygons cross it, in both.
+    /// The points behind and in front of a plane; the points where polygons cross it are in both.
     pub fn points_beside(&self, plane: &HalfSpace, on_plane: f64) -> [Vec<Point>; 2] {
         let heights: Vec<f64> = self.points.iter().map(|p| plane.height(p)).collect();
         let mut sides = [Vec::new(), Vec::new()];
@@ -132,11 +132,11 @@ impl Cell {
     }
 }
 
-/// A half of a cell while it is being filled.
+/// One half of a cell, while it is being filled.
 struct Half<'a> {
     whole: &'a Cell,
     cell: Cell,
-    /// Where points of the whole stand in the half.
+    /// For each point of the whole, its index in the half.
     places: Vec<u32>,
     crossings: HashMap<[u32; 2], u32>,
 }
@@ -175,7 +175,7 @@ impl<'a> Half<'a> {
                 self.push(*i);
             }
             if (here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0) {
-                // From the lower number to the higher, so that neighbours find the same point.
+                // From the lower index to the higher, so that neighbours compute the same point.
                 let [from, to] = [*i.min(&j), *i.max(&j)];
                 let [a, b] = [from, to].map(|i| heights[i as usize]);
                 let [p, q] = [from, to].map(|i| self.whole.points[i as usize]);
@@ -191,7 +191,7 @@ impl<'a> Half<'a> {
     }
 }
 
-/// Mean of a cell's surface, and the axes along which it extends, the longest first.
+/// Mean of a cell's surface, and its principal axes, longest first.
 pub(super) fn mean_and_axes(cell: &Cell) -> (Point, [Vector; 3]) {
     let (mut area, mut first, mut second) = (0.0, Vector::zeros(), Matrix3::zeros());
     let origin = cell.points[0];
@@ -201,7 +201,7 @@ pub(super) fn mean_and_axes(cell: &Cell) -> (Point, [Vector; 3]) {
         let middle = sum / ring.len() as f64;
         area += share;
         first += middle * share;
-        // The spread of the corners makes up for that of the polygon, so that few large ones have axes, too.
+        // The spread of the corners stands for that of the polygon, so that a few large polygons have axes, too.
         second += middle * middle.transpose() * share;
         for i in ring {
             let spoke = cell.points[*i as usize] - origin - middle;

@@ -1,9 +1,9 @@
-//! What half-spaces leave of a box, as a closed mesh.
+//! Intersection of a box with half-spaces, as a closed mesh.
 //!
-//! Rounding decides where corners lie, never how they hang together: a cut takes away a connected set of corners and
-//! leaves a connected set. Faces of a convex body cover a sphere, so no face can then be cut twice, the cut runs around
-//! once, and closing it with one new face gives a sphere again. Planes through corners, planes that touch, doubled ones
-//! and slivers need no case of their own; edges of no length are contracted at the end.
+//! Rounding affects the positions of corners, but never the topology: a cut removes a connected set of corners and
+//! leaves a connected set. The faces of a convex body cover a sphere, so no face is cut twice, the cut runs around
+//! once, and closing it with one new face gives a sphere again. Planes through corners, touching planes, duplicates
+//! and slivers need no special treatment; edges of zero length are contracted at the end.
 //!
 //! Source: topology before numbers, after K. Sugihara, "A robust and consistent algorithm for intersecting convex
 //! polyhedra", Computer Graphics Forum 13(3), 1994.
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use super::{Aabb, HalfSpace, Point, TriangleMesh, Vector};
 use crate::numerics::{PARALLEL, SAME_POINT, TOUCH_DEPTH};
 
-/// The part of a box that lies in all half-spaces; none if nothing thicker than [`TOUCH_DEPTH`] is left.
+/// The part of a box that lies in all half-spaces; `None` if nothing thicker than [`TOUCH_DEPTH`] is left.
 ///
 /// The mesh is one closed surface, convex up to rounding, its triangles counter-clockwise seen from outside.
 ///
@@ -36,8 +36,8 @@ pub fn convex_mesh(half_spaces: &[HalfSpace], within: &Aabb) -> Option<TriangleM
     (mesh.volume() > 0.5 * TOUCH_DEPTH * mesh.area()).then_some(mesh)
 }
 
-/// The part in a box of a wedge without volume, { apex + s a + t b, s and t not negative }, as a surface of two sides;
-/// none if a and b are parallel or the wedge misses the box.
+/// The part in a box of a wedge without volume, { apex + s a + t b, s and t nonnegative }, as a two-sided surface;
+/// `None` if a and b are parallel or the wedge misses the box.
 pub fn wedge_mesh(apex: &Point, [a, b]: [Vector; 2], within: &Aabb) -> Option<TriangleMesh> {
     let (a, b) = (a.try_normalize(0.0)?, b.try_normalize(0.0)?);
     let across = |along: &Vector, v: &Vector| (v - along * along.dot(v)).try_normalize(PARALLEL);
@@ -53,7 +53,7 @@ pub fn wedge_mesh(apex: &Point, [a, b]: [Vector; 2], within: &Aabb) -> Option<Tr
     two_sided(polygon)
 }
 
-/// A convex body while it is being cut; corners that were cut off stay in the list.
+/// A convex body that is being cut; removed corners stay in the list.
 pub(super) struct Polyhedron {
     pub vertices: Vec<Point>,
     /// Corners in counter-clockwise order seen from outside.
@@ -71,7 +71,7 @@ impl Polyhedron {
         Some(Polyhedron { vertices: (0..8).map(corner).collect(), faces: faces.map(Vec::from).to_vec() })
     }
 
-    /// Cuts off what lies outside a half-space; none if that is all. Corners up to [`TOUCH_DEPTH`] outside may stay.
+    /// Cuts off everything outside a half-space; `None` if nothing is left. Corners up to [`TOUCH_DEPTH`] outside may stay.
     pub fn cut(&mut self, half_space: &HalfSpace) -> Option<()> {
         let heights: Vec<f64> = self.vertices.iter().map(|v| half_space.height(v)).collect();
         let corners = || self.faces.iter().flatten().copied();
@@ -89,7 +89,7 @@ impl Polyhedron {
         Some(())
     }
 
-    /// The corners that edges join to `from` by way of corners that satisfy `belongs`.
+    /// The corners connected to `from` by edges through corners that satisfy `belongs`.
     fn connected(&self, from: usize, belongs: impl Fn(usize) -> bool) -> Vec<bool> {
         let mut neighbours = vec![Vec::new(); self.vertices.len()];
         self.faces.iter().flat_map(|face| edges(face)).for_each(|[i, j]| neighbours[i].push(j));
@@ -107,7 +107,7 @@ impl Polyhedron {
         found
     }
 
-    /// Takes away the corners that are not kept and closes the hole with a new face.
+    /// Removes the corners that are not kept and closes the hole with a new face.
     fn remove(&mut self, kept: &[bool], heights: &[f64]) {
         let mut on_edge = BTreeMap::new();
         let mut rim = BTreeMap::new();
@@ -131,7 +131,7 @@ impl Polyhedron {
                 }
             }
             if let (Some(leaves), Some(returns)) = (leaves, returns) {
-                rim.insert(returns, leaves); // the new face runs the other way along this edge
+                rim.insert(returns, leaves); // the new face has the opposite direction along this edge
             }
             if !rest.is_empty() {
                 faces.push(rest);
@@ -150,8 +150,8 @@ fn edges(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     (0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]])
 }
 
-/// Where the way from a point inside to one outside crosses the plane, given their heights; an end where rounding put
-/// both on one side.
+/// The point where the segment from an inside point to an outside point crosses the plane, given their heights; an end if rounding
+/// put both on one side.
 fn crossing((inner, below): (Point, f64), (outer, above): (Point, f64)) -> Point {
     let share = if above > below { (-below / (above - below)).clamp(0.0, 1.0) } else { 0.0 };
     inner + (outer - inner) * share
@@ -178,7 +178,7 @@ fn cut_polygon(corners: &[Point], half_space: &HalfSpace) -> Vec<Point> {
     rest
 }
 
-/// Both sides of a convex polygon; none if it is nowhere wider than [`TOUCH_DEPTH`].
+/// Both sides of a convex polygon; `None` if it is nowhere wider than [`TOUCH_DEPTH`].
 fn two_sided(mut corners: Vec<Point>) -> Option<TriangleMesh> {
     corners.dedup_by(|a, b| (*a - *b).norm() <= SAME_POINT);
     while corners.len() > 1 && (corners[corners.len() - 1] - corners[0]).norm() <= SAME_POINT {
@@ -188,7 +188,7 @@ fn two_sided(mut corners: Vec<Point>) -> Option<TriangleMesh> {
     if n < 3 {
         return None;
     }
-    // Fans from neighbouring corners: the two sides have only the rim in common.
+    // Fans from neighbouring corners: the two sides share only the rim.
     let front = (0..n).collect();
     let back = (0..n).rev().map(|k| (k + 2) % n).collect();
     let mesh = TriangleMesh::of_faces(corners, &[front, back]);

@@ -1,10 +1,10 @@
 //! Convex parts that together cover a surface and the body it encloses.
 //!
-//! A piece whose hull reaches too far beyond it is cut by a plane, and so are the halves. A part encloses what lies in
-//! one cell of the cuts: all of the surface in it, and those corners of the cell that are inside the body. Every
-//! extreme point of body and cell is one of these, so the parts cover the body whatever the cuts; they only decide how
-//! far the parts reach beyond it. Cuts go where the hull reaches farthest: along the largest face that looks there, or
-//! else wherever the halves get smallest. Neighbours that one body encloses within the tolerance are merged at the end.
+//! If the hull of a piece extends too far beyond it, the piece is cut by a plane, and so are the halves. A part encloses the content
+//! of one cell of the cuts: all of the surface in it, and the corners of the cell that are inside the body. Every extreme point of
+//! the intersection of body and cell is one of these, so the parts cover the body wherever the cuts are; the cuts only determine how
+//! far the parts extend beyond it. A cut goes where the hull extends farthest: along the largest face on that side, or else where it
+//! makes the halves smallest. Neighbours that one body encloses within the tolerance are merged at the end.
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -26,30 +26,30 @@ use crate::numerics::{
 };
 use crate::watch::Watch;
 
-/// Fewest boxes that a proof of reach may look at, whatever is left for all parts together.
+/// Minimum number of boxes that a proof of reach may examine, whatever is left for all parts together.
 const LEAST_STEPS: usize = 200;
 
-/// Shares of the tolerance that neighbours are merged up to, one after the other, while there are too many.
+/// Shares of the tolerance up to which neighbours are merged, one after another, while there are too many parts.
 const MERGE_SHARES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
-/// Corners up to which hulls are grown to compare cuts by their volume.
+/// Number of corners up to which hulls are grown to compare cuts by volume.
 const ROUGH_CORNERS: usize = 40;
 
 /// Convex parts of a piece.
 #[derive(Debug, Clone)]
 pub struct ConvexParts {
-    /// The parts; all have volume.
+    /// The parts; all have a volume.
     pub bodies: Vec<Polytope>,
-    /// No point of a part is farther from the piece than this, m.
+    /// Upper bound of the distance of any point of a part from the piece, m.
     pub reach: f64,
 }
 
-/// Parts of a piece that reach at most `tolerance` metres beyond it (but four times [`SHEET`] at least), unless that
-/// takes more than `most` parts, or more time to prove than [`REACH_STEPS_PER_PART`] allow. The reach of the result
-/// still holds, except for a closed surface that intersects itself.
+/// Parts of a piece that extend at most `tolerance` metres beyond it (but at least four times [`SHEET`]), unless that
+/// takes more than `most` parts or more proof steps than [`REACH_STEPS_PER_PART`] allows. The reach in the result
+/// is valid in any case, except for a closed surface that intersects itself.
 ///
 /// # Errors
-/// The watch's.
+/// Those of the watch.
 pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
     if let Some(body) = convex(piece, watch)? {
         return Ok(ConvexParts { bodies: vec![body], reach: 0.0 });
@@ -63,7 +63,7 @@ pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -
     Ok(ConvexParts { bodies: bodies.into_iter().map(|(body, _)| body).collect(), reach })
 }
 
-/// The hull of a piece that is convex already and has few corners.
+/// The hull of a piece that is already convex and has few corners.
 fn convex(piece: &Piece, watch: &Watch) -> Result<Option<Polytope>, Error> {
     let Some(volume) = piece.volume else { return Ok(None) };
     let points: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
@@ -76,37 +76,37 @@ fn convex(piece: &Piece, watch: &Watch) -> Result<Option<Polytope>, Error> {
     Ok(Polytope::hull_of(&inner.corners()).ok().filter(|body| is_sound(body, &inner.candidates())))
 }
 
-/// A part of the body while it may still be merged.
+/// A part of the body that may still be merged.
 #[derive(Clone)]
 pub(super) struct Part {
     pub wrap: Wrap,
-    /// How far it reaches, if that is proved to be within the tolerance, m; zero if it is exactly what the body has
+    /// How far it extends beyond the piece, if this is proved to be within the tolerance, m; zero if it equals the body
     /// there.
     pub reach: Option<f64>,
 }
 
-/// What came of looking at a cell.
+/// Result of examining a cell.
 struct Judged {
     cell: Cell,
     part: Part,
     reach: Reach,
 }
 
-/// A cell to be looked at, and the one that it is a half of.
+/// A cell to be examined, and its parent.
 type Open = (Cell, Option<usize>);
 
-/// A cell that was looked at. Those that are not cut cover the body.
+/// An examined cell. Those that are not cut cover the body.
 struct Node {
     part: Part,
-    /// The cell that this one is a half of.
+    /// The parent cell.
     parent: Option<usize>,
-    /// Halves that hold something, and are not given up.
+    /// Halves that are not empty and not discarded.
     halves: usize,
     /// Whether this cell's part is among those that cover the body.
     stands: bool,
 }
 
-/// Undoes cuts, those first that saved least volume, until no more than `most` parts stand.
+/// Undoes cuts, starting with those that saved the least volume, until at most `most` parts remain.
 fn undo(nodes: &mut [Node], most: usize) {
     let mut standing = nodes.iter().filter(|node| node.stands).count();
     let mut whole: Vec<bool> = nodes.iter().map(|node| node.stands).collect();
@@ -117,7 +117,7 @@ fn undo(nodes: &mut [Node], most: usize) {
             saved[parent] -= node.part.wrap.volume;
         }
     }
-    // A cell may be made whole once its halves are; numbers that are not negative are ordered as their bits.
+    // A cell may be restored once its halves are; nonnegative numbers have the same order as their bit patterns.
     let mut ready: BinaryHeap<Reverse<(u64, usize)>> = BinaryHeap::new();
     let done = |k: usize, missing: &mut [usize], ready: &mut BinaryHeap<_>| {
         if let Some(parent) = nodes[k].parent {
@@ -148,7 +148,7 @@ pub(super) struct Cutter<'a> {
     pub tolerance: f64,
     pub watch: &'a Watch<'a>,
     aabb: Aabb,
-    /// Planes of the triangles, each once.
+    /// Planes of the triangles, without duplicates.
     planes: Vec<HalfSpace>,
     plane_of: Vec<u32>,
     /// Height up to which a point counts as on a plane, m.
@@ -184,8 +184,8 @@ impl<'a> Cutter<'a> {
         Ok(Cutter { piece, tolerance, watch, aabb, planes, plane_of, on_plane: 1e-9 * extent })
     }
 
-    /// At most so many parts. If that many can be close, they are; others come from more cells that reach as far as they
-    /// may, merged. Where merging leaves too many, cuts that gain least are undone.
+    /// At most `most` parts. If that many can be close enough, they are used; otherwise more cells, which reach as far as
+    /// allowed, are merged. If merging leaves too many, the cuts that gain least are undone.
     fn few(&self, most: usize) -> Result<Vec<Part>, Error> {
         let close = CLOSE * self.tolerance;
         let standing = |nodes: &[Node]| nodes.iter().filter(|node| node.stands).map(|node| node.part.clone()).collect();
@@ -211,9 +211,9 @@ impl<'a> Cutter<'a> {
         merged(self, standing(&nodes), self.tolerance)
     }
 
-    /// Cuts cells until their parts are good enough, all cells of a round at a time: which are cut does not depend on
-    /// which is finished first. Where there is no room for all, those are cut that reach farthest; or none, if only all are
-    /// of use. A piece that one part encloses within the tolerance is not cut.
+    /// Cuts cells until their parts are good enough, round by round, so that the result does not depend on the order in
+    /// which threads finish. If there is not enough room for all, those that extend farthest are cut; or none, if only all are
+    /// useful. A piece that one part encloses within the tolerance is not cut.
     fn cut_up(&self, within: f64, (cells, most): (usize, usize), all: bool) -> Result<Vec<Node>, Error> {
         let mut open = vec![(Cell::whole(&self.piece.triangles, &self.plane_of, self.watch)?, None)];
         let mut nodes: Vec<Node> = Vec::new();
@@ -257,7 +257,7 @@ impl<'a> Cutter<'a> {
         Ok(nodes)
     }
 
-    /// The part of a cell, and whether it is good enough; none if there is nothing in the cell.
+    /// The part of a cell, and whether it is good enough; `None` if the cell is empty.
     fn judged(&self, cell: Cell, within: f64, steps: usize) -> Result<Option<Judged>, Error> {
         let mut points = cell.points.clone();
         if self.piece.volume.is_some() && !cell.sides.is_empty() {
@@ -282,7 +282,7 @@ impl<'a> Cutter<'a> {
         if self.piece.volume.is_some() { self.enclosing(points) } else { self.enclosing(thickened(&points)) }
     }
 
-    /// The same around points that may have been thickened already.
+    /// The same around points that may already have been thickened.
     pub fn enclosing(&self, points: Vec<Point>) -> Result<Wrap, Error> {
         let room = TIGHT_WRAP * self.tolerance;
         match wrap(&points, room, self.watch)? {
@@ -291,28 +291,28 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// How far a body reaches, as far as it takes to know whether that is too far.
+    /// How far a body extends beyond the piece, computed until it is clear whether that is too far.
     pub fn proved(&self, wrap: &Wrap, within: f64, steps: usize) -> Result<Reach, Error> {
         let until = Until { enough: within, or_beyond: true, steps };
         let (planes, aabb) = wrap.widened();
         reach(&self.piece.distance, &planes, &aabb, &until, self.watch)
     }
 
-    /// The body of a part, and how far it reaches.
+    /// The body of a part, and how far it extends beyond the piece.
     fn finished(&self, part: Part, steps: usize) -> Result<(Polytope, f64), Error> {
         let (body, proved) = part.wrap.polytope();
         let proved = part.reach.filter(|_| proved);
         if proved == Some(0.0) {
             return Ok((body, 0.0));
         }
-        // The proof ended where the bound was low enough; most parts reach less.
+        // The proof ended as soon as the bound was low enough; most parts extend less.
         let until = Until { enough: 0.0, or_beyond: false, steps };
         let found = reach(&self.piece.distance, &body.half_spaces(), body.aabb(), &until, self.watch)?;
         Ok((body, proved.map_or(found.bound, |reach| reach.min(found.bound))))
     }
 
-    /// Whether a part is exactly what the body has in its cell: the surface runs nowhere through the part's inside, and
-    /// the inside belongs to the body.
+    /// Whether a part equals the body in its cell: the surface does not pass through the part's interior, and the interior
+    /// belongs to the body.
     fn fills(&self, cell: &Cell, wrap: &Wrap) -> bool {
         let on = |side: &HalfSpace, ring: &[u32]| {
             ring.iter().all(|i| side.height(&cell.points[*i as usize]).abs() <= ON_SURFACE)
@@ -321,8 +321,8 @@ impl<'a> Cutter<'a> {
         wrap.exact && self.piece.distance.at(&wrap.middle).0 < 0.0 && cell.polygons().all(|(_, ring)| outside(ring))
     }
 
-    /// Both halves of a cell, cut where its part reaches too far: along a large face that looks there; else where the
-    /// halves get smallest. None if no cut leaves something on both sides.
+    /// Both halves of a cell, cut where its part extends too far: along a large face on that side, or else where the halves become
+    /// smallest. `None` if no cut leaves something on both sides.
     fn cut(&self, cell: &Cell, reach: &Reach) -> Result<Option<[Cell; 2]>, Error> {
         let Some((_, void)) = reach.worst else { return Ok(None) };
         let (distance, nearest) = self.piece.distance.at(&void);
@@ -331,7 +331,7 @@ impl<'a> Cutter<'a> {
         {
             return Ok(Some(halves));
         }
-        // Behind the nearest point there is body to be cut off; of a sheet there is only what bends around the void.
+        // The body behind the nearest point can be cut off; a sheet has only surface that bends around the void.
         let place = if self.piece.volume.is_some() { nearest } else { void };
         let toward = (void - nearest).try_normalize(0.0).unwrap_or(Vector::x());
         let (_, axes) = mean_and_axes(cell);
@@ -360,7 +360,7 @@ impl<'a> Cutter<'a> {
         Ok(halves.iter().all(|half| half.count() > 0).then_some(halves))
     }
 
-    /// Volume of the hulls of both halves, about; none if there is nothing on one side.
+    /// Approximate volume of the hulls of both halves; `None` if one side is empty.
     fn volume_of_halves(&self, cell: &Cell, plane: &HalfSpace) -> Result<Option<f64>, Error> {
         let mut sum = 0.0;
         for side in cell.points_beside(plane, self.on_plane) {
@@ -376,7 +376,7 @@ impl<'a> Cutter<'a> {
         Ok(Some(sum))
     }
 
-    /// The plane with the largest share of a cell's surface among those that a place is well in front of.
+    /// The plane with the largest share of a cell's surface, among those that a point is well in front of.
     fn face_toward(&self, cell: &Cell, place: &Point, distance: f64) -> Option<HalfSpace> {
         let mut areas: HashMap<u32, f64> = HashMap::new();
         let mut total = 0.0;

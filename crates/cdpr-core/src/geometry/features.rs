@@ -1,9 +1,9 @@
 //! Distance of two disjoint polytopes from their features: the nearest points lie on two edges, or one is a corner
-//! above a face of the other. Slow and exact; it settles the few cases that rounding keeps GJK from settling.
+//! above a face of the other. Slow but exact; decides the few cases that GJK leaves undecided because of rounding.
 
 use super::{Point, Vector, segment_segment};
 
-/// Edges and flat faces of a shape; parts of its inside may be among them, its boundary must be.
+/// Edges and flat faces of a shape. They may include parts of its interior and must include its boundary.
 #[derive(Debug, Default, Clone)]
 pub struct Boundary {
     /// Edges; a point is an edge of length zero.

@@ -1,8 +1,8 @@
-//! Algorithm 2 of the paper: GJK between convex sets of any two dimensions, with parry's simplex. Here and in
-//! `hull` parry's (glam) vectors meet ours (nalgebra).
+//! Algorithm 2 of the paper: GJK between convex sets of any two dimensions, with parry's simplex. This file and
+//! `hull` are where parry's (glam) vectors meet ours (nalgebra).
 //!
-//! The loop keeps two bounds on the distance that hold whatever rounding does: `lower` from the best separating
-//! direction seen, `upper` from a pair of points of the two sets. A caller decides on the bounds, never on whether
+//! The loop keeps two bounds on the distance that are valid regardless of rounding: `lower` from the best separating
+//! direction so far, `upper` from a pair of points of the two sets. Callers decide by the bounds, never by whether
 //! the iteration converged, so an iteration cap or a stalled simplex can cost time but not safety.
 //!
 //! Sources: the paper, section 2.3; Gilbert, Johnson, Keerthi 1988; van den Bergen, Collision Detection in
@@ -18,9 +18,9 @@ use crate::numerics::{GJK_DISTANCE, GJK_ITERATIONS, TOUCH_DEPTH};
 /// Two-sided bounds on the distance of two sets, m, with their certificates.
 #[derive(Debug, Clone, Copy)]
 pub struct Proximity {
-    /// No two points of the sets are nearer than this (negative if no separating direction was found).
+    /// Lower bound of the distance (negative if no separating direction was found).
     pub lower: f64,
-    /// The points `on_a` and `on_b` are this far apart.
+    /// Upper bound of the distance: that of `on_a` and `on_b`.
     pub upper: f64,
     /// Unit direction from `a` to `b` along which the gap is `lower`.
     pub axis: Vector,
@@ -75,7 +75,7 @@ pub fn proximity(a: &impl SupportMap, b: &impl SupportMap, apart: f64, close: f6
 }
 
 impl Proximity {
-    /// Takes over the witness points of `simplex` if they are nearer to each other.
+    /// Uses the witness points of `simplex` if they are closer to each other.
     fn tighten_upper(&mut self, simplex: &VoronoiSimplex) {
         let corners = &std::array::from_fn::<_, 4, _>(|i| *simplex.point(i.min(simplex.dimension())));
         let weights: [f64; 4] = if simplex.dimension() == 3 {
@@ -114,8 +114,8 @@ fn minkowski_support(a: &impl SupportMap, b: &impl SupportMap, direction: &Vecto
     CsoPoint::new(to_glam(&a.support(direction)), to_glam(&b.support(&-direction)))
 }
 
-/// parry's simplex drops vertices nearer than absolute thresholds made for metre-sized bodies (1e-8 m² for an edge's
-/// cross product). In finer units the same bodies are large; a power of two keeps every number exact.
+/// parry's simplex drops vertices that are closer than absolute thresholds made for metre-sized bodies (1e-8 m² for an edge's
+/// cross product). In finer units the same bodies are large; scaling by a power of two keeps every number exact.
 const UNITS_PER_METRE: f64 = 1_048_576.0;
 
 #[inline]
@@ -136,20 +136,20 @@ fn from_glam_vector(v: Glam) -> Vector {
 /// Distance of two shapes with nearest points, or their overlap depth.
 #[derive(Debug, Clone, Copy)]
 pub struct Distance {
-    /// Distance, m; zero where the shapes meet.
+    /// Distance, m; zero if the shapes meet.
     pub distance: f64,
-    /// Nearest point of the first shape; a common point, as nearly as GJK found one, where they meet.
+    /// Nearest point of the first shape; if they meet, an approximate common point from GJK.
     pub on_a: Point,
     /// Nearest point of the second shape.
     pub on_b: Point,
-    /// How far one shape must be moved to part them, m; zero where they are apart or only touch.
+    /// How far one shape must be moved to separate them, m; zero if they are apart or only touch.
     pub depth: f64,
-    /// Unit direction from `a` to `b` along which they are nearest, or are parted soonest.
+    /// Unit direction from `a` to `b` along which they are nearest, or along which the shortest translation separates them.
     pub axis: Vector,
 }
 
 impl Distance {
-    /// Distance where apart, minus the depth where overlapping, m.
+    /// Distance if the shapes are apart, minus the depth if they overlap, m.
     pub fn signed(&self) -> f64 {
         if self.depth > 0.0 { -self.depth } else { self.distance }
     }
@@ -172,12 +172,12 @@ pub fn shape_distance(a: &impl ConvexShape, b: &impl ConvexShape) -> Distance {
 
 /// Whether two shapes overlap by more than `touch`, m, the depth up to which they only touch.
 ///
-/// The certified yes of GJK's separating direction settles most cases; whatever it leaves open, separating axes decide.
+/// GJK's certified separating direction decides most cases; separating axes decide the rest.
 pub fn overlap(a: &impl ConvexShape, b: &impl ConvexShape, touch: f64) -> bool {
     proximity(a, b, -touch, -1.0).lower <= -touch && super::separating_axes::overlap_deeper_than(a, b, touch)
 }
 
-/// Whether two shapes are nearer to each other than `gap`, m (> 0), by more than [`TOUCH_DEPTH`].
+/// Whether two shapes are closer to each other than `gap`, m (> 0), by more than [`TOUCH_DEPTH`].
 pub fn nearer_than(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64) -> bool {
     let limit = gap - TOUCH_DEPTH;
     let found = proximity(a, b, limit, limit);

@@ -17,7 +17,7 @@ impl HalfSpace {
         HalfSpace { normal, offset: normal.dot(&point.coords) }
     }
 
-    /// The smallest half-space with this unit outward normal that has all `points` in its closure.
+    /// The smallest half-space with this unit outward normal whose closure contains all `points`.
     pub fn around(points: &[Point], normal: Vector) -> Self {
         let offset = points.iter().map(|p| normal.dot(&p.coords)).fold(f64::NEG_INFINITY, f64::max);
         HalfSpace { normal, offset }

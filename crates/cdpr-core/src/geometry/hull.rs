@@ -1,6 +1,6 @@
 //! Faces of the convex hull of a point set in any dimension, with coplanar triangles merged.
 //!
-//! parry computes the triangles; here they become facets with all their corners, and the result is verified: every
+//! parry computes the triangles; this module turns them into facets with all their corners and verifies the result: every
 //! point inside every facet, every edge between exactly two facets, and Euler's formula.
 
 use parry3d_f64::math::Vector as Glam;
@@ -10,13 +10,13 @@ use super::polytope::Facet;
 use super::{Point, Vector};
 use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT, STANDS_OUT};
 
-/// Corners of a hull and its facets over them.
+/// Corners of a hull, and its facets.
 pub(super) struct Hull {
     pub corners: Vec<Point>,
     pub facets: Vec<Facet>,
 }
 
-/// Affine frame of a point set: how many directions it extends in, and which.
+/// Affine frame of a point set: its dimension and its axes.
 pub(super) struct Extent {
     pub dimension: usize,
     origin: Point,
@@ -42,14 +42,14 @@ impl Extent {
         extent
     }
 
-    /// Coordinates along the axes in units of the reach: the affine image in which the body is about as thick as long.
+    /// Coordinates along the axes in units of the reach: an affine image in which the body is about as thick as long.
     fn evened(&self, point: &Point) -> Glam {
         let offset = point - self.origin;
         let [x, y, z] = std::array::from_fn(|k| self.axes[k].dot(&offset) / self.reach[k]);
         Glam::new(x, y, z)
     }
 
-    /// What is left of `point - origin` after the axes found so far.
+    /// The component of `point - origin` orthogonal to the axes found so far.
     fn remainder(&self, point: &Point) -> Vector {
         let mut offset = point - self.origin;
         for axis in &self.axes[..self.dimension] {
@@ -67,7 +67,7 @@ pub(super) fn segment_hull(points: &[Point], extent: &Extent) -> Hull {
     Hull { corners: vec![*first, *last], facets: Vec::new() }
 }
 
-/// Hull of points in a plane: a polygon with two faces; none if no corner list covers them all.
+/// Hull of points in a plane: a polygon with two faces; `None` if no corner list covers all points.
 pub(super) fn polygon_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     let flat = flattened(points, extent);
     let corners: Vec<Point> = convex_ring(&flat)?.iter().map(|&i| points[i]).collect();
@@ -83,10 +83,10 @@ fn flattened(points: &[Point], extent: &Extent) -> Vec<[f64; 2]> {
     points.iter().map(|p| [(p - extent.origin).dot(&u), (p - extent.origin).dot(&v)]).collect()
 }
 
-/// Counter-clockwise hull of points in the plane, as indices, without corners that stand out by rounding only.
+/// Counter-clockwise hull of points in the plane, as indices, without corners that are due to rounding.
 ///
-/// The chain sorts along one direction, and points that differ only by rounding along it can cost it a true corner. So
-/// the result is verified: every point within rounding of the polygon, else another direction.
+/// The chain sorts along one direction, and points that differ along it only by rounding can make it lose a true corner. So
+/// the result is verified (every point within rounding of the polygon); otherwise another direction is tried.
 fn convex_ring(points: &[[f64; 2]]) -> Option<Vec<usize>> {
     const DIRECTIONS: [f64; 5] = [0.3, 1.1, 2.0, 0.7, 2.7]; // rad, none of them likely in a drawing
     DIRECTIONS.into_iter().find_map(|angle| {
@@ -127,7 +127,7 @@ fn height(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (ab[0] * ac[1] - ab[1] * ac[0]) / ab[0].hypot(ab[1])
 }
 
-/// Andrew's monotone chain, exactly as it stands: no tolerance inside, or it pops true corners.
+/// Andrew's monotone chain without any tolerance, which would remove true corners.
 fn monotone_chain(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
@@ -149,17 +149,17 @@ fn monotone_chain(points: &[[f64; 2]]) -> Vec<usize> {
     ring
 }
 
-/// Hull of points with volume; none if it does not come out as a closed convex surface.
+/// Hull of points with volume; `None` if it is not a closed convex surface.
 pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
-    // Which points are on the hull does not change under affine maps, but parry takes a slab a thousand times longer
-    // than thick for flat: let it see an even one.
+    // Affine maps do not change which points are on the hull, but parry treats a slab a thousand times longer than thick as flat,
+    // so it gets an image of even extent.
     let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
     let (kept, triangles) = try_convex_hull(&even).ok()?;
     let original = |v: &Glam| even.iter().position(|e| e == v).map(|k| points[k]);
     let vertices: Vec<Point> = kept.iter().map(original).collect::<Option<_>>()?;
     let triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|i| i as usize)).collect();
-    // Coordinates typed with some decimals have faces that are flat up to that rounding, and merging is only closed if
-    // the tolerance is well above or well below it: widen it step by step, and at last merge nothing.
+    // Coordinates rounded to a few decimals have faces that are flat up to that rounding, and merging gives a closed surface only if
+    // the tolerance is well above or well below it: widen it step by step, and finally merge nothing.
     let tight = (COPLANAR_RELATIVE * extent.reach[0]).min(0.01 * COPLANAR_AT_MOST);
     [tight, 10.0 * tight, 100.0 * tight, COPLANAR_AT_MOST, 0.0].into_iter().find_map(|tolerance| {
         let hull = corners_and_facets(&vertices, &merged_planes(&vertices, &triangles, tolerance))?;
@@ -168,7 +168,7 @@ pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
     })
 }
 
-/// Corners of the hull of points that lie in a plane, as far as rounding tells; none if they lie on a line.
+/// Corners of the hull of points that lie in a plane, up to rounding; `None` if they lie on a line.
 pub(super) fn flat_ring(points: &[Point]) -> Option<Vec<Point>> {
     let extent = Extent::of(points);
     let ring = |extent| monotone_chain(&flattened(points, extent)).into_iter().map(|i| points[i]).collect();
@@ -178,8 +178,8 @@ pub(super) fn flat_ring(points: &[Point]) -> Option<Vec<Point>> {
 /// A plane of a hull: its outward normal and the vertices on it.
 type Plane = (Vector, Vec<usize>);
 
-/// The planes of the hull. The largest triangle of a plane defines it, and takes in every triangle whose corners it
-/// holds.
+/// The planes of the hull. The largest triangle of a plane defines it, and the plane absorbs every triangle whose corners it
+/// contains.
 fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Plane> {
     let outward = handedness(vertices, triangles);
     let area = |t: &[usize; 3]| outward * doubled_area(vertices, t);
@@ -192,7 +192,7 @@ fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -
         let normal = area.normalize();
         let held_by = |(n, held): &Plane| n.dot(&normal) > 0.0 && own.iter().all(|i| held.contains(i));
         let height = |i: usize| (vertices[i] - vertices[own[0]]).dot(&normal);
-        // A triangle between two points of an edge and a third beside it may be tilted by rounding: no face of the
+        // A triangle between two points of an edge and a third beside it may be tilted by rounding; it is no face of the
         // body.
         let supports = || tolerance == 0.0 || (0..vertices.len()).all(|i| height(i) <= 2.0 * tolerance);
         if !planes.iter().any(held_by) && supports() {

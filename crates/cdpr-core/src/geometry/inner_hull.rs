@@ -1,8 +1,8 @@
 //! The convex hull of many points from inside, corner by corner: a polytope over some of them that grows until no point
-//! is farther outside than asked.
+//! is farther outside than a given height.
 //!
-//! Quickhull with one change: the next corner is always the point farthest outside of all, so that growing may stop at
-//! any height, and a round body needs as few corners as its roundness. Nothing that must hold rests on it: planes that
+//! Quickhull with one change: the next corner is always the point farthest outside of all. Growing can therefore stop at
+//! any height, and a round body needs only as many corners as its roundness requires. No guarantee depends on the result: planes that
 //! touch all points enclose them whatever their directions, see [`super::wrap`].
 //!
 //! Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM TOMS 22(4), 1996.
@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::numerics::{COPLANAR_RELATIVE, FLAT};
 use crate::watch::Watch;
 
-/// A triangle of the polytope; the points outside of it that no other face has taken.
+/// A triangle of the polytope, with the points outside it that no other face has taken.
 struct Face {
     corners: [usize; 3],
     /// The face across the edge from corner k to the next.
@@ -41,7 +41,7 @@ impl Face {
     }
 }
 
-/// A face by the height of its highest point; equal heights by number, so that the order is always the same.
+/// A face by the height of its highest point; ties by index, so that the order is deterministic.
 struct Highest(f64, usize);
 
 impl PartialEq for Highest {
@@ -75,7 +75,7 @@ pub(super) struct InnerHull<'a> {
 }
 
 impl<'a> InnerHull<'a> {
-    /// A tetrahedron to begin with; none if the points lie in a plane (up to [`FLAT`]).
+    /// The initial tetrahedron; `None` if the points lie in a plane (up to [`FLAT`]).
     pub fn new(points: &'a [Point]) -> Option<Self> {
         let farthest = |height: &dyn Fn(&Point) -> f64| {
             let heights = points.iter().map(height).enumerate();
@@ -109,11 +109,11 @@ impl<'a> InnerHull<'a> {
         Some(hull)
     }
 
-    /// Adds corners until no point is higher outside than this, m, or there are as many corners as allowed. Returns the
-    /// height that is left.
+    /// Adds corners until no point is farther outside than this height, m, or until the maximum number of corners. Returns the
+    /// remaining height.
     ///
     /// # Errors
-    /// The watch's.
+    /// Those of the watch.
     pub fn grow(&mut self, height: f64, most_corners: usize, watch: &Watch) -> Result<f64, Error> {
         while let Some(Highest(highest, face)) = self.open.pop() {
             if !self.faces[face].alive {
@@ -129,7 +129,7 @@ impl<'a> InnerHull<'a> {
         Ok(0.0)
     }
 
-    /// Takes the highest point of a face in as a corner; drops the point where rounding leaves no clean horizon.
+    /// Adds the highest point of a face as a corner; drops the point if rounding leaves no clean horizon.
     fn add(&mut self, face: usize) {
         let (_, apex) = self.faces[face].highest.expect("a face in the queue has points");
         let (seen, horizon) = self.horizon(face, &self.points[apex]);
@@ -158,7 +158,7 @@ impl<'a> InnerHull<'a> {
         self.share_out(outside, first);
     }
 
-    /// The faces that a point sees, and the edges around them in order, each with the face beyond it.
+    /// The faces visible from a point, and the edges around them in order, each with the face beyond it.
     #[allow(clippy::type_complexity)]
     fn horizon(&self, face: usize, apex: &Point) -> (Vec<usize>, Vec<(usize, usize, usize)>) {
         let mut seen = vec![face];
@@ -179,7 +179,7 @@ impl<'a> InnerHull<'a> {
             }
             k += 1;
         }
-        // A face found later takes its edges out of the horizon.
+        // A visible face found later removes its edges from the horizon.
         edges.retain(|(_, _, beyond)| !seen.contains(beyond));
         for k in 1..edges.len() {
             if let Some(next) = (k..edges.len()).find(|n| edges[*n].0 == edges[k - 1].1) {
@@ -189,7 +189,7 @@ impl<'a> InnerHull<'a> {
         (seen, edges)
     }
 
-    /// Gives points to the faces from `first` on, each to the one it is highest over; points inside are dropped.
+    /// Distributes points over the faces from `first` on, each to the one it is highest over; points inside are dropped.
     fn share_out(&mut self, points: Vec<usize>, first: usize) {
         for i in points {
             let p = &self.points[i];
@@ -229,7 +229,7 @@ impl<'a> InnerHull<'a> {
         self.corners.iter().map(|i| self.points[*i]).collect()
     }
 
-    /// The points that may be corners of the hull of all: the corners so far, and what is outside still.
+    /// The points that may be corners of the full hull: the corners so far, and the points still outside.
     pub fn candidates(&self) -> Vec<Point> {
         let outside = self.alive().flat_map(|f| &f.outside);
         self.corners.iter().chain(outside).map(|i| self.points[*i]).collect()
@@ -252,7 +252,7 @@ impl<'a> InnerHull<'a> {
     }
 }
 
-/// Whether edges in order run around once, through no corner twice.
+/// Whether the edges, in order, form a single closed loop without repeated corners.
 fn is_ring(edges: &[(usize, usize, usize)]) -> bool {
     let n = edges.len();
     let mut starts: Vec<usize> = edges.iter().map(|e| e.0).collect();

@@ -10,26 +10,26 @@ use super::inner_hull::InnerHull;
 use crate::error::Error;
 use crate::numerics::{EXACT_VOLUME, MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
 
-/// Pairs that may be looked at for each part there is at first.
+/// Maximum number of pairs examined, per initial part.
 const PAIRS_PER_PART: usize = 12;
 
-/// Corners of the hull of a pair on which places are looked at before anything is proved.
+/// Number of hull corners of a pair at which points are examined before anything is proved.
 const ROUGH_CORNERS: usize = 30;
 
-/// Fewest steps that the proof for a pair may take.
+/// Minimum number of steps for the proof of a pair.
 const LEAST_STEPS: usize = 500;
 
-/// Merges parts into such as reach at most `within` metres, those first that lose least: in rounds, each of which takes as
-/// many pairs as do not share a part.
+/// Merges parts into parts that extend at most `within` metres, starting with those that add the least volume. Each round
+/// merges as many disjoint pairs as possible.
 ///
-/// Parts that all fill the body exactly are merged only into such parts.
+/// Parts that fill the body exactly are merged only into parts that do so, too.
 pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<Vec<Part>, Error> {
     let exactly = parts.iter().all(|part| part.reach == Some(0.0));
     let mut left = PAIRS_PER_PART * parts.len();
     let mut steps = MERGE_STEPS_PER_PART * parts.len();
     let mut parts: Vec<Option<Part>> = parts.into_iter().map(Some).collect();
     let mut waiting: Vec<(f64, [usize; 2])> = Vec::new();
-    let mut known = 0; // pairs of parts before this one are tried
+    let mut known = 0; // pairs of parts before this one have been tried
     loop {
         let mut pairs = Vec::new();
         for j in known..parts.len() {
@@ -52,7 +52,7 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
         waiting.extend(looked.into_iter().flatten());
         waiting.retain(|(_, [i, j])| parts[*i].is_some() && parts[*j].is_some());
         waiting.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        // Pairs that share no part: each that can be one is one at once.
+        // Disjoint pairs: merge every pair that can be merged.
         let mut taken = vec![false; parts.len()];
         let mut likely: Vec<[usize; 2]> = Vec::new();
         waiting.retain(|(_, pair)| {
@@ -81,12 +81,12 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
     }
 }
 
-/// Places farther than a limit from the piece.
+/// Points farther than a limit from the piece.
 struct Outskirts<'a> {
     cutter: &'a Cutter<'a>,
     /// m.
     limit: f64,
-    /// Balls inside the body: middles and squares of radii. Most places are in one that is known already.
+    /// Balls inside the body: centres and squared radii. Most points are in a known one.
     balls: Vec<(Point, f64)>,
 }
 
@@ -111,13 +111,13 @@ fn both([a, b]: [&Part; 2]) -> Vec<Point> {
     a.wrap.points.iter().chain(&b.wrap.points).copied().collect()
 }
 
-/// The volume that making both parts one adds, about; none if some place in their hull is too far from the piece.
+/// The approximate volume added by merging two parts; `None` if a point of their hull is too far from the piece.
 fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f64>, Error> {
     cutter.watch.check()?;
     let points = both(pair);
     let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
     inner.grow(ON_SURFACE, ROUGH_CORNERS, cutter.watch)?;
-    // The proof gives up at such places, too.
+    // The proof would fail at such points, too.
     let mut outskirts = Outskirts { cutter, limit: UNDECIDED * within, balls: Vec::new() };
     // Each edge belongs to two triangles, which run along it in opposite directions.
     let mut far_along = |a: Point, b: Point| {
@@ -129,7 +129,7 @@ fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f
     Ok((!void).then(|| inner.volume() - pair[0].wrap.volume - pair[1].wrap.volume))
 }
 
-/// Both parts as one, unless it reaches too far; and the steps it took to know.
+/// Two parts merged, unless the result extends too far; also the number of steps used.
 fn joint(
     cutter: &Cutter,
     [a, b]: [&Part; 2],

@@ -23,7 +23,7 @@ impl TriangleMesh {
         TriangleMesh { triangles: faces.iter().flat_map(fan).collect(), vertices }
     }
 
-    /// Adds another surface beside this one; they share no vertices.
+    /// Adds another surface; the two share no vertices.
     pub fn append(&mut self, other: &TriangleMesh) {
         let shift = self.vertices.len();
         self.vertices.extend(&other.vertices);
@@ -36,14 +36,14 @@ impl TriangleMesh {
     }
 
     /// Whether every edge belongs to exactly two triangles, which run through it in opposite directions: the surface is
-    /// closed, and its orientation is the same everywhere.
+    /// closed and consistently oriented.
     pub fn is_watertight(&self) -> bool {
         let mut uses: BTreeMap<[usize; 2], u32> = BTreeMap::new();
         self.edges().for_each(|edge| *uses.entry(edge).or_default() += 1);
         uses.iter().all(|([i, j], count)| i != j && *count == 1 && uses.contains_key(&[*j, *i]))
     }
 
-    /// Enclosed volume, m³: positive if the normals point outward; where closed pieces overlap, all of them count.
+    /// Enclosed volume, m³: positive if the normals point outward; overlaps of closed pieces count multiply.
     pub fn volume(&self) -> f64 {
         let Some(origin) = self.vertices.first() else { return 0.0 };
         let spoke = |i: usize| self.vertices[i] - origin;
@@ -55,7 +55,7 @@ impl TriangleMesh {
         self.triangles.iter().map(|t| 0.5 * self.doubled_area(t).norm()).sum()
     }
 
-    /// Outward unit normal of a triangle; none if it has no area.
+    /// Outward unit normal of a triangle; `None` if it has no area.
     pub fn normal(&self, triangle: &[usize; 3]) -> Option<Vector> {
         self.doubled_area(triangle).try_normalize(0.0)
     }
@@ -65,15 +65,15 @@ impl TriangleMesh {
         (b - a).cross(&(c - a))
     }
 
-    /// The surface with its vertices rounded to single precision; vertices that an edge joins and rounding makes equal
-    /// are merged, so that it stays closed where a file lists triangles by coordinates.
+    /// The surface with its vertices rounded to single precision. Vertices that are connected by an edge and become equal
+    /// are merged, so that the surface stays closed in file formats that list triangles by coordinates.
     pub fn in_single_precision(&self) -> Self {
         let rounded = |p: &Point| p.map(|x| f64::from(x as f32));
         let vertices = self.vertices.iter().map(rounded).collect();
         TriangleMesh { vertices, triangles: self.triangles.clone() }.without_short_edges(0.0)
     }
 
-    /// The surface with edges up to a length, m, contracted to a point, wherever that leaves it closed.
+    /// The surface with edges up to a length, m, contracted to a point, unless the surface would not remain closed.
     pub(super) fn without_short_edges(mut self, shortest: f64) -> Self {
         while let Some([i, j]) = self.short_edge(shortest) {
             self.triangles.retain(|t| !(t.contains(&i) && t.contains(&j)));
@@ -86,8 +86,8 @@ impl TriangleMesh {
         self.edges().find(|edge| self.may_contract(edge, shortest))
     }
 
-    /// Whether an edge is short and its ends have nothing in common but the two triangles beside it (the link
-    /// condition: contraction then changes neither genus nor closedness).
+    /// Whether an edge is short and its ends share only the two triangles beside it (the link condition: contraction then
+    /// changes neither genus nor closedness).
     fn may_contract(&self, &[i, j]: &[usize; 2], shortest: f64) -> bool {
         if i > j || (self.vertices[j] - self.vertices[i]).norm() > shortest {
             return false;
@@ -102,7 +102,7 @@ impl TriangleMesh {
         !(is_face(i) && is_face(j)) // both only in a tetrahedron, which has no vertex to spare
     }
 
-    /// Drops the vertices that no triangle uses.
+    /// Removes the vertices that no triangle uses.
     fn compact(self) -> Self {
         let mut place = vec![None; self.vertices.len()];
         let mut vertices = Vec::new();
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn vertices_that_single_precision_makes_equal_are_merged() {
-        // A tetrahedron with one corner cut off so near to it that the three new corners round to the old one.
+        // A tetrahedron with one corner cut off so close to it that the three new corners round to the old one.
         let t = 1e-12;
         let cut = [[1.0 - t, 0.0, 0.0], [1.0 - t, t, 0.0], [1.0 - t, 0.0, t]];
         let vertices = [&[[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &cut[..]].concat();

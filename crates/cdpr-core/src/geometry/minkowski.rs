@@ -1,18 +1,18 @@
-//! The sum of two convex bodies, from their faces.
+//! The Minkowski sum of two convex bodies, from their faces.
 //!
-//! The facets of A ⊕ B are the facets of A and of B, each with the face of the other body that looks the same way, and the
+//! The facets of A ⊕ B are the facets of A and of B, each with the face of the other body in the same direction, and the
 //! parallelograms of two edges whose normal cones meet: on the sphere of directions an edge is the arc between the normals
-//! of its two facets, and two edges make a facet where their arcs cross (E. Fogel and D. Halperin, "Exact and efficient
-//! construction of Minkowski sums of convex polyhedra", CAD 39(11), 2007). That takes microseconds where the hull of all
-//! sums of corners takes tenths of milliseconds. The result is checked like every hull; if rounding keeps it from closing,
-//! that hull is taken instead.
+//! of its two facets, and two edges form a facet if their arcs cross (E. Fogel and D. Halperin, "Exact and efficient
+//! construction of Minkowski sums of convex polyhedra", CAD 39(11), 2007). This takes microseconds, while the hull of all
+//! sums of corners takes tenths of milliseconds. The result is verified like every hull; if rounding prevents it from closing,
+//! the hull of the sums is used instead.
 
 use super::hull::{Hull, around, is_closed};
 use super::polytope::{Facet, PolytopeError};
 use super::{Point, Polytope, Vector};
 use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, PARALLEL};
 
-/// A set of corners of a body, one bit each.
+/// A set of corners of a body, one bit per corner.
 type Corners = u128;
 
 /// A facet of the sum: its normal, and the faces of both bodies in it.
@@ -54,13 +54,13 @@ impl Polytope {
     }
 }
 
-/// An edge: its ends' difference as a unit vector, and the normals on both sides.
+/// An edge: the difference of its ends as a unit vector, and the normals on both sides.
 struct Arc {
     along: Vector,
     normals: [Vector; 2],
 }
 
-/// The sum of two bodies with volume; none if it does not close.
+/// The sum of two bodies with volume; `None` if it does not close.
 fn sum_of_faces(a: &Polytope, b: &Polytope) -> Option<Hull> {
     let few = |body: &Polytope| body.has_volume() && body.vertices().len() <= Corners::BITS as usize;
     if !(few(a) && few(b)) {
@@ -71,7 +71,7 @@ fn sum_of_faces(a: &Polytope, b: &Polytope) -> Option<Hull> {
     let mut cells: Vec<Cell> = Vec::with_capacity(a.facets().len() + b.facets().len());
     let mut add = |normal: Vector| {
         let faces = [a, b].map(|body| face(body, &normal, tolerance));
-        // A second normal of the same facet differs from the first by rounding only.
+        // A second normal of the same facet differs from the first only by rounding.
         let known = |cell: &Cell| (0..2).all(|k| faces[k] & !cell.faces[k] == 0);
         if !cells.iter().any(known) {
             cells.push(Cell { normal, faces });
@@ -111,7 +111,7 @@ fn arcs(body: &Polytope) -> Option<Vec<Arc>> {
 
 /// The direction in which two arcs of normals cross, if they do.
 fn crossing(a: &Arc, b: &Arc) -> Option<Vector> {
-    // An arc that ends on the other, or along it, belongs to a facet that is there already.
+    // An arc that ends on the other, or runs along it, belongs to a facet that already exists.
     let (b0, b1) = (b.normals[0].dot(&a.along), b.normals[1].dot(&a.along));
     if b0 * b1 >= 0.0 {
         return None;
@@ -127,7 +127,7 @@ fn crossing(a: &Arc, b: &Arc) -> Option<Vector> {
     (side(a) * side(b) > 0.0).then(|| normal * side(a).signum())
 }
 
-/// The facets with their corners; none unless they close.
+/// The facets with their corners; `None` unless they form a closed surface.
 fn assembled(a: &Polytope, b: &Polytope, cells: &[Cell]) -> Option<Hull> {
     let mut pairs: Vec<[usize; 2]> = Vec::new();
     let mut facets = Vec::with_capacity(cells.len());
@@ -158,10 +158,10 @@ fn ring(body: &Polytope, face: Corners, normal: &Vector) -> Vec<usize> {
     if members.len() < 3 { members } else { around(body.vertices(), members, normal) }
 }
 
-/// The corners of the sum of two faces in one plane, counter-clockwise: the edges of both in the order of their
-/// directions. None if that is no polygon.
+/// The corners of the sum of two faces in one plane, counter-clockwise: the edges of both, ordered by
+/// direction. `None` if that is not a polygon.
 fn summed(a: &Polytope, b: &Polytope, rings: &[Vec<usize>; 2], normal: &Vector) -> Option<Vec<[usize; 2]>> {
-    // Turned by an angle that is in no drawing, so that no edge runs along an axis.
+    // Rotated by an angle that is unlikely in a drawing, so that no edge runs along an axis.
     let (sin, cos) = f64::sin_cos(0.3);
     let axis = normal.cross(&Vector::ith(normal.iamin(), 1.0)).normalize();
     let u = axis * cos + normal.cross(&axis) * sin;
@@ -194,7 +194,7 @@ fn summed(a: &Polytope, b: &Polytope, rings: &[Vec<usize>; 2], normal: &Vector) 
                 let ([x, y], [z, w]) = (edge(0, taken[0]), edge(1, taken[1]));
                 let (cross, parallel) = (x * w - y * z, PARALLEL * x.hypot(y) * z.hypot(w));
                 let opposite = x * z + y * w < 0.0;
-                // Of opposite edges the one that starts lowest comes first.
+                // Of opposite edges, the one that starts lowest comes first.
                 if opposite && cross.abs() <= parallel {
                     y - w
                 } else if cross.abs() <= parallel {
@@ -218,7 +218,7 @@ mod tests {
     use crate::geometry::{HalfSpace, Rotation};
     use rand::{RngExt, SeedableRng};
 
-    /// A body with some of the ways to degenerate: parallel facets, parallel edges, round, thin.
+    /// A body with various degeneracies: parallel facets, parallel edges, round, thin.
     fn body(rng: &mut rand_chacha::ChaCha8Rng) -> Polytope {
         let mut number = |low: f64, high: f64| rng.random_range(low..high);
         let sides = [number(0.1, 1.0), number(0.1, 1.0), number(0.1, 1.0)];
@@ -254,7 +254,7 @@ mod tests {
             let all: Vec<Point> =
                 a.vertices().iter().flat_map(|v| b.vertices().iter().map(move |w| v + w.coords)).collect();
             let hull = Polytope::hull_of(&all).unwrap();
-            // Support functions agree, and the planes of either have the other inside.
+            // The support functions agree, and each body lies inside the planes of the other.
             for (one, other) in [(&sum, &hull), (&hull, &sum)] {
                 for f in one.facets() {
                     let farthest = HalfSpace::around(other.vertices(), f.normal).offset;

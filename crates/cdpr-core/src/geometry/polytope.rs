@@ -1,4 +1,4 @@
-//! Convex polytopes of dimension 0 to 3 from vertex lists: corners, facets, edges, and the axes that exact tests need.
+//! Convex polytopes of dimension 0 to 3 from vertex lists: corners, facets, edges, and the axes for exact tests.
 
 use std::fmt;
 
@@ -55,7 +55,7 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The smallest box around points; there must be one.
+    /// The smallest box around a nonempty list of points.
     #[inline]
     pub fn around(points: &[Point]) -> Self {
         let (mut min, mut max) = (points[0], points[0]);
@@ -72,7 +72,7 @@ impl Aabb {
         (0..3).any(|k| self.min[k] - other.max[k] > gap || other.min[k] - self.max[k] > gap)
     }
 
-    /// Distance of the boxes, m; zero where they meet.
+    /// Distance of the boxes, m; zero if they meet.
     #[inline]
     pub fn distance(&self, other: &Aabb) -> f64 {
         (self.min - other.max).sup(&(other.min - self.max)).sup(&Vector::zeros()).norm()
@@ -85,7 +85,7 @@ impl Aabb {
     }
 }
 
-/// Why a vertex list is no convex polytope.
+/// Why a vertex list is not a convex polytope.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PolytopeError {
     /// No vertices at all.
@@ -102,7 +102,7 @@ pub enum PolytopeError {
         /// How deep, m.
         depth: f64,
     },
-    /// The hull did not come out as a closed convex surface: the vertices are too close to degenerate.
+    /// The hull is not a closed convex surface: the vertices are nearly degenerate.
     Degenerate,
 }
 
@@ -141,7 +141,7 @@ impl Polytope {
     ///
     /// # Errors
     /// A vertex that is not finite or lies strictly inside the hull of the others (deeper than
-    /// [`ON_SURFACE`]), an empty list, or a list too close to degenerate.
+    /// [`ON_SURFACE`]), an empty list, or a nearly degenerate list.
     ///
     /// # Example
     /// ```
@@ -164,7 +164,7 @@ impl Polytope {
     /// The convex hull of a point cloud; points inside it are dropped.
     ///
     /// # Errors
-    /// As [`Polytope::from_vertices`], but for points inside.
+    /// As [`Polytope::from_vertices`], except that points inside the hull are accepted.
     pub fn hull_of(points: &[Point]) -> Result<Self, PolytopeError> {
         if points.is_empty() {
             return Err(PolytopeError::Empty);
@@ -186,7 +186,7 @@ impl Polytope {
     /// The box with these full side lengths, centred at the origin; sides may be zero.
     ///
     /// # Errors
-    /// Sides that are not finite.
+    /// Side lengths that are not finite.
     pub fn cuboid(sides: [f64; 3]) -> Result<Self, PolytopeError> {
         let corner = |k: usize| {
             let sign = |bit: usize| if k >> bit & 1 == 1 { 0.5 } else { -0.5 };
@@ -213,7 +213,7 @@ impl Polytope {
         Self::from_hull(Hull { corners: vertices, facets }, self.dimension)
     }
 
-    /// A box with its six planes moved outward, m; also other bodies of three square facets to each corner.
+    /// A box with its six planes moved outward, m; also works for other bodies with three orthogonal facets at each corner.
     pub(crate) fn with_planes_moved(&self, by: f64) -> Option<Self> {
         let at = |corner: usize| self.facets.iter().filter(move |f| f.corners.contains(&corner)).map(|f| f.normal);
         let moved = |(k, v): (usize, &Point)| v + at(k).sum::<Vector>() * by;
@@ -244,7 +244,7 @@ impl Polytope {
         self.dimension == 3
     }
 
-    /// Faces: outward ones of a solid, both sides of a polygon, none of a segment or point.
+    /// Faces: the outer faces of a solid, both sides of a polygon; empty for a segment or point.
     pub fn facets(&self) -> &[Facet] {
         &self.facets
     }
@@ -277,10 +277,10 @@ impl Polytope {
         -self.facets.iter().map(|f| f.height(point)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Outward normals of the facets that `point` lies on, none if it does not lie on the surface (within
+    /// Outward normals of the facets that `point` lies on; empty if it does not lie on the surface (within
     /// [`ON_SURFACE`]) of a body with volume.
     pub fn active_normals(&self, point: &Point) -> Vec<Vector> {
-        // Low over all planes is not near: beyond a sharp edge the planes run on together.
+        // Low over all planes does not imply close: beyond a sharp edge the planes continue together.
         let here = Triangle::new(*point, *point, *point);
         if !(self.depth_of(point).abs() <= ON_SURFACE && shape_distance(&here, self).distance <= ON_SURFACE) {
             return Vec::new();
@@ -312,7 +312,7 @@ fn without_duplicates(points: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// One unit vector of each bundle of parallel ones.
+/// One unit vector for each group of parallel ones.
 fn distinct_axes(directions: impl Iterator<Item = Vector>) -> Vec<Vector> {
     let mut axes: Vec<Vector> = Vec::new();
     for direction in directions {

@@ -1,9 +1,9 @@
-//! How far a convex body reaches beyond a surface, proved.
+//! How far a convex body extends beyond a surface, with proof.
 //!
-//! Distance changes by no more than the way, so a box reaches no farther than its middle does and half its diagonal
-//! adds. Nor does it reach farther from the surface's body than from any ball inside that; of a box that a face of the
-//! convex body cuts only what is behind the face counts, which is how a few boxes suffice for a large round one. Boxes
-//! that may reach farthest are halved first, and those that are outside the body are left out.
+//! Distance is 1-Lipschitz, so a box extends at most as far as its centre plus half its diagonal. A box also extends at most as far
+//! beyond the surface's body as beyond any ball inside that body. If a face of the convex body cuts the box, only the part behind
+//! the face counts; therefore a few boxes suffice for a large round body. Boxes that may extend farthest are halved first, and
+//! boxes outside the convex body are dropped.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -14,35 +14,35 @@ use crate::error::Error;
 use crate::numerics::UNDECIDED;
 use crate::watch::Watch;
 
-/// What is known of how far a body reaches.
+/// Bounds on how far a body extends beyond a surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach {
-    /// No farther than this, m.
+    /// Upper bound, m.
     pub bound: f64,
-    /// At least this far at this place, m.
+    /// Lower bound, m, attained at this point.
     pub worst: Option<(f64, Point)>,
-    /// What it took: boxes, and a step more for every [`TRIANGLES_PER_STEP`].
+    /// Effort: the number of boxes, plus one step for every [`TRIANGLES_PER_STEP`].
     pub steps: usize,
 }
 
-/// Triangles that take about as long to look at as a box.
+/// Number of triangles that take about as long to examine as a box.
 const TRIANGLES_PER_STEP: usize = 8;
 
-/// Steps between two looks at the watch.
+/// Steps between two checks of the watch.
 const LOOK_STEPS: usize = 1000;
 
-/// Until when to look.
+/// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Until {
     /// A bound that is low enough, m.
     pub enough: f64,
-    /// Whether a place beyond [`UNDECIDED`] of that ends the search, too: the body reaches too far.
+    /// Whether a point farther than [`UNDECIDED`] times that also ends the search: the body extends too far.
     pub or_beyond: bool,
-    /// Most steps.
+    /// Maximum number of steps.
     pub steps: usize,
 }
 
-/// A box, how far its middle is from the surface, and how far it can reach; the planes that run through it.
+/// A box, the distance of its centre from the surface, a bound on how far it extends, and the planes that cut it.
 struct Cuboid {
     middle: Point,
     half: Vector,
@@ -50,24 +50,24 @@ struct Cuboid {
     bound: f64,
     order: usize,
     planes: Vec<u32>,
-    /// A ball inside the surface's body: its middle and radius.
+    /// A ball inside the surface's body: its centre and radius.
     ball: Option<(Point, f64)>,
 }
 
-/// What a look at a box gives; the numbers are steps.
+/// Result of examining a box; the numbers are steps.
 enum Measured {
     /// It is outside the convex body.
     Outside,
-    /// It reaches no farther than what is low enough.
+    /// It extends no farther than the bound that is low enough.
     Settled(usize),
-    /// It may reach too far; whether its middle is inside the convex body.
+    /// It may extend too far; whether its centre is inside the convex body.
     Open(Cuboid, bool, usize),
 }
 
-/// Planes through a box up to which each is looked at with a ball.
+/// Number of planes through a box up to which each is examined with a ball.
 const FEW_PLANES: usize = 16;
 
-/// How far what is in a box and behind some planes reaches beyond a ball, m.
+/// How far the part of a box behind some planes extends beyond a ball, m.
 fn beyond_ball(middle: &Point, half: &Vector, planes: &[HalfSpace], through: &[u32], ball: &(Point, f64)) -> f64 {
     let (centre, radius) = *ball;
     let offset = middle - centre;
@@ -109,10 +109,10 @@ impl Ord for Cuboid {
     }
 }
 
-/// How far the body behind planes and in a box reaches beyond a surface.
+/// How far the body behind planes and in a box extends beyond a surface.
 ///
 /// # Errors
-/// The watch's.
+/// Those of the watch.
 pub(super) fn reach(
     surface: &SignedDistance,
     planes: &[HalfSpace],
@@ -121,7 +121,7 @@ pub(super) fn reach(
     watch: &Watch,
 ) -> Result<Reach, Error> {
     let mut triangles = 0;
-    // A box known to reach no farther than this is not looked at any more: the answer is "low enough" or a larger bound.
+    // A box known to extend no farther than this is not examined again: the result is "low enough" or a larger bound.
     let settled = if until.or_beyond { until.enough } else { f64::NEG_INFINITY };
     let mut measured = |middle: Point, half: Vector, parent: Option<(&Cuboid, f64)>, order: usize| {
         let mut through = Vec::new();

@@ -1,9 +1,9 @@
 //! Seams of bodies made of abutting convex parts.
 //!
-//! A cable that lies in the face two parts share is inside their union, yet inside neither part. The shared face,
-//! thickened into a bipyramid that stays within the union, is one more convex part; with it "inside some part" and
-//! "inside the union" agree. Limit: an edge line along which three or more parts meet without any two sharing a face
-//! around it is not covered; only a cable exactly along that line could tell. Parts without volume have no seams.
+//! A cable in the face shared by two parts is inside their union, but inside neither part. The shared face,
+//! thickened to a bipyramid within the union, is one more convex part; with it, "inside some part" and
+//! "inside the union" agree. Limitation: an edge line where three or more parts meet, no two of which share a face
+//! around it, is not covered; this affects only a cable exactly along that line. Parts without volume have no seams.
 
 use super::polytope::Facet;
 use super::{Point, Polytope, Vector};
@@ -14,14 +14,14 @@ use crate::numerics::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
 pub struct Seam {
     /// Inside the union of the two parts, around the face they share.
     pub body: Polytope,
-    /// Which two parts.
+    /// The two parts.
     pub between: [usize; 2],
-    /// Depth in the body that still counts as touching, m. The body is thin towards its rim, the more so the thinner the
-    /// parts; this much deep in it is [`TOUCH_DEPTH`] inside the rim of the shared face.
+    /// Depth in the body that still counts as touching, m. The body is thin towards its rim, and thinner for thinner
+    /// parts; this depth in it corresponds to [`TOUCH_DEPTH`] inside the rim of the shared face.
     pub touch: f64,
 }
 
-/// The seams between all pairs of parts that share a face; none for parts that overlap or are apart.
+/// The seams between all pairs of parts that share a face; parts that overlap or are apart have none.
 pub fn seams(parts: &[&Polytope]) -> Vec<Seam> {
     let mut found = Vec::new();
     for (i, a) in parts.iter().enumerate() {
@@ -79,7 +79,7 @@ fn clip(polygon: &[Point], facet: &Facet) -> Vec<Point> {
     kept
 }
 
-/// Both pyramids over the face, with apexes as far into the parts as their insides allow.
+/// Both pyramids over the face, with apexes as far into the parts as possible.
 fn bipyramid((face, normal): &(Vec<Point>, Vector), a: &Polytope, b: &Polytope) -> Option<Polytope> {
     let middle = Point::from(face.iter().map(|p| p.coords).sum::<Vector>() / face.len() as f64);
     let reach = |body: &Polytope, direction: Vector| {

@@ -27,7 +27,7 @@ pub fn closest(p0: &Point, p1: &Point, q0: &Point, q1: &Point) -> SegmentPair {
     };
     let on_first = |r: f64| if a > 0.0 { ((b * r - c) / a).clamp(0.0, 1.0) } else { 0.0 };
     let on_second = |s: f64| if e > 0.0 { ((b * s + f) / e).clamp(0.0, 1.0) } else { 0.0 };
-    // The nearest pair has an end of a segment in it, or lies inside both; every candidate is a valid pair of points.
+    // The nearest pair contains an end of a segment, or lies inside both; every candidate is a valid pair of points.
     let mut best = at(on_first(0.0), 0.0);
     let mut consider = |pair: SegmentPair| {
         if pair.distance < best.distance {

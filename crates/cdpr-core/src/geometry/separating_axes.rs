@@ -1,8 +1,8 @@
 //! Overlap depth of two convex polytopes, exactly, by the separating axis theorem.
 //!
-//! Two convex sets overlap by the smallest translation that takes them apart. It is perpendicular to a facet of their
-//! Minkowski difference, whose normals are the face normals of either set and the cross products of their edges; trying
-//! all of them is exact, whatever the shape (needles and slivers included). Source: Gottschalk, Lin, Manocha, OBBTree,
+//! The overlap of two convex sets is the length of the smallest translation that separates them. This translation is perpendicular
+//! to a facet of their Minkowski difference, whose normals are the face normals of either set and the cross products of their edges.
+//! Trying all of them is exact for any shape, including needles and slivers. Source: Gottschalk, Lin, Manocha, OBBTree,
 //! SIGGRAPH 1996, for the theorem; Ericson, Real-Time Collision Detection, section 5.2.1.
 
 use super::{ConvexShape, Vector};
@@ -11,8 +11,8 @@ use crate::numerics::PARALLEL;
 /// Signed separation of two shapes, m, and the unit axis from `a` to `b` on which it was found.
 ///
 /// Positive: a certified lower bound of their distance. Zero or negative: minus the depth of their overlap. Sets whose
-/// Minkowski difference is flat (two coplanar segments, say) can touch but not overlap: at most zero is returned for
-/// them when they meet.
+/// Minkowski difference is flat (two coplanar segments, for example) can touch but not overlap: the result for them is at most
+/// zero if they meet.
 pub fn separation(a: &impl ConvexShape, b: &impl ConvexShape) -> (f64, Vector) {
     let mut best = (f64::NEG_INFINITY, Vector::x());
     visit_axes(a, b, |gap, axis| {
@@ -24,7 +24,7 @@ pub fn separation(a: &impl ConvexShape, b: &impl ConvexShape) -> (f64, Vector) {
     if best.0 == f64::NEG_INFINITY { (0.0, best.1) } else { best }
 }
 
-/// Whether two shapes overlap by more than `depth`, m; stops at the first axis that says no.
+/// Whether two shapes overlap by more than `depth`, m; stops at the first axis that refutes it.
 pub fn overlap_deeper_than(a: &impl ConvexShape, b: &impl ConvexShape, depth: f64) -> bool {
     let mut tried = false;
     let apart = visit_axes(a, b, |gap, _| {
@@ -34,7 +34,7 @@ pub fn overlap_deeper_than(a: &impl ConvexShape, b: &impl ConvexShape, depth: f6
     tried && !apart
 }
 
-/// Calls `stop(gap, axis)` for every candidate axis until it returns true; says whether it did.
+/// Calls `stop(gap, axis)` for every candidate axis until it returns true; returns whether it did.
 fn visit_axes(a: &impl ConvexShape, b: &impl ConvexShape, mut stop: impl FnMut(f64, Vector) -> bool) -> bool {
     let mut visit = |axis: Vector| {
         let (forth, back) = (gap_along(a, b, &axis), gap_along(a, b, &-axis));
@@ -55,13 +55,13 @@ fn visit_axes(a: &impl ConvexShape, b: &impl ConvexShape, mut stop: impl FnMut(f
     false
 }
 
-/// Room between the far end of `a` and the near end of `b` along a unit axis; negative where they overlap.
+/// Gap between the far end of `a` and the near end of `b` along a unit axis; negative if they overlap.
 #[inline]
 pub fn gap_along(a: &impl ConvexShape, b: &impl ConvexShape, axis: &Vector) -> f64 {
     (b.support(&-axis) - a.support(axis)).dot(axis)
 }
 
-/// Unit cross product of two unit directions, none if they are parallel.
+/// Unit cross product of two unit directions; `None` if they are parallel.
 pub fn unit_cross(a: &Vector, b: &Vector) -> Option<Vector> {
     let cross = a.cross(b);
     let norm = cross.norm();

@@ -1,6 +1,6 @@
-//! The obstacle shadow: where a cable from a fixed outlet cannot end, because it would pass through a body.
+//! The obstacle shadow: the points where a cable from a fixed outlet cannot end, because it would pass through a body.
 //!
-//! Source: the paper, section 3.1 and Figure 3, which draws the region; here it is computed.
+//! Source: the paper, section 3.1 and Figure 3, which draws the region; this module computes it.
 
 use super::half_space::HalfSpace;
 use super::{Point, Polytope, Vector};
@@ -15,10 +15,10 @@ pub struct Shadow {
     pub tilt: f64,
 }
 
-/// The points x for which the segment from `apex` to x meets the interior of a body: the body and all that lies behind it,
-/// `K ⊕ cone(K - apex)`. None if no facet faces the apex (it is inside the body, or in the plane of a flat one).
+/// The points x for which the segment from `apex` to x meets the interior of a body: the body and everything behind it,
+/// `K ⊕ cone(K - apex)`. `None` if no facet faces the apex (which is inside the body, or in the plane of a flat one).
 ///
-/// A facet that contains the apex in its plane does not face it: the planes through its other edges say the same.
+/// A facet whose plane contains the apex does not face it: the planes through its other edges are equivalent.
 ///
 /// # Example
 /// ```
@@ -49,11 +49,11 @@ pub fn shadow(body: &Polytope, apex: &Point) -> Option<Shadow> {
     Some(Shadow { half_spaces, tilt })
 }
 
-/// Outward unit normal of the plane through the apex and an edge that runs counter-clockwise around the silhouette; none
-/// for an edge in line with the apex, which looks like a corner.
+/// Outward unit normal of the plane through the apex and an edge that runs counter-clockwise around the silhouette; `None`
+/// for an edge in line with the apex, which appears as a corner.
 fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
     let (a, b) = (from - apex, to - apex);
-    // The side between the nearer end and the edge carries the least rounding.
+    // The side between the nearer end and the edge has the smallest rounding error.
     let (nearer, edge) = (if a.norm_squared() <= b.norm_squared() { a } else { b }, to - from);
     let cross = nearer.cross(&edge);
     let norm = cross.norm();

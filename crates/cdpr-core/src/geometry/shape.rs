@@ -1,5 +1,5 @@
-//! The convex sets of the collision conditions: polytopes at rest, cables that sweep triangles, platforms that sweep
-//! prisms. None of them is stored as a hull: GJK needs supports, separating axes need directions.
+//! The convex sets of the collision conditions: polytopes at rest, triangles swept by cables, prisms swept by the
+//! platform. None is stored as a hull: GJK needs support points, separating axes need directions.
 
 use super::features::Boundary;
 use super::{Point, Polytope, Vector};
@@ -7,19 +7,19 @@ use crate::numerics::{NO_MOTION, NO_WIDTH};
 
 /// A convex set described by its support map, which is all that GJK needs.
 pub trait SupportMap {
-    /// A point of the set farthest along `direction` (any length but zero).
+    /// A point of the set farthest along `direction` (of any nonzero length).
     fn support(&self, direction: &Vector) -> Point;
-    /// Some point of the set, near its middle.
+    /// Some point of the set near its centre.
     fn center(&self) -> Point;
 }
 
-/// A convex set that exact tests can decide on as well, by the directions of its faces and edges.
+/// A convex set with the directions of its faces and edges, which exact tests need as well.
 pub trait ConvexShape: SupportMap {
     /// Unit normals of the faces, up to sign; a superset is fine.
     fn normals(&self) -> impl Iterator<Item = Vector>;
     /// Unit directions of the edges, up to sign; a superset is fine.
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone;
-    /// Edges and faces as they lie in space.
+    /// The edges and faces in space.
     fn boundary(&self) -> Boundary;
 }
 
@@ -117,9 +117,9 @@ impl ConvexShape for Triangle {
     fn normals(&self) -> impl Iterator<Item = Vector> {
         let mut sides = self.sides();
         sides.sort_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared()));
-        // The two shorter sides: their differences carry the least rounding.
+        // The two shorter sides: their differences have the smallest rounding error.
         let normal = sides[0].cross(&sides[1]);
-        // Narrower than touching, the triangle is a segment and has no face of its own.
+        // If narrower than the touching tolerance, the triangle is a segment and has no face of its own.
         (normal.norm() > NO_WIDTH * sides[1].norm()).then(|| normal.normalize()).into_iter()
     }
 
@@ -133,7 +133,7 @@ impl ConvexShape for Triangle {
     }
 }
 
-/// What a body sweeps in a straight translation: conv(K ∪ (K + d)), where `from` places the body at the start.
+/// The set swept by a body in a straight translation: conv(K ∪ (K + d)), where `from` is the translation at the start.
 #[derive(Debug, Clone, Copy)]
 pub struct Swept<'a> {
     body: &'a Polytope,
@@ -142,7 +142,7 @@ pub struct Swept<'a> {
 }
 
 impl<'a> Swept<'a> {
-    /// `body` moved by `from`, then swept by `along`.
+    /// `body` translated by `from`, then swept by `along`.
     #[inline]
     pub fn new(body: &'a Polytope, from: Vector, along: Vector) -> Self {
         Self { body, from, along }

@@ -1,5 +1,5 @@
-//! Distance from a surface of triangles, signed where the surface encloses something: a hierarchy of boxes finds the
-//! nearest triangle, and the normal of what is nearest in it (face, edge or corner) tells on which side a point is.
+//! Distance from a surface of triangles, signed if the surface encloses a body: a hierarchy of boxes finds the
+//! nearest triangle, and the normal of its nearest feature (face, edge or corner) tells on which side a point is.
 //!
 //! Source of the normals: J. A. Bærentzen, H. Aanæs, "Signed distance computation using the angle weighted
 //! pseudonormal", IEEE TVCG 11(3), 2005.
@@ -8,45 +8,45 @@ use super::{Aabb, Point, Vector};
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// Triangles of a leaf.
+/// Number of triangles in a leaf.
 const LEAF: usize = 4;
 
-/// Deepest hierarchy: halving four thousand million triangles.
+/// Maximum depth of the hierarchy: enough to halve four thousand million triangles.
 const DEPTH: usize = 64;
 
-/// Rounds between two looks at the watch.
+/// Rounds between two checks of the watch.
 pub(super) const LOOK: usize = 1 << 12;
 
-/// A box around triangles: either two boxes, this one's next and `second`, or the `count` triangles from `second` on.
+/// A box around triangles: either two boxes, the next one and `second`, or the `count` triangles from `second` on.
 struct Node {
     aabb: Aabb,
     second: u32,
     count: u32,
 }
 
-/// What of a triangle is nearest.
+/// The nearest feature of a triangle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Feature {
     Face,
-    /// From this corner to the next.
+    /// The edge from this corner to the next.
     Edge(usize),
     Corner(usize),
 }
 
-/// A surface that can be asked for distances.
+/// A surface prepared for distance queries.
 pub struct SignedDistance {
     corners: Vec<[Point; 3]>,
     nodes: Vec<Node>,
-    /// Normals of each triangle, of its edges and of its corners; none of a surface that encloses nothing.
+    /// Normals of each triangle, of its edges and of its corners; empty if the surface encloses nothing.
     normals: Vec<[Vector; 7]>,
 }
 
 impl SignedDistance {
-    /// Of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. None without
+    /// A surface of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. `None` without
     /// triangles.
     ///
     /// # Errors
-    /// The watch's.
+    /// Those of the watch.
     pub fn new(points: &[Point], triangles: &[[usize; 3]], closed: bool, watch: &Watch) -> Result<Option<Self>, Error> {
         if triangles.is_empty() {
             return Ok(None);
@@ -61,7 +61,7 @@ impl SignedDistance {
             let corners = list.iter().flat_map(|k| triangles[*k as usize]).map(|i| points[i]);
             corners.fold(Aabb { min: first, max: first }, |b, p| Aabb { min: b.min.inf(&p), max: b.max.sup(&p) })
         };
-        // Ranges of triangles still to be put in a box, and the box whose second half a range is.
+        // Ranges of triangles that still need a box, each with the box whose second half it is.
         let mut open = vec![(0, triangles.len(), None::<usize>)];
         while let Some((from, to, parent)) = open.pop() {
             if nodes.len() % 64 == 0 || to - from > LOOK {
@@ -101,12 +101,12 @@ impl SignedDistance {
         self.near(point, f64::INFINITY)
     }
 
-    /// The same, faster where the distance is known to be at most `bound`, m.
+    /// The same, faster if the distance is known to be at most `bound`, m.
     pub fn near(&self, point: &Point, bound: f64) -> (f64, Point) {
         self.counted(point, bound, &mut 0)
     }
 
-    /// The same; adds the triangles it looks at to a count.
+    /// The same; adds the number of triangles examined to a count.
     pub(super) fn counted(&self, point: &Point, bound: f64, count: &mut usize) -> (f64, Point) {
         let mut best = (bound * bound * (1.0 + 1e-9), usize::MAX, Feature::Face, *point);
         if !self.search(point, 0.0, &mut best, count) {
@@ -125,14 +125,14 @@ impl SignedDistance {
         (if normal.dot(&away) < 0.0 { -distance } else { distance }, nearest)
     }
 
-    /// Whether the surface comes closer to a point than this, m. It is enough to find any place that does; adds the
-    /// triangles looked at to a count.
+    /// Whether the surface comes closer to a point than this, m. Stops at any such place; adds the number of triangles
+    /// examined to a count.
     pub(super) fn within(&self, point: &Point, limit: f64, count: &mut usize) -> bool {
         let squared = limit * limit;
         limit > 0.0 && self.search(point, squared, &mut (squared, usize::MAX, Feature::Face, *point), count)
     }
 
-    /// Looks for something nearer than the best so far, which holds the squared distance; ends once that is below `enough`.
+    /// Searches for something closer than the best so far, which holds the squared distance; ends once that is below `enough`.
     fn search(&self, point: &Point, enough: f64, best: &mut (f64, usize, Feature, Point), count: &mut usize) -> bool {
         let mut open = [(0u32, 0.0); DEPTH];
         let mut height = 1;
@@ -215,7 +215,7 @@ fn normals(
     Ok(order.iter().map(all).collect())
 }
 
-/// Sorts a long list, looking at the watch now and then.
+/// Sorts a long list, checking the watch now and then.
 pub(super) fn sorted<T: Ord>(list: &mut [T], watch: &Watch) -> Result<(), Error> {
     let mut open: Vec<&mut [T]> = vec![list];
     while let Some(part) = open.pop() {

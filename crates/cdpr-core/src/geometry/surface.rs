@@ -1,4 +1,4 @@
-//! What a list of triangles amounts to: pieces that hang together, which of them enclose a body, and what is wrong.
+//! Analysis of a list of triangles: its connected pieces, which of them enclose a body, and its defects.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -8,25 +8,25 @@ use crate::error::Error;
 use crate::numerics::WELD_RELATIVE;
 use crate::watch::Watch;
 
-/// What is wrong with a mesh, counted. None of it keeps the triangles from being obstacles.
+/// Defects of a mesh, counted. None of them prevents the triangles from being obstacles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Faults {
     /// Triangles with two equal corners or without area.
     pub degenerate: usize,
-    /// Triangles that stand in the list already.
+    /// Triangles that occur in the list more than once.
     pub doubled: usize,
     /// Edges of a single triangle: the rims of holes.
     pub open_edges: usize,
-    /// Edges along which the neighbours do not agree which side is outside.
+    /// Edges whose two triangles disagree on which side is outside.
     pub turned_edges: usize,
-    /// Pieces that enclose something but are turned inside out.
+    /// Pieces that enclose a body but are turned inside out.
     pub inside_out: usize,
-    /// Pieces without an inside, for any of these reasons.
+    /// Pieces without an interior, for any of these reasons.
     pub sheets: usize,
 }
 
 impl Faults {
-    /// In words, for the user; none if the mesh is sound.
+    /// The defects as sentences for the user; empty if the mesh is sound.
     pub fn notes(&self) -> Vec<String> {
         let count = |number: usize, one: &str, many: &str| {
             (number > 0).then(|| format!("{number} {}", if number == 1 { one } else { many }))
@@ -54,20 +54,20 @@ impl Faults {
     }
 }
 
-/// Triangles that hang together, and the bodies of other pieces that they enclose as cavities.
+/// A connected set of triangles, with the bodies of other pieces that it encloses as cavities.
 pub struct Piece {
     /// Corners of every triangle, m, as they were given.
     pub triangles: Vec<[Point; 3]>,
     /// Distance from the surface, negative inside.
     pub distance: SignedDistance,
-    /// Enclosed volume, m³; none of a sheet.
+    /// Enclosed volume, m³; `None` for a sheet.
     pub volume: Option<f64>,
 }
 
-/// Cuts a mesh into pieces.
+/// Splits a mesh into pieces.
 ///
 /// # Errors
-/// The watch's.
+/// Those of the watch.
 pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<Piece>, Faults), Error> {
     let welded = Welded::new(mesh, watch)?;
     let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };
@@ -120,13 +120,13 @@ fn enclosing(welded: &Welded, shells: &[Shell], cavity: &Shell, watch: &Watch) -
     Ok(None)
 }
 
-/// Triangles over corners of which nearly equal ones are one, for questions of what hangs together; where the triangles
-/// lie, the corners as given tell.
+/// Triangles over corners in which nearly equal corners are identified, for questions of connectivity; positions use the
+/// corners as given.
 struct Welded {
     corners: Vec<[Point; 3]>,
     points: Vec<Point>,
     ids: Vec<[usize; 3]>,
-    /// Whether a triangle counts: it has an area, and is the first of its kind.
+    /// Whether a triangle counts: it has an area, and is the first of its duplicates.
     counts: Vec<bool>,
     degenerate: usize,
     doubled: usize,
@@ -181,7 +181,7 @@ impl Welded {
         (b - a).cross(&(c - a))
     }
 
-    /// Triangles by the surface that they are part of.
+    /// Triangles grouped by the surface to which they belong.
     fn connected(&self, watch: &Watch) -> Result<Vec<Vec<usize>>, Error> {
         let mut parent: Vec<usize> = (0..self.points.len()).collect();
         fn root(parent: &mut [usize], mut i: usize) -> usize {
@@ -258,7 +258,7 @@ impl Welded {
         SignedDistance::new(&points, &list, closed, watch)
     }
 
-    /// A piece; none of a shell of triangles that all have no area.
+    /// A piece; `None` if all triangles of the shell have no area.
     fn piece(&self, shell: Shell, watch: &Watch) -> Result<Option<Piece>, Error> {
         let Some(distance) = self.distance(&shell.triangles, shell.volume.is_some(), watch)? else { return Ok(None) };
         let triangles = shell.triangles.iter().map(|k| self.corners[*k]).collect();

@@ -1,9 +1,9 @@
-//! A convex body around points that has few faces and reaches little beyond their hull.
+//! A convex body around points that has few faces and extends little beyond their hull.
 //!
-//! Few points with few corners get their hull itself. Around others planes are laid that touch the points, one by one:
+//! A small set of points with few corners gets its hull. Other sets are enclosed by planes that touch the points, added one by one:
 //! the corner of the body that is farthest from the hull is cut off, along the face of the hull that it is highest
 //! over. Every plane has all points behind it, so the body encloses them wherever the planes are. Its distance from the
-//! hull is largest at a corner, since distance from a convex set is a convex function.
+//! hull is largest at a corner, since the distance from a convex set is a convex function.
 
 use super::clip::Polyhedron;
 use super::hull::flat_ring;
@@ -14,23 +14,23 @@ use crate::error::Error;
 use crate::numerics::{GAP_TOLERANCE, MOST_PART_CORNERS, MOST_WRAP_PLANES, ON_SURFACE, SHEET, TOUCH_DEPTH};
 use crate::watch::Watch;
 
-/// Corners up to which the hull from inside is grown, to lay planes by.
+/// Number of corners up to which the inner hull is grown to find planes.
 const INNER_CORNERS: usize = 600;
 
-/// Room for rounding beyond the planes of a body when its reach is proved, m.
+/// Allowance for rounding beyond the planes of a body when its reach is proved, m.
 const ROOM: f64 = 0.2 * GAP_TOLERANCE;
 
 /// A convex body around points.
 #[derive(Clone)]
 pub(super) struct Wrap {
-    /// The body: what lies behind all of these and in the box.
+    /// The body: the intersection of these half-spaces and the box.
     pub planes: Vec<HalfSpace>,
     pub aabb: Aabb,
-    /// The points without many of those that are no corners of their hull.
+    /// The points, without many of those that are not corners of their hull.
     pub points: Vec<Point>,
-    /// Some place inside.
+    /// Some interior point.
     pub middle: Point,
-    /// Volume of the points' hull, about, m³.
+    /// Approximate volume of the points' hull, m³.
     pub volume: f64,
     /// Whether the body is the points' hull itself.
     pub exact: bool,
@@ -38,11 +38,11 @@ pub(super) struct Wrap {
     corners: Vec<Point>,
 }
 
-/// A body with volume around points, which are not in a plane, that reaches about `room` metres beyond their hull; none
-/// if they are in a plane.
+/// A body with volume around points that do not lie in a plane; it extends about `room` metres beyond their hull. `None` if the
+/// points lie in a plane.
 ///
 /// # Errors
-/// The watch's.
+/// Those of the watch.
 pub(super) fn wrap(points: &[Point], room: f64, watch: &Watch) -> Result<Option<Wrap>, Error> {
     let Some(mut inner) = InnerHull::new(points) else { return Ok(None) };
     let left = inner.grow(0.5 * ON_SURFACE, MOST_PART_CORNERS, watch)?;
@@ -63,7 +63,7 @@ pub(super) fn wrap(points: &[Point], room: f64, watch: &Watch) -> Result<Option<
     Ok(Some(Wrap { planes, aabb, middle, volume: inner.volume(), points, exact: false, corners }))
 }
 
-/// Points of a thin sheet, each with room of [`SHEET`] to all sides, so that they have volume.
+/// The points of a thin sheet, thickened by [`SHEET`] to all sides, so that they have volume.
 pub(super) fn thickened(points: &[Point]) -> Vec<Point> {
     let inner = InnerHull::new(points).map(|inner| inner.candidates());
     let ring = || flat_ring(points).unwrap_or_else(|| points.to_vec());
@@ -74,7 +74,7 @@ pub(super) fn thickened(points: &[Point]) -> Vec<Point> {
     few.iter().flat_map(|p| corners.map(|c| p + c)).collect()
 }
 
-/// Axes along and across points, the last one where they are thinnest.
+/// Principal axes of points; the last one is the direction in which they are thinnest.
 fn frame(points: &[Point]) -> [Vector; 3] {
     let a = points[0];
     let longest = |remainder: &dyn Fn(Vector) -> Vector| {
@@ -85,7 +85,7 @@ fn frame(points: &[Point]) -> [Vector; 3] {
     let u = longest(&|v| v).try_normalize(TOUCH_DEPTH).unwrap_or(Vector::x());
     let v = longest(&|v| v - u * u.dot(&v)).try_normalize(TOUCH_DEPTH);
     let v = v.unwrap_or_else(|| u.cross(&any(&u)).normalize());
-    // Another look along the edges would turn the frame of a rectangle parallel to it; its diagonal comes first.
+    // The longest distance in a rectangle is its diagonal, so align the axes with the longest edge instead.
     let normal = u.cross(&v).normalize();
     let side = points.windows(2).map(|w| w[1] - w[0]).map(|e| e - normal * normal.dot(&e));
     let edge = side.fold(Vector::zeros(), |best, e| if e.norm_squared() > best.norm_squared() { e } else { best });
@@ -93,14 +93,14 @@ fn frame(points: &[Point]) -> [Vector; 3] {
     [u, normal.cross(&u), normal]
 }
 
-/// Whether a body covers points, and can be made again from its corners.
+/// Whether a body covers the points and can be rebuilt from its corners.
 pub(super) fn is_sound(body: &Polytope, points: &[Point]) -> bool {
     let covers = || points.iter().all(|p| body.depth_of(p) >= -0.5 * GAP_TOLERANCE);
     body.has_volume() && covers() && Polytope::from_vertices(body.vertices()).is_ok_and(|again| again.has_volume())
 }
 
-/// Planes around points until no corner of what they enclose is farther than `room` from the triangles of the hull, and
-/// those corners.
+/// Adds planes around points until no corner of the enclosed body is farther than `room` from the triangles of the hull; also
+/// returns those corners.
 fn tightened(
     points: &[Point],
     aabb: &Aabb,
@@ -129,7 +129,7 @@ fn tightened(
         };
         let high = heights().enumerate().filter(|(k, h)| *h >= 0.98 * highest && !used[*k]).map(|(k, _)| k);
         let Some(face) = high.max_by(|i, j| area(*i).total_cmp(&area(*j)).then(j.cmp(i))) else {
-            distances[corner] = 0.0; // every plane near it is laid
+            distances[corner] = 0.0; // every plane near it has been added
             continue;
         };
         used[face] = true;
@@ -178,16 +178,16 @@ impl Wrap {
         }
     }
 
-    /// The planes with room for rounding: what is proved of the set behind them holds for [`Wrap::polytope`], if it
-    /// tells so.
+    /// The planes with the allowance for rounding: what is proved of the set behind them holds for [`Wrap::polytope`], if it
+    /// reports so.
     pub fn widened(&self) -> (Vec<HalfSpace>, Aabb) {
         let room = Vector::repeat(ROOM);
         let aabb = Aabb { min: self.aabb.min - room, max: self.aabb.max + room };
         (self.planes.iter().map(|plane| plane.widened(ROOM)).collect(), aabb)
     }
 
-    /// The body with its corners and faces, and whether it lies behind the widened planes. Where rounding keeps the
-    /// faces from closing: a box, which does.
+    /// The body with its corners and faces, and whether it lies behind the widened planes. If rounding prevents the
+    /// faces from closing, the result is a box.
     pub fn polytope(&self) -> (Polytope, bool) {
         let body = Polytope::hull_of(&self.corners).ok().filter(|body| is_sound(body, &self.points));
         let boxed = || Polytope::hull_of(&box_corners(&self.aabb)).expect("a box");

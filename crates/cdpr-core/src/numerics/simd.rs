@@ -1,16 +1,16 @@
-//! Four numbers or eight integers at a time: one kernel, written once over [`Lanes`], compiled twice, portable and with AVX2 (chosen at run
-//! time, through pulp).
+//! Four floating-point numbers or eight integers at a time: a kernel is written once over [`Lanes`] and compiled twice, portably and for
+//! AVX2 (selected at run time, through pulp).
 //!
-//! Both do the same operations on the same numbers in the same order, without fused ones, so their answers are the same
-//! to the last bit. Inside a kernel stand loops, not closures: what is not inlined is not compiled for AVX2.
+//! Both perform the same operations on the same numbers in the same order, without fused operations, so their results are equal
+//! to the last bit. Kernels use loops rather than closures: code that is not inlined is not compiled for AVX2.
 
-/// Numbers to a group.
+/// Numbers per group.
 pub const WIDTH: usize = 4;
 
-/// Integers to a group.
+/// Integers per group.
 pub const INTEGERS: usize = 8;
 
-/// Four numbers or eight integers at a time, and what the kernel does with them.
+/// Four numbers or eight integers, and the operations that kernels need.
 pub trait Lanes: Copy {
     /// Four numbers.
     type Four: Copy;
@@ -26,14 +26,14 @@ pub trait Lanes: Copy {
     fn max(self, a: Self::Four, b: Self::Four) -> Self::Four;
     fn sqrt(self, a: Self::Four) -> Self::Four;
     fn abs(self, a: Self::Four) -> Self::Four;
-    /// `a` where `sign` is not negative, else `b`.
+    /// `a` where `sign` is nonnegative, otherwise `b`.
     fn where_not_negative(self, sign: Self::Four, a: Self::Four, b: Self::Four) -> Self::Four;
-    /// One bit for each of the four that is not negative.
+    /// One bit for each of the four that is nonnegative.
     fn not_negative(self, a: Self::Four) -> u32;
     fn store(self, a: Self::Four) -> [f64; WIDTH];
-    /// The integers next to numbers whose amount is below 2³¹, towards zero.
+    /// The numbers, of magnitude below 2³¹, truncated to integers.
     fn truncated(self, a: Self::Four) -> [i32; WIDTH];
-    /// The scalar products of eight pairs with one, which must not overflow.
+    /// The scalar products of eight pairs with one pair, which must not overflow.
     fn pair_products(self, pairs: &[[i16; 2]; INTEGERS], with: [i16; 2]) -> Self::Integers;
     /// Sums, which must not overflow.
     fn plus(self, a: Self::Integers, b: Self::Integers) -> Self::Integers;
@@ -146,7 +146,7 @@ mod avx2 {
     use pulp::{NullaryFnOnce, cast, f64x4};
     use std::arch::x86_64::{__m256d, __m256i};
 
-    /// A task as pulp takes it.
+    /// A task in the form that pulp requires.
     pub struct OnLanes<T> {
         pub task: T,
         pub v3: V3,
@@ -256,7 +256,7 @@ mod avx2 {
     }
 }
 
-/// Which compilation of the kernel runs.
+/// The compilation of the kernel to run.
 #[derive(Debug, Clone, Copy)]
 pub enum Kernel {
     /// For any machine.
@@ -267,7 +267,7 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// The best that this machine has; the portable one where the environment has `CDPR_PORTABLE`, for tests.
+    /// The fastest one that this machine supports; the portable one if the environment variable `CDPR_PORTABLE` is set, for tests.
     pub fn best() -> Self {
         if std::env::var_os("CDPR_PORTABLE").is_some() {
             return Kernel::Portable;
@@ -280,11 +280,11 @@ impl Kernel {
     }
 }
 
-/// Work that a kernel does.
+/// A task for a kernel.
 pub trait Task {
     type Output;
 
-    /// The work, over any lanes; it must be `#[inline(always)]`, with all that it calls on the way to the lanes.
+    /// The task, over any lanes; it must be `#[inline(always)]`, as must everything that it calls on the way to the lanes.
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
 }
 

@@ -1,10 +1,10 @@
-//! The anytime planner: a first path at once, then shorter ones for as long as it may.
+//! The anytime planner: a first path quickly, then shorter ones until a limit is reached or further search no longer pays off.
 //!
-//! Two trees grow as in RRT-Connect. Every way on which they meet is handed to a [`Guide`], which knows the geometry and
-//! makes a locally shortest path of it; of these the shortest is kept. Once there is a path, or none after a while, half
-//! of the samples come from the guide too, from where shortest paths can bend: in narrow passages that is what is left
-//! to draw from. Samples through which no shorter path can lead are not looked at (J. D. Gammell, S. S. Srinivasa, T. D.
-//! Barfoot, "Informed RRT*", IROS 2014).
+//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`Guide`], which knows the geometry, turns the resulting path
+//! into a locally shortest one; the shortest of these is kept. Once there is a path, or after a while without one, half of the
+//! samples also come from the guide, from places where shortest paths can bend: in narrow passages few other samples are useful.
+//! Samples through which no shorter path can lead are skipped (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*",
+//! IROS 2014).
 
 use rand::Rng;
 
@@ -17,16 +17,16 @@ use crate::collision::Validity;
 use crate::error::{Error, ErrorClass};
 use crate::watch::Watch;
 
-/// What a planner can be told by somebody who knows the geometry of the space.
+/// A string puller: what the planner needs from the geometry of the space to shorten paths and to choose samples.
 pub trait Guide<State>: Sync {
-    /// A path no longer than a valid one, with the same ends, and valid; roughly as short as its kind can be, if that is
-    /// shorter than `worth`, m.
+    /// Shortens a valid path; the result is valid, has the same ends and is never longer. It is approximately locally shortest if
+    /// that may be shorter than `worth`, m.
     ///
     /// # Errors
-    /// [`Error::interrupted`] if the watch says so; a deadline ends it early.
+    /// [`Error::interrupted`] if the watch requests it; a deadline ends it early.
     fn shortened(&self, path: &[State], worth: f64, watch: &Watch) -> Result<Vec<State>, Error>;
 
-    /// The same to the last digit, for paths that are worth it.
+    /// The same to full precision, for paths that are worth the effort.
     ///
     /// # Errors
     /// As [`Guide::shortened`].
@@ -34,8 +34,8 @@ pub trait Guide<State>: Sync {
         self.shortened(path, f64::INFINITY, watch)
     }
 
-    /// A valid path found by other means than sampling, in general another one each time; none if that takes more effort
-    /// than so many samples do, and the next call goes on from there, or if it finds no more.
+    /// A valid path found without sampling, usually a different one each time. `None` if this takes more effort than the given number
+    /// of samples (the next call continues), or if there are no more paths to find.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -43,23 +43,23 @@ pub trait Guide<State>: Sync {
         Ok(None)
     }
 
-    /// How many things it knows of that paths may bend around.
+    /// Number of bodies around which paths may bend.
     fn complexity(&self) -> usize {
         0
     }
 
-    /// Whether it met limits that it does not know, which makes its work long.
+    /// Whether constraints other than polyhedra have blocked the string puller, which makes pulling slow.
     fn hindered(&self) -> bool {
         false
     }
 
-    /// A length that no path between two states falls below, m; the best one known when time is over.
+    /// A lower bound of the length of all paths between two states, m; the best bound so far when time runs out.
     ///
     /// # Errors
     /// [`Error::interrupted`].
     fn lower_bound(&self, start: &State, goal: &State, watch: &Watch) -> Result<f64, Error>;
 
-    /// A promising state where shortest paths may bend; none if nothing is known of such places, or time is over.
+    /// A promising state where shortest paths may bend; `None` if no such places are known, or time has run out.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -71,16 +71,16 @@ pub trait Guide<State>: Sync {
     ) -> Result<Option<State>, Error>;
 }
 
-/// Somebody who wants to know of every better path: seconds since the start, its length in m, the path.
-pub type Listener<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
+/// Called with every better path: seconds since the start, its length in m, the path.
+pub type Improved<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
 
 /// Options of [`anytime`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnytimeOptions {
-    /// What ends the search. Content with the first path it goes on until nothing has improved for a while.
+    /// The limits of the search. With `Until::FirstPath` it continues until nothing has improved for a while.
     pub limits: Limits,
-    /// Share of the best length that a lower bound of all paths may be short of it, for the search to end: 0.01 for "at
-    /// most 1 % too long".
+    /// The search ends when the best path exceeds a lower bound of all paths by at most this share: 0.01 for "at most 1 % too
+    /// long".
     pub gap: Option<f64>,
 }
 
@@ -90,59 +90,59 @@ impl Default for AnytimeOptions {
     }
 }
 
-/// Without other limits: samples without any path after which it gives up.
+/// Without other limits: number of samples without any path after which the search gives up.
 const HOPELESS: usize = 100_000;
-/// Without other limits: effort since the last better path after which it is content, in samples: this for one thing that
-/// paths may bend around, for n of them √n times as much; and at least so much.
+/// Without other limits: effort since the last improvement after which the search ends, in samples: this times √n for n bodies that
+/// paths may bend around, but at least `LEAST_EFFORT`.
 const EFFORT: f64 = 120.0;
 const LEAST_EFFORT: f64 = 500.0;
-/// Without other limits: it goes on for this much of the effort that led from the first path to the best one.
+/// Without other limits: the search continues for at least this share of the effort that led from the first path to the best one.
 const EFFORT_SHARE: f64 = 0.5;
-/// Effort of making a way taut, in samples; and where the guide is hindered.
+/// Effort of string pulling one path, in samples; and the same if non-polyhedral constraints block the string puller.
 const PULL: usize = 20;
 const HINDERED_PULL: usize = 40;
-/// A path shorter by this share is a better one, for which the search goes on.
+/// Only a path shorter by this share counts as an improvement that prolongs the search.
 const BETTER: f64 = 1e-3;
-/// Samples without a path before the guide is asked for some: to get ready it may need longer than a first path takes.
+/// Samples without a path before the guide is used: preparing it may take longer than finding a first path.
 const UNGUIDED: usize = 500;
-/// Samples before the guide is asked for a way, and between two such questions.
+/// Samples before the first cell search, and between two cell searches.
 const FIRST_WAY: usize = 100;
 const NEXT_WAY: usize = 100;
-/// Ways in a row that led to no shorter path, after which the guide is not asked for more; one more for each so many things
-/// that paths may bend around.
+/// The cell search ends after this many paths in a row that led to no improvement, plus one for every `THINGS_PER_WAY` bodies that
+/// paths may bend around.
 const FRUITLESS_WAYS: usize = 2;
 const THINGS_PER_WAY: usize = 100;
-/// Ways longer than the best path by more than this factor are not made taut.
+/// Paths longer than the best one by more than this factor are not pulled.
 const DETOUR: f64 = 1.4;
-/// A path is polished at once if it is better than the last polished one by this factor, otherwise in the end.
+/// A path shorter than the last polished one by this factor is polished at once, otherwise at the end.
 const MUCH_BETTER: f64 = 0.98;
-/// Nodes after which the trees begin anew; the best path stays.
+/// Number of nodes at which the trees restart; the best path is kept.
 const MOST_NODES: usize = 20_000;
 
-/// Searches ever shorter paths; see the module. On interruption the best path so far is the answer, if there is one.
+/// Searches for ever shorter paths; see the module. If interrupted, it returns the best path so far, if there is one.
 ///
-/// It ends, besides by the limits, when the path is as short as the straight line. With a deadline, or asked for a cost or a
-/// gap, it goes on until then; otherwise until it has tried long enough without finding anything better.
+/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline, a target cost or a gap, it
+/// continues until one of these is reached; otherwise until it has found nothing better for a while.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch says so before there is a path.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 pub fn anytime<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     guide: &dyn Guide<S::State>,
     options: &AnytimeOptions,
-    listener: &Listener<S::State>,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath || options.gap.is_some();
-    // Who gives a number of samples wants them drawn as long as there is no path.
+    // A given number of samples is used up as long as there is no path.
     let hopeless = if options.limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
     let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
     let mut run = Run {
         guide,
         watch,
-        listener,
+        improved,
         search: Search::new(problem, validity, &limits, watch),
         halves: Halves::new(problem),
         past: 0,
@@ -165,27 +165,27 @@ pub fn anytime<S: StateSpace>(
     Ok(run.search.ended(status, run.best, tree))
 }
 
-/// The length with which the search is content, whatever the lower bound.
+/// The length at which the search ends, regardless of the lower bound.
 fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, options: &AnytimeOptions) -> f64 {
     let asked = if let Until::Cost(cost) = options.limits.until { cost } else { 0.0 };
     asked.max(space.distance(start, goal))
 }
 
-/// How much was tried, and when it led to something; all in samples.
+/// How much effort was spent, and when it led to an improvement; all in samples.
 struct Patience {
     /// Effort without any path after which the search gives up.
     hopeless: usize,
     effort: usize,
-    /// Effort until the first path.
+    /// Effort up to the first path.
     first: Option<usize>,
-    /// Effort until the last path that was better.
+    /// Effort up to the last improvement.
     last: usize,
     /// Its length, m.
     cost: f64,
 }
 
 impl Patience {
-    /// Whether to give up, or to be content, where paths may bend around so many things.
+    /// Whether to give up, or to accept the path, given the number of bodies that paths may bend around.
     fn lost(&self, complexity: usize) -> bool {
         let Some(first) = self.first else { return self.effort >= self.hopeless };
         let earned = (EFFORT_SHARE * (self.last - first) as f64) as usize;
@@ -204,24 +204,24 @@ impl Patience {
 struct Run<'r, S: StateSpace> {
     guide: &'r dyn Guide<S::State>,
     watch: &'r Watch<'r>,
-    listener: &'r Listener<'r, S::State>,
+    improved: &'r Improved<'r, S::State>,
     search: Search<'r, S>,
     halves: Halves<'r, S>,
-    /// Nodes of trees that were given up.
+    /// Nodes of trees that were discarded.
     past: usize,
-    /// Samples from which on the guide is asked for a way.
+    /// Number of samples at which the next cell search is due.
     next_way: usize,
-    /// The last way from the guide.
+    /// The last path from the cell search.
     last_way: Vec<S::State>,
-    /// Ways in a row that led to no shorter path.
+    /// Paths in a row from the cell search that led to no improvement.
     fruitless_ways: usize,
     best: Vec<S::State>,
     cost: f64,
-    /// Length of the best path that was polished, m.
+    /// Length of the best polished path, m.
     polished: f64,
-    /// A path of this length is short enough, m.
+    /// A path of this length ends the search, m.
     enough: f64,
-    /// The gap to the lower bound that is short enough, until the bound is known.
+    /// The requested gap to the lower bound, until the bound is known.
     gap: Option<f64>,
     patience: Option<Patience>,
 }
@@ -243,13 +243,13 @@ impl<S: StateSpace> Run<'_, S> {
             if self.halves.len() > MOST_NODES {
                 self.past += self.halves.len();
                 self.halves = Halves::new(self.search.problem);
-                self.halves.keep(&self.best); // nothing, where there is no path yet
+                self.halves.keep(&self.best); // empty if there is no path yet
             }
         }
         Ok(())
     }
 
-    /// Once there is a path, asks for the lower bound if a gap to it would be short enough.
+    /// Once there is a path, and if a gap was requested, computes the lower bound and the length that satisfies the gap.
     fn look_at_the_gap(&mut self) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
         if self.cost.is_finite()
@@ -272,7 +272,7 @@ impl<S: StateSpace> Run<'_, S> {
         let before = self.cost;
         if way != self.last_way {
             if self.best.is_empty() {
-                self.take(way.clone()); // an answer in case that time ends here
+                self.take(way.clone()); // a result in case time runs out here
             }
             let taut = self.guide.shortened(&way, before, self.watch)?;
             self.take(taut);
@@ -312,7 +312,7 @@ impl<S: StateSpace> Run<'_, S> {
         Ok((promising(&sample) && self.search.valid(&sample)).then_some(sample))
     }
 
-    /// Pulls a way through a sample taut, unless it is far too long or the sample is not what it bends around.
+    /// Pulls the path through a sample, unless it is far too long or does not bend at the sample.
     fn consider(&mut self, mut way: Vec<S::State>, sample: &S::State) -> Result<(), Error> {
         let space = &self.search.problem.space;
         let at = way.iter().position(|state| state == sample).filter(|at| *at > 0 && at + 1 < way.len());
@@ -331,7 +331,7 @@ impl<S: StateSpace> Run<'_, S> {
             patience.effort += if self.guide.hindered() { HINDERED_PULL } else { PULL };
         }
         if self.best.is_empty() {
-            self.take(way.clone()); // an answer in case that time ends here
+            self.take(way.clone()); // a result in case time runs out here
         }
         let taut = self.guide.shortened(&way, self.cost, self.watch)?;
         self.take(taut);
@@ -362,7 +362,7 @@ impl<S: StateSpace> Run<'_, S> {
                 patience.take(cost);
             }
             let seconds = self.search.improved(cost);
-            (self.listener)(seconds, cost, &self.best);
+            (self.improved)(seconds, cost, &self.best);
         }
     }
 }

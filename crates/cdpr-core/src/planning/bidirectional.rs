@@ -1,4 +1,4 @@
-//! Two trees, one from the start and one from the goal, that meet in samples: how the anytime planner searches.
+//! Two trees, one from the start and one from the goal, that meet in samples; the search of the anytime planner.
 
 use rand::{Rng, RngExt};
 
@@ -8,20 +8,20 @@ use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::error::Error;
 
-/// Nodes of each tree that a sample is tried from, the nearest first. With one, a sample behind a corner of its nearest node is
-/// lost; with all, a sample that nothing sees costs as many motion checks as there are nodes.
+/// Number of nodes of each tree from which a sample is tried, nearest first. With one, a sample behind a corner of its nearest
+/// node is lost; with all, an unreachable sample costs as many motion checks as there are nodes.
 const NEAREST: usize = 10;
 
-/// A tree that is larger than the other by this factor grows only together with it: where the other is stuck, it is there
-/// that something must be found.
+/// A tree that is larger than the other by this factor grows only together with it: if the other tree is stuck, the search must
+/// make progress there.
 const LOPSIDED: usize = 1;
 
-/// To which of the nodes from which it can be reached a state is appended.
+/// Which of the nodes from which a state can be reached becomes its parent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parent {
-    /// The nearest: the fewest motion checks.
+    /// The nearest node; needs the fewest motion checks.
     Nearest,
-    /// The one through which the way from the root is shortest, and nodes near by are rewired: the shortest ways.
+    /// The node that gives the shortest path from the root; nearby nodes are rewired. Gives the shortest paths.
     Cheapest,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Halves<'p, S: StateSpace> {
     halves: [Half<S>; 2],
 }
 
-/// One tree, and which of its nodes are near a place.
+/// One tree, with a spatial index of its nodes.
 pub(super) struct Half<S: StateSpace> {
     pub tree: Tree<S>,
     neighbours: Neighbours,
@@ -42,7 +42,7 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         Halves { space: &problem.space, halves: Half::of_both_ends(problem) }
     }
 
-    /// Nodes of both trees.
+    /// Number of nodes of both trees.
     pub fn len(&self) -> usize {
         self.halves.iter().map(|half| half.tree.len()).sum()
     }
@@ -53,7 +53,7 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         smaller.state(rng.random_range(0..smaller.len()))
     }
 
-    /// Puts the waypoints of a valid path from start to goal, or an empty one, into both trees.
+    /// Inserts the waypoints of a valid path from start to goal into both trees; the path may be empty.
     pub fn keep(&mut self, path: &[S::State]) {
         let [_, inner @ .., _] = path else { return };
         let [from_start, from_goal] = &mut self.halves;
@@ -61,7 +61,7 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         from_goal.append_chain(self.space, inner.iter().rev());
     }
 
-    /// Connects a state to both trees, straight; where both can be, the path through it.
+    /// Connects a state to both trees by straight motions; returns the path through the state if both connections succeed.
     pub fn meet(
         &mut self,
         search: &mut Search<S>,
@@ -79,13 +79,13 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         Ok(Some(path_through(&self.halves, [first, second])))
     }
 
-    /// Both trees, that of the start first.
+    /// Both trees, the tree of the start first.
     pub fn into_search_tree(self) -> SearchTree<S::State> {
         into_search_tree(self.halves)
     }
 }
 
-/// The path from the root of the first tree to that of the second, through a node of each in the same state.
+/// The path from the root of the first tree to the root of the second, through a node of each with the same state.
 pub(super) fn path_through<S: StateSpace>(halves: &[Half<S>; 2], nodes: [usize; 2]) -> Vec<S::State> {
     let mut path = halves[0].tree.path_to(nodes[0]);
     path.extend(halves[1].tree.path_to(nodes[1]).into_iter().rev().skip(1));
@@ -102,7 +102,7 @@ pub(super) fn into_search_tree<S: StateSpace>(halves: [Half<S>; 2]) -> SearchTre
 }
 
 impl<S: StateSpace> Half<S> {
-    /// A tree from the start and one from the goal, nothing but their roots.
+    /// A tree from the start and one from the goal, each with only its root.
     pub fn of_both_ends(Problem { space, start, goal }: &Problem<S>) -> [Self; 2] {
         [start, goal].map(|root| {
             let mut neighbours = Neighbours::default();
@@ -116,13 +116,13 @@ impl<S: StateSpace> Half<S> {
         self.neighbours.nearest_to(space, &self.tree, state)
     }
 
-    /// Appends a state to a node; the new node.
+    /// Appends a state to a node; returns the new node.
     pub fn push(&mut self, space: &S, parent: usize, state: S::State) -> usize {
         self.neighbours.push(space.place(&state));
         self.tree.append(space, parent, state)
     }
 
-    /// Appends a state to one of its nearest nodes from which it can be reached; the new node.
+    /// Appends a state to one of the nearest nodes from which it can be reached; returns the new node.
     fn append(
         &mut self,
         space: &S,
@@ -151,7 +151,7 @@ impl<S: StateSpace> Half<S> {
         Ok(None)
     }
 
-    /// Hangs nodes on a new one where that makes the way to them shorter.
+    /// Makes a new node the parent of other nodes if this shortens their paths from the root.
     fn rewire(&mut self, space: &S, search: &mut Search<S>, new: usize, others: &[(f64, usize)]) -> Result<(), Error> {
         for &(_, other) in others {
             let cheaper = self.tree.cost_through(space, new, self.tree.state(other)) < self.tree.cost(other);
@@ -162,7 +162,7 @@ impl<S: StateSpace> Half<S> {
         Ok(())
     }
 
-    /// Appends states one after another, the first to the root; the motions between them are known to be free.
+    /// Appends states one after another, starting at the root; the motions between them are known to be free.
     fn append_chain<'s>(&mut self, space: &S, states: impl Iterator<Item = &'s S::State>)
     where
         S::State: 's,

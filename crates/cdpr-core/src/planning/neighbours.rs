@@ -1,21 +1,20 @@
-//! Which nodes are near: a k-d tree of places (J. L. Bentley, 1975) that grows with the nodes, in leaves of a few
-//! places each.
+//! Nearest-neighbour search: a k-d tree of points (J. L. Bentley, 1975) that grows with the nodes, with a few points per leaf.
 //!
-//! Every box is as tight as its places allow, because most samples of a search are far from the whole tree. Whatever
-//! the order in which places come, answers are exact and nothing recurses.
+//! All boxes are tight, because most samples of a search are far from the whole tree. For any order of insertion, answers are exact
+//! and no function recurses.
 
 use super::space::StateSpace;
 use super::tree::Tree;
 use crate::geometry::Point;
 use crate::numerics::ROUNDING;
 
-/// Places in a leaf before it is divided; a scan of so many costs about as much as one more division.
+/// Points in a leaf before it is divided; scanning this many costs about as much as one more level.
 const LEAF: usize = 16;
 
-/// Places of nodes 0, 1, 2, …
+/// Points of nodes 0, 1, 2, …
 ///
-/// Distances come from the caller, as a function of the node; they must never be below the distance of the places.
-/// Among nodes of equal distance the older one is nearest.
+/// The caller provides distances as a function of the node; they must never be smaller than the distances of the points.
+/// Among nodes at equal distance the older one counts as nearest.
 ///
 /// # Example
 /// ```
@@ -38,7 +37,7 @@ pub struct Neighbours {
     stack: Vec<(f64, usize)>,
 }
 
-/// Places up to which looking at all of them in turn is faster than the tree.
+/// Number of points up to which a linear scan is faster than the tree.
 const IN_LINE: usize = 512;
 
 /// Up to `COUNT` nodes by squared distance, m².
@@ -67,18 +66,18 @@ impl<const COUNT: usize> Few<COUNT> {
         }
     }
 
-    /// Distance within which others would be among the few, m.
+    /// Distance within which another node would be one of the nearest, m.
     fn reach(&self) -> f64 {
         self.squares[COUNT - 1].sqrt()
     }
 
-    /// The nodes, the nearest first.
+    /// The nodes, nearest first.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes[..self.count]
     }
 }
 
-/// A box of places: divided in two, or a leaf.
+/// A bounding box of points: divided in two, or a leaf.
 #[derive(Debug, Clone)]
 struct Cell {
     min: [f64; 3],
@@ -89,7 +88,7 @@ struct Cell {
 #[derive(Debug, Clone)]
 enum Content {
     Leaf(Vec<([f64; 3], usize)>),
-    /// The child with places below the threshold; the other child follows it.
+    /// The child with points below the threshold; the other child follows it.
     Divided {
         axis: usize,
         threshold: f64,
@@ -98,12 +97,12 @@ enum Content {
 }
 
 impl Neighbours {
-    /// Adds the place of the next node.
+    /// Adds the point of the next node.
     pub fn push(&mut self, place: Point) {
         self.places.push(place);
     }
 
-    /// Takes places that came since the last question into the tree.
+    /// Inserts points that were added since the last query into the tree.
     fn catch_up(&mut self) {
         for node in self.count..self.places.len() {
             self.insert(node, self.places[node].into());
@@ -133,7 +132,7 @@ impl Neighbours {
         }
     }
 
-    /// Divides a leaf in the middle of its longest side; places that all coincide stay together.
+    /// Divides a leaf in the middle of its longest side; points that all coincide stay together.
     fn divide(&mut self, leaf: usize) {
         let below = self.cells.len();
         let Cell { min, max, content } = &mut self.cells[leaf];
@@ -150,7 +149,7 @@ impl Neighbours {
         self.cells.extend([Cell::leaf(low), Cell::leaf(high)]);
     }
 
-    /// `Nearest` of the paper; none if there are no nodes.
+    /// `Nearest` of the paper; `None` if there are no nodes.
     pub fn nearest(&mut self, target: &Point, distance: impl Fn(usize) -> f64) -> Option<usize> {
         self.catch_up();
         let mut best = (f64::INFINITY, usize::MAX);
@@ -164,7 +163,7 @@ impl Neighbours {
         (best.1 != usize::MAX).then_some(best.1)
     }
 
-    /// `Near` of the paper: distance and number of all nodes within a radius, in no particular order.
+    /// `Near` of the paper: distances and indices of all nodes within a radius, in no particular order.
     pub fn within(&mut self, target: &Point, radius: f64, distance: impl Fn(usize) -> f64) -> Vec<(f64, usize)> {
         self.catch_up();
         let mut found = Vec::new();
@@ -183,7 +182,7 @@ impl Neighbours {
         self.nearest(&space.place(state), |node| space.distance(tree.state(node), state))
     }
 
-    /// The few nodes whose places are nearest, the nearest first; fewer where there are not so many.
+    /// The nodes whose points are nearest, nearest first; fewer if there are not enough.
     pub fn nearest_few<const COUNT: usize>(&mut self, target: &Point) -> Few<COUNT> {
         let mut few = Few::new();
         if self.places.len() < IN_LINE {
@@ -211,10 +210,10 @@ impl Neighbours {
         self.within(&space.place(state), radius, |node| space.distance(tree.state(node), state))
     }
 
-    /// Shows every node whose place is within reach; `see` answers the reach from then on. Nearer boxes come first.
+    /// Calls `see` for every node whose point is within reach; `see` returns the new reach. Closer boxes come first.
     fn visit(&mut self, target: &Point, reach: f64, mut see: impl FnMut(usize) -> f64) {
         let target: [f64; 3] = (*target).into();
-        let squared = |reach: f64| reach * reach * (1.0 + ROUNDING); // a place just at the reach is shown
+        let squared = |reach: f64| reach * reach * (1.0 + ROUNDING); // includes a point exactly at the reach
         let mut limit = squared(reach);
         self.stack.clear();
         self.stack.extend((!self.cells.is_empty()).then_some((0.0, 0)));
@@ -275,7 +274,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 
-    /// Random places, some of them doubled, or many on a grid so that ties abound.
+    /// Random points, some duplicated, or many on a grid so that ties are frequent.
     fn places(seed: u64, grid: bool) -> Vec<Point> {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut number = || if grid { f64::from(rng.random_range(0..4)) } else { rng.random::<f64>() };

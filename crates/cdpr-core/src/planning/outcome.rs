@@ -1,16 +1,16 @@
-//! How planning can end.
+//! The possible outcomes of planning.
 
 use serde::Serialize;
 
 use super::tree::SearchTree;
 
-/// How a well-posed planning question can end.
+/// How a well-posed planning problem can end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// A path was found.
     Solved,
-    /// The samples or the time ran out first.
+    /// The limit on samples or time was reached first.
     BudgetSpent,
     /// The start is not a valid state.
     StartInvalid,
@@ -25,23 +25,23 @@ pub struct Outcome<State> {
     pub status: Status,
     /// The path from start to goal; empty unless solved.
     pub waypoints: Vec<State>,
-    /// The tree as it was at the end; if solved, the goal is its last node. Of planners with two trees, that of the start
-    /// and then that of the goal.
+    /// The tree at the end of the search; if solved, the goal is its last node. For planners with two trees: the tree of the start,
+    /// followed by that of the goal.
     pub tree: SearchTree<State>,
-    /// Motions that were checked.
+    /// Number of motion checks.
     pub motion_checks: usize,
-    /// Random samples that were drawn.
+    /// Number of random samples.
     pub samples: usize,
-    /// When the path got better, first to last; one entry where the first path ends the search.
+    /// Every improvement of the path, in order; one entry if the search ends with the first path.
     pub history: Vec<Milestone>,
 }
 
-/// A path that was better than those before.
+/// A path that was shorter than all before.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Milestone {
     /// Time since the search began, s.
     pub seconds: f64,
-    /// Samples drawn by then.
+    /// Samples drawn so far.
     pub samples: usize,
     /// Length of the path, m.
     pub cost: f64,

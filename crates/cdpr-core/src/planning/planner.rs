@@ -1,11 +1,11 @@
-//! The one list of planners, and their options: typed for code, and as plain settings for files and command lines.
+//! The list of all planners with their options: typed for code, and as plain settings for files and command lines.
 
 use rand::Rng;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::anytime::{AnytimeOptions, Guide, Listener, anytime};
+use super::anytime::{AnytimeOptions, Guide, Improved, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
 use super::outcome::Outcome;
 use super::rrt::{RrtOptions, rrt};
@@ -20,13 +20,13 @@ use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// The planners there are.
+/// All planners.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planner {
-    /// A first path at once, then shorter ones.
+    /// A first path quickly, then shorter ones.
     #[default]
     Anytime,
-    /// Samples are connected straight to a tree from the start and one from the goal.
+    /// Connects samples directly to a tree from the start and one from the goal.
     TwoTrees,
     /// Two trees that grow towards each other in steps.
     RrtConnect,
@@ -115,10 +115,10 @@ impl PlannerOptions {
         }
     }
 
-    /// A planner as the settings say; `step` (m) is that of rewinding, which RRT and RRT* share unless told otherwise.
+    /// A planner with the given settings; `step` (m) is the step of rewinding, which RRT and RRT* use by default.
     ///
     /// # Errors
-    /// Names a number out of its range, or a setting that the planner does not have.
+    /// A number out of its range, or a setting that the planner does not have; the error names the key.
     ///
     /// # Example
     /// ```
@@ -159,7 +159,7 @@ impl PlannerOptions {
         }
     }
 
-    /// What ends the search.
+    /// The limits of the search.
     pub fn limits(&self) -> &Limits {
         match self {
             PlannerOptions::Anytime(options) => &options.limits,
@@ -171,7 +171,7 @@ impl PlannerOptions {
         }
     }
 
-    /// What ends the search, to be changed.
+    /// The limits of the search, mutable.
     pub fn limits_mut(&mut self) -> &mut Limits {
         match self {
             PlannerOptions::Anytime(options) => &mut options.limits,
@@ -183,7 +183,7 @@ impl PlannerOptions {
         }
     }
 
-    /// All settings written out, defaults too, as files record them.
+    /// All settings including defaults, as recorded in files.
     pub fn settings(&self) -> PlannerSettings {
         let limits = self.limits();
         let (step, bias, near_radius) = match self {
@@ -207,22 +207,21 @@ impl PlannerOptions {
         }
     }
 
-    /// Searches a path by this planner.
+    /// Searches for a path with this planner.
     ///
     /// # Errors
-    /// [`Error::interrupted`] if the watch says so.
+    /// [`Error::interrupted`] if the watch requests it.
     pub fn search<S: StateSpace>(
         &self,
         problem: &Problem<S>,
         validity: &dyn Validity<S::State>,
-        aids: &Aids<S::State>,
+        guide: &dyn Guide<S::State>,
+        improved: &Improved<S::State>,
         rng: &mut impl Rng,
         watch: &Watch,
     ) -> Result<Outcome<S::State>, Error> {
         match self {
-            PlannerOptions::Anytime(options) => {
-                anytime(problem, validity, aids.guide, options, aids.listener, rng, watch)
-            }
+            PlannerOptions::Anytime(options) => anytime(problem, validity, guide, options, improved, rng, watch),
             PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, rng, watch),
             PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
             PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
@@ -230,15 +229,6 @@ impl PlannerOptions {
             PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, rng, watch),
         }
     }
-}
-
-/// Who helps a search, and who wants to hear of it; only the anytime planner knows them.
-#[derive(Clone, Copy)]
-pub struct Aids<'a, State> {
-    /// Knows the geometry.
-    pub guide: &'a dyn Guide<State>,
-    /// Is told of every better path.
-    pub listener: &'a Listener<'a, State>,
 }
 
 impl PlannerSettings {
@@ -253,7 +243,7 @@ impl PlannerSettings {
         Ok(())
     }
 
-    /// A setting that the planner does not have would be ignored: refused instead.
+    /// Rejects a setting that the planner does not have, rather than ignore it.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
         for (key, found, owners) in [
             ("gap", self.gap, &[Planner::Anytime][..]),

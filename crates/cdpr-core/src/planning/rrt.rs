@@ -16,7 +16,7 @@ use crate::watch::Watch;
 pub struct RrtOptions {
     /// Longest edge of the tree, m.
     pub step: f64,
-    /// Probability of taking the goal for a sample, 0 to 1; 0, as in the paper, is no bias.
+    /// Probability of using the goal as the sample, 0 to 1; 0, as in the paper, is no bias.
     pub goal_bias: f64,
     /// What ends the search: the first path, or 20 000 samples.
     pub limits: Limits,
@@ -28,14 +28,13 @@ impl Default for RrtOptions {
     }
 }
 
-/// Searches a path by RRT; stops at the first path, or goes on as the limits say and keeps the shortest.
+/// Searches for a path by RRT. Stops at the first path, or continues up to the limits and keeps the shortest path.
 ///
-/// The new state is first tested as a state, which is no motion check; samples are not, since any of them may pull
-/// the tree along. The goal is tried from the start and from every new
-/// node that lies within one step of it.
+/// The new state is first tested as a state, which is not counted as a motion check. Samples are not tested, since the tree may
+/// grow towards an invalid sample. The goal is tried from the start and from every new node within one step of it.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch says so.
+/// [`Error::interrupted`] if the watch requests it.
 ///
 /// # Example
 /// ```

@@ -1,6 +1,5 @@
-//! RRT-Connect: two trees take turns; one extends by a step towards a random sample, the other connects to the new node,
-//! step after step (J. J. Kuffner and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning",
-//! ICRA 2000).
+//! RRT-Connect: two trees take turns; one extends by one step towards a random sample, then the other steps repeatedly towards the
+//! new node (J. J. Kuffner and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning", ICRA 2000).
 
 use rand::Rng;
 
@@ -28,27 +27,27 @@ impl Default for RrtConnectOptions {
     }
 }
 
-/// Longest edge as a share of the largest distance in the space, unless the options give one.
+/// Default of the longest edge, as a share of the largest distance in the space.
 pub const STEP_SHARE: f64 = 0.2;
 
-/// How a step of a tree towards a state ended; the names are those of the paper.
+/// How a step of a tree towards a state ended; the names are those of Kuffner and LaValle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Step {
     /// The motion is not free: no new node.
     Trapped,
-    /// A new node, one step nearer.
+    /// A new node, one step closer.
     Advanced(usize),
-    /// A new node in the state itself.
+    /// A new node at the state itself.
     Reached(usize),
 }
 
-/// Searches a path by RRT-Connect; stops at the first path, or goes on as the limits say and keeps the shortest.
+/// Searches for a path by RRT-Connect. Stops at the first path, or continues up to the limits and keeps the shortest path.
 ///
-/// The straight line from start to goal is tried first, as by the other planners. A new state is first tested as a state,
-/// which is no motion check; samples are not, since any of them may pull a tree along.
+/// Like the other planners, it tries the straight line from start to goal first. A new state is first tested as a state, which is
+/// not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid sample.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch says so.
+/// [`Error::interrupted`] if the watch requests it.
 ///
 /// # Example
 /// ```
@@ -107,8 +106,8 @@ fn extend<S: StateSpace>(search: &mut Search<S>, half: &mut Half<S>, x: &S::Stat
     }
 }
 
-/// `CONNECT(T, x)`: steps towards a state until it is reached, or nothing is free. After a step the new node is the
-/// nearest one, so the tree is searched once.
+/// `CONNECT(T, x)`: steps towards a state until it is reached or a step fails. After a step the new node is the nearest one, so the
+/// tree is searched only once.
 fn connect<S: StateSpace>(
     search: &mut Search<S>,
     trees: &mut [Half<S>; 2],
@@ -138,7 +137,7 @@ fn advance<S: StateSpace>(
     let from = *half.tree.state(node);
     let x_new = steer(space, &from, x, step);
     if x_new == from && x_new != *x {
-        return Ok(Step::Trapped); // a step below rounding
+        return Ok(Step::Trapped); // a step smaller than rounding errors
     }
     if !(search.valid(&x_new) && search.collision_free(&from, &x_new)?) {
         return Ok(Step::Trapped);
@@ -147,7 +146,7 @@ fn advance<S: StateSpace>(
     Ok(if x_new == *x { Step::Reached(new) } else { Step::Advanced(new) })
 }
 
-/// Nodes of both trees.
+/// Number of nodes of both trees.
 fn nodes<S: StateSpace>(trees: &[Half<S>; 2]) -> usize {
     trees.iter().map(|half| half.tree.len()).sum()
 }
@@ -161,7 +160,7 @@ mod tests {
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
-    /// Positions beyond a wall at x = `at` are reached over its top only, at z > 1.
+    /// Positions beyond a wall at x = `at` can be reached only over its top, at z > 1.
     struct Wall {
         at: f64,
     }
@@ -191,7 +190,7 @@ mod tests {
         Problem { space, start: start.into(), goal: goal.into() }
     }
 
-    /// A tree of one root, and a search among the walls.
+    /// A tree with only a root, and a search among the walls.
     fn with_search<T>(
         wall: &Wall,
         test: impl FnOnce(&mut Search<TranslationSpace>, &mut [Half<TranslationSpace>; 2]) -> T,

@@ -1,5 +1,5 @@
-//! RRT*, Algorithm 1 of the paper: RRT that looks around each new node for a cheaper parent, and rewires the others
-//! to it where that is cheaper for them (S. Karaman and E. Frazzoli, 2011).
+//! RRT*, Algorithm 1 of the paper: RRT that chooses the cheapest parent among the nodes near each new node, and rewires nearby
+//! nodes to the new node if that is cheaper for them (S. Karaman and E. Frazzoli, 2011).
 
 use rand::Rng;
 
@@ -17,9 +17,9 @@ use crate::watch::Watch;
 pub struct RrtStarOptions {
     /// Longest edge by which the tree grows, m.
     pub step: f64,
-    /// Probability of taking the goal for a sample, 0 to 1; 0, as in the paper, is no bias.
+    /// Probability of using the goal as the sample, 0 to 1; 0, as in the paper, is no bias.
     pub goal_bias: f64,
-    /// Radius of the ball that is looked at around a new node, m, whatever the number n of nodes; by default
+    /// Radius around a new node in which parents are considered, m, independent of the number n of nodes; by default
     /// min(γ (ln n / n)^(1/3), step), see [`StateSpace::near_radius`].
     pub near_radius: Option<f64>,
     /// What ends the search: the first path, or 500 000 samples.
@@ -32,15 +32,15 @@ impl Default for RrtStarOptions {
     }
 }
 
-/// Searches a path by RRT*; stops at the first path, or goes on as the limits say while the path gets shorter.
+/// Searches for a path by RRT*. Stops at the first path, or continues up to the limits while the path becomes shorter.
 ///
-/// Readings of the pseudocode: the new state is first tested as a state, which is no motion check
-/// (samples are not: Algorithm 1 steers towards any of them); the goal is tried from the
-/// start and from every new node that lies within one step of it, and takes the cheapest of the nodes that reach it.
-/// Parents are asked lazily, in increasing order of cost.
+/// Interpretation of the pseudocode: the new state is first tested as a state, which is not counted as a motion check
+/// (samples are not tested: Algorithm 1 steers towards any of them). The goal is tried from the start and from every new node
+/// within one step of it, and its parent is the cheapest of the nodes that reach it. Parents are tried lazily, in order of
+/// increasing cost.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch says so.
+/// [`Error::interrupted`] if the watch requests it.
 ///
 /// # Example
 /// ```
@@ -69,7 +69,7 @@ pub fn rrt_star<S: StateSpace>(
     Ok(search.outcome(tree, goal_parent))
 }
 
-/// The tree when the search is over, and the node through which the goal is reached at the least cost, if any is.
+/// The tree at the end of the search, and the node that gives the shortest path to the goal, if there is one.
 fn grow<S: StateSpace>(
     search: &mut Search<S>,
     options: &RrtStarOptions,
@@ -106,8 +106,8 @@ fn grow<S: StateSpace>(
     }
 }
 
-/// `FindParent(x_near, x_nearest, x_new)`: the near node through which the new state is reached at the least cost; the
-/// motion from the nearest one is known to be free.
+/// `FindParent(x_near, x_nearest, x_new)`: the near node that gives the shortest path to the new state; the motion from the nearest
+/// node is known to be free.
 fn find_parent<S: StateSpace>(
     search: &mut Search<S>,
     tree: &Tree<S>,
@@ -127,7 +127,7 @@ fn find_parent<S: StateSpace>(
     Ok(x_nearest)
 }
 
-/// `Rewire(T, x_parent, x_near, x_new)`: near nodes that are reached at less cost through the new one hang on it now.
+/// `Rewire(T, x_parent, x_near, x_new)`: makes the new node the parent of near nodes that it makes cheaper.
 fn rewire<S: StateSpace>(
     search: &mut Search<S>,
     tree: &mut Tree<S>,
@@ -144,7 +144,7 @@ fn rewire<S: StateSpace>(
     Ok(())
 }
 
-/// The cheapest of the nodes that reach the goal, and what the goal costs through it.
+/// The cheapest of the nodes that reach the goal, and the cost of the goal through it.
 fn cheapest<S: StateSpace>(tree: &Tree<S>, space: &S, goal_parents: &[usize], goal: &S::State) -> (Option<usize>, f64) {
     let costs = goal_parents.iter().map(|x| (Some(*x), tree.cost_through(space, *x, goal)));
     costs.fold((None, f64::INFINITY), |best, one| if one.1 < best.1 { one } else { best })
@@ -159,7 +159,7 @@ mod tests {
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
-    /// The tree after some thousand nodes, with a large ball so that much is rewired.
+    /// The tree after several thousand nodes, with a large radius so that many nodes are rewired.
     fn grown(
         scene: &crate::Scene,
         seed: u64,
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn more_nodes_never_cost_more_and_come_near_the_optimum() {
-        // 2.4352 m is the best path known; a longer run of the same seed goes on where the shorter one stopped.
+        // 2.4352 m is the best known length; a longer run with the same seed continues where the shorter one stopped.
         let costs = [1000, 4000, 16_000].map(|nodes| {
             let path = grown(&hard1(), 5, nodes).0.waypoints;
             path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()

@@ -1,4 +1,4 @@
-//! What all planners share: the two questions they ask, counted, and what ends a search.
+//! What all planners share: counted state and motion checks, and the limits that end a search.
 
 use std::time::Instant;
 
@@ -11,38 +11,38 @@ use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// Motion checks, or samples, between two looks at the clock and the caller, where they are fast.
+/// Motion checks, or samples, between two looks at the clock and the interrupt, where they are fast.
 const POLL: usize = 64;
 
-/// What ends a search besides the time.
+/// Limits of a search other than time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     /// Random samples after which it ends.
     pub max_samples: usize,
     /// Nodes of the tree after which it ends.
     pub max_nodes: usize,
-    /// What it is content with.
+    /// Which path ends the search.
     pub until: Until,
 }
 
-/// With what a search is content.
+/// Which path ends a search.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Until {
     /// The first path.
     #[default]
     FirstPath,
-    /// A path of at most this length, m; with 0 it goes on until samples, nodes or time are spent.
+    /// A path of at most this length, m; with 0 the search continues until samples, nodes or time run out.
     Cost(f64),
 }
 
 impl Limits {
-    /// The first path, with at most this many samples.
+    /// Ends at the first path, or after this many samples.
     pub fn samples(max_samples: usize) -> Self {
         Limits { max_samples, max_nodes: usize::MAX, until: Until::FirstPath }
     }
 }
 
-/// One run of a planner: problem, validity, and what has been spent.
+/// One run of a planner: problem, validity, and the resources used so far.
 pub(super) struct Search<'a, S: StateSpace> {
     pub problem: &'a Problem<S>,
     validity: &'a dyn Validity<S::State>,
@@ -69,20 +69,20 @@ impl<'a, S: StateSpace> Search<'a, S> {
         Search { problem, validity, limits, watch, poll, motion_checks, samples, out_of_time, started, history }
     }
 
-    /// `CollisionFree` of the paper; nothing is any more once the time is over.
+    /// `CollisionFree` of the paper; returns false once the deadline has passed.
     pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> Result<bool, Error> {
         self.motion_checks += 1;
         self.out_of_time |= self.motion_checks.is_multiple_of(self.poll) && self.watch.expired()?;
         Ok(!self.out_of_time && self.validity.motion_valid(from, to))
     }
 
-    /// `RandomSample` of the paper: uniform; none where the space is empty.
+    /// `RandomSample` of the paper: uniform; `None` if the space is empty.
     pub fn random_sample(&mut self, rng: &mut impl Rng) -> Option<S::State> {
         self.samples += 1;
         self.problem.space.sample(rng)
     }
 
-    /// Counts a sample that somebody else drew.
+    /// Counts a sample that the caller drew.
     pub fn drawn(&mut self, sample: Option<S::State>) -> Option<S::State> {
         self.samples += 1;
         sample
@@ -93,7 +93,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.samples
     }
 
-    /// Notes that there is a path of this length, shorter than those before; returns the time since the start, s.
+    /// Records a path of this length, shorter than all before; returns the time since the start, s.
     pub fn improved(&mut self, cost: f64) -> f64 {
         let seconds = self.started.elapsed().as_secs_f64();
         self.history.push(Milestone { seconds, samples: self.samples, cost });
@@ -109,17 +109,17 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.random_sample(rng)
     }
 
-    /// Whether a motion could lead to this state at all; spares motion checks, and is none.
+    /// Whether any motion could lead to this state at all: a cheap pre-test, not counted as a motion check.
     pub fn valid(&self, state: &S::State) -> bool {
         self.validity.state_valid(state)
     }
 
-    /// Whether the trees may have more nodes than these.
+    /// Whether the node limit allows more nodes than these.
     pub fn has_room(&self, nodes: usize) -> bool {
         nodes < self.limits.max_nodes
     }
 
-    /// Whether the search is over: content with the best path so far (infinite: none), or nothing left to spend.
+    /// Whether the search is over: the best path so far (infinite: none) is good enough, or a limit is reached.
     pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
         if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {
             self.improved(best);
@@ -149,14 +149,14 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.ended(status, waypoints, tree.into())
     }
 
-    /// The outcome with a path that is there already.
+    /// The outcome with a given path.
     pub fn ended(self, status: Status, waypoints: Vec<S::State>, tree: SearchTree<S::State>) -> Outcome<S::State> {
         let Search { motion_checks, samples, history, .. } = self;
         Outcome { status, waypoints, tree, motion_checks, samples, history }
     }
 }
 
-/// Length of a path of straight lines; infinite where there is none.
+/// Length of a path of straight segments; infinite for an empty path.
 pub(super) fn path_length<S: StateSpace>(space: &S, path: &[S::State]) -> f64 {
     let length = path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum();
     if path.is_empty() { f64::INFINITY } else { length }

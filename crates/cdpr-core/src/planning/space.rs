@@ -1,4 +1,4 @@
-//! The space a planner searches: what a state is, how far two are apart, how to draw one.
+//! The space that a planner searches: its states, their distances, and how to sample them.
 
 use rand::{Rng, RngExt};
 
@@ -6,16 +6,16 @@ use crate::collision::Conditions;
 use crate::geometry::{Point, Vector};
 use crate::numerics::FLAT;
 
-/// States, straight lines between them, and their length.
+/// States, the straight motions between them, and their length.
 pub trait StateSpace: Sync {
-    /// Where the robot can be.
+    /// A configuration of the robot.
     type State: Copy + PartialEq + std::fmt::Debug + Send + Sync;
 
-    /// A state drawn uniformly, or none if the space is empty.
+    /// A uniform random state; `None` if the space is empty.
     fn sample(&self, rng: &mut impl Rng) -> Option<Self::State>;
 
-    /// A state drawn uniformly from those over which a way between two states can be shorter than `length`, m; none if
-    /// the draw fell outside of the space.
+    /// A uniform random state among those through which a path between two states can be shorter than `length`, m; `None` if the
+    /// draw fell outside the space.
     fn sample_between(
         &self,
         from: &Self::State,
@@ -24,47 +24,46 @@ pub trait StateSpace: Sync {
         rng: &mut impl Rng,
     ) -> Option<Self::State>;
 
-    /// A state at a random distance from another one, all orders of magnitude alike; none if it is outside of the space.
+    /// A state at a random distance from another one, log-uniform over all scales; `None` if it is outside the space.
     fn sample_around(&self, state: &Self::State, rng: &mut impl Rng) -> Option<Self::State>;
 
-    /// Length of the straight line between two states.
+    /// Length of the straight motion between two states.
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
     /// The largest distance between two states, m; 0 where the space is empty.
     fn largest_distance(&self) -> f64;
 
-    /// The state at fraction `t` of the straight line from `a` to `b`.
+    /// The state at fraction `t` of the straight motion from `a` to `b`.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
 
-    /// Where a state stands among the others, for finding neighbours: places are never farther apart than their states.
+    /// The point of a state in the neighbour index: points are never farther apart than their states.
     fn place(&self, state: &Self::State) -> Point;
 
     /// γ (ln n / n)^(1/d), m, with γ = (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space and the volume ζ
-    /// of the unit ball: the radius with which S. Karaman and E. Frazzoli (2011) conclude that RRT* tends to the optimum. Their
-    /// proof has a gap, closed for the exponent 1/(d + 1) and a larger γ, a larger ball in the end (K. Solovey, L. Janson,
-    /// E. Schmerling, E. Frazzoli and M. Pavone, "Revisiting the asymptotic optimality of RRT*", ICRA 2020).
+    /// of the unit ball. S. Karaman and E. Frazzoli (2011) use this radius in their proof that RRT* is asymptotically optimal. The
+    /// proof has a gap; K. Solovey, L. Janson, E. Schmerling, E. Frazzoli and M. Pavone ("Revisiting the asymptotic optimality of
+    /// RRT*", ICRA 2020) prove the result for the exponent 1/(d + 1) and a larger γ, which is a larger radius for large n.
     fn near_radius(&self, nodes: usize) -> f64;
 }
 
-/// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` on the way to `to`, or `to` if that is
-/// nearer.
+/// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` towards `to`, or `to` if it is within one step.
 pub fn steer<S: StateSpace>(space: &S, from: &S::State, to: &S::State, step: f64) -> S::State {
     let distance = space.distance(from, to);
     if distance <= step { *to } else { space.interpolate(from, to, step / distance) }
 }
 
-/// Positions of the platform's origin at fixed orientation, uniform over those where the platform is inside the
+/// Positions of the platform's origin at fixed orientation; uniform over the positions at which the platform is inside the
 /// workspace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TranslationSpace {
-    /// Smallest position, m.
+    /// Smallest coordinates of a position, m.
     pub min: Point,
-    /// Largest position, m.
+    /// Largest coordinates of a position, m.
     pub max: Point,
 }
 
 impl TranslationSpace {
-    /// The positions that the workspace leaves.
+    /// The positions at which the platform is inside the workspace.
     pub fn of(conditions: &Conditions) -> Self {
         let (min, max) = conditions.position_box();
         TranslationSpace { min, max }
@@ -81,11 +80,11 @@ impl StateSpace for TranslationSpace {
     }
 
     /// Uniform in the ellipsoid with both positions as foci (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed
-    /// RRT*", IROS 2014), or in the space where that is smaller.
+    /// RRT*", IROS 2014), or in the whole space if that is smaller.
     fn sample_between(&self, from: &Point, to: &Point, length: f64, rng: &mut impl Rng) -> Option<Point> {
         let straight = (to - from).norm();
         let across = 0.5 * (length * length - straight * straight).max(0.0).sqrt();
-        // Across a flat axis the ellipsoid is as wide as anything drawn from it before it is put back into the space.
+        // Along a flat axis compare with the ellipsoid's own width: draws are clamped into the space along it.
         let size = self.size();
         let size = Vector::from_fn(|axis, _| if self.is_flat(axis) { 2.0 * across } else { size[axis] });
         if !(4.0 / 3.0 * std::f64::consts::PI * 0.5 * length * across * across < size.product()) {
@@ -93,7 +92,7 @@ impl StateSpace for TranslationSpace {
         }
         let along = (to - from) / straight.max(f64::MIN_POSITIVE);
         let unit = in_unit_ball(rng);
-        // Stretched along the straight line, and by as much as the ball's other two axes everywhere else.
+        // Scale the unit ball: by the half length along the straight line, by `across` in the other two directions.
         let lengthwise = along.dot(&unit);
         let offset = unit * across + along * (lengthwise * (0.5 * length - across));
         self.inside(nalgebra::center(from, to) + offset)
@@ -136,7 +135,7 @@ impl StateSpace for TranslationSpace {
     }
 }
 
-/// The nearest that [`StateSpace::sample_around`] draws, as a share of the size of the space.
+/// The smallest distance that [`StateSpace::sample_around`] draws, as a share of the size of the space.
 const NEAREST_SHARE: f64 = 1e-3;
 
 impl TranslationSpace {
@@ -144,12 +143,12 @@ impl TranslationSpace {
         self.max - self.min
     }
 
-    /// Whether there is no room to speak of along an axis: the platform is as high as the workspace.
+    /// Whether the space is practically flat along an axis: the platform is as high as the workspace, for example.
     fn is_flat(&self, axis: usize) -> bool {
         self.max[axis] - self.min[axis] <= FLAT
     }
 
-    /// A drawn position, if it is in the space; put back into it along flat axes, which a draw never hits.
+    /// A drawn position if it is in the space; along flat axes, which a draw never hits exactly, it is clamped into the space.
     fn inside(&self, mut position: Point) -> Option<Point> {
         for axis in (0..3).filter(|&axis| self.is_flat(axis)) {
             position[axis] = position[axis].max(self.min[axis]).min(self.max[axis]);
@@ -158,7 +157,7 @@ impl TranslationSpace {
     }
 }
 
-/// Uniform in the unit ball.
+/// A uniform random point in the unit ball.
 fn in_unit_ball(rng: &mut impl Rng) -> Vector {
     loop {
         let [x, y, z]: [f64; 3] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
@@ -169,7 +168,7 @@ fn in_unit_ball(rng: &mut impl Rng) -> Vector {
     }
 }
 
-/// From where to where.
+/// A planning problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem<S: StateSpace> {
     /// The space of states.

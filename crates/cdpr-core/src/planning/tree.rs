@@ -5,17 +5,17 @@ use std::collections::BinaryHeap;
 
 use super::space::StateSpace;
 
-/// A search tree to look at, or several of them one after the other: plain data.
+/// One or several search trees as plain data, for display; several trees follow one another.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SearchTree<State> {
     /// The state of each node.
     pub states: Vec<State>,
-    /// The parent of each node; a root is its own.
+    /// The parent of each node; a root is its own parent.
     pub parents: Vec<usize>,
 }
 
 impl<State> SearchTree<State> {
-    /// The state of each node's parent and its own; roots have no edge.
+    /// The edges: the state of each node's parent, and the node's own state; roots have none.
     pub fn edges(&self) -> impl Iterator<Item = [&State; 2]> {
         let nodes = self.parents.iter().enumerate().filter(|(node, parent)| node != *parent);
         nodes.map(|(node, parent)| [&self.states[*parent], &self.states[node]])
@@ -28,7 +28,7 @@ impl<S: StateSpace> From<Tree<S>> for SearchTree<S::State> {
     }
 }
 
-/// Nodes with their parents and the length of the way to them from the root, node 0.
+/// Nodes with their parents and their path lengths from the root, node 0.
 #[derive(Debug, Clone)]
 pub struct Tree<S: StateSpace> {
     states: Vec<S::State>,
@@ -38,29 +38,29 @@ pub struct Tree<S: StateSpace> {
     queue: Vec<Reverse<(u64, usize)>>,
 }
 
-/// The children of a node as a list: its first child, and the next child of its own parent.
+/// The children of a node as a linked list: its first child, and the next sibling.
 #[derive(Debug, Clone, Copy, Default)]
 struct Kin {
     first_child: Option<Child>,
     next_sibling: Option<Child>,
 }
 
-/// A node that has a parent; the root is nobody's child.
+/// A node that has a parent; the root is never a child.
 type Child = std::num::NonZeroUsize;
 
 impl<S: StateSpace> Tree<S> {
-    /// A tree that is only its root.
+    /// A tree that consists of its root.
     pub fn rooted_at(root: S::State) -> Self {
         let (states, parents, costs, kin) = (vec![root], vec![0], vec![0.0], vec![Kin::default()]);
         Tree { states, parents, costs, kin, queue: Vec::new() }
     }
 
-    /// How many nodes there are.
+    /// Number of nodes.
     pub fn len(&self) -> usize {
         self.states.len()
     }
 
-    /// A tree has at least its root.
+    /// Always false: a tree has at least its root.
     pub fn is_empty(&self) -> bool {
         false
     }
@@ -70,17 +70,17 @@ impl<S: StateSpace> Tree<S> {
         &self.states[node]
     }
 
-    /// The parent of a node; the root is its own.
+    /// The parent of a node; the root is its own parent.
     pub fn parent(&self, node: usize) -> usize {
         self.parents[node]
     }
 
-    /// Length of the way from the root to a node.
+    /// Path length from the root to a node.
     pub fn cost(&self, node: usize) -> f64 {
         self.costs[node]
     }
 
-    /// Length of the way from the root through a node straight to a state.
+    /// Path length from the root through a node and then straight to a state.
     pub fn cost_through(&self, space: &S, node: usize, state: &S::State) -> f64 {
         self.costs[node] + space.distance(&self.states[node], state)
     }
@@ -96,9 +96,9 @@ impl<S: StateSpace> Tree<S> {
         new
     }
 
-    /// Gives a node another parent, and it and all that hang on it their new costs.
+    /// Gives a node another parent, and updates the costs of the node and all its descendants.
     ///
-    /// The parent must not hang on the node itself; a parent through which the node is reached at less cost never does.
+    /// The parent must not be a descendant of the node; a parent that reduces the node's cost never is.
     pub fn rewire(&mut self, space: &S, node: usize, parent: usize) {
         self.disown(node);
         self.parents[node] = parent;
@@ -128,8 +128,8 @@ impl<S: StateSpace> Tree<S> {
         *link = next;
     }
 
-    /// `FeasibleCheapest(T, x)` of the paper: the node through which `target` is reached at the least cost, among those
-    /// with a feasible motion to it. Nodes are asked lazily, in increasing order of that cost.
+    /// `FeasibleCheapest(T, x)` of the paper: the node that gives the shortest path to `target`, among those with a feasible motion
+    /// to it. Nodes are tried lazily, in order of increasing cost.
     pub fn feasible_cheapest<E>(
         &mut self,
         space: &S,
@@ -139,7 +139,7 @@ impl<S: StateSpace> Tree<S> {
         let through = |node: usize| self.costs[node] + space.distance(&self.states[node], target);
         let mut queue = std::mem::take(&mut self.queue);
         queue.clear();
-        // Costs are not negative, so their bits are ordered as they are; ties go to the older node.
+        // Costs are nonnegative, so their bit patterns have the same order; the older node wins a tie.
         queue.extend((0..self.states.len()).map(|node| Reverse((through(node).to_bits(), node))));
         let mut heap = BinaryHeap::from(queue);
         let mut found = None;

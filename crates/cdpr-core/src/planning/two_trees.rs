@@ -1,5 +1,5 @@
 //! Two trees, one from the start and one from the goal, with the direct connections of the paper's Modified RRT: every sample is
-//! offered to both. It has the two trees of RRT-Connect, but neither its steps nor its CONNECT.
+//! tried with both trees. Unlike RRT-Connect it has no steps and no CONNECT.
 
 use rand::Rng;
 
@@ -24,13 +24,13 @@ impl Default for TwoTreesOptions {
     }
 }
 
-/// Searches a path with two trees; stops at the first path, or goes on as the limits say and keeps the shortest.
+/// Searches for a path with two trees. Stops at the first path, or continues up to the limits and keeps the shortest path.
 ///
-/// There is no step: since engines answer for a motion of any length at once, a valid sample is connected straight to
-/// either tree, to the nearest of its nodes that sees it. A sample that both trees reach joins them.
+/// There are no steps: engines check a motion of any length in one query, so a valid sample is connected directly to each tree, to
+/// the nearest node from which it can be reached. A sample that both trees reach joins them.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch says so.
+/// [`Error::interrupted`] if the watch requests it.
 ///
 /// # Example
 /// ```

@@ -1,7 +1,7 @@
-//! Rewinding, Algorithms 4 and 5 of the paper: pull the string of waypoints from one end, then from the other.
+//! Rewinding, Algorithms 4 and 5 of the paper: shortens the path from one end, then from the other.
 //!
-//! Readings: as printed the algorithms never end, because the last step of a segment "rewinds" onto the neighbour that a
-//! waypoint already has; here the path must get strictly shorter. After a success the new point is the next reference.
+//! Interpretation: as printed the algorithms never end, because the last step of a segment "rewinds" onto the neighbour that a
+//! waypoint already has; here the path must become strictly shorter. After a success the new point becomes the next reference.
 //! k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the reversed path.
 
 use crate::choices;
@@ -11,10 +11,10 @@ use crate::numerics::{SHORTER, STEP_COUNT};
 use crate::planning::StateSpace;
 use crate::watch::Watch;
 
-/// In which order the two rewindings run (the paper, section 5.2).
+/// The order of the two rewindings (the paper, section 5.2).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Order {
-    /// Both of the following; the shorter result is kept, as the paper recommends.
+    /// Tries both of the following orders and keeps the shorter result, as the paper recommends.
     #[default]
     Both,
     /// Backward rewinding, then forward.
@@ -32,11 +32,11 @@ choices!(Order, "order", [
 /// Options of [`rewind`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RewindOptions {
-    /// Distance of the points tried along each segment, m, > 0.
+    /// Spacing of the points tried along each segment, m, > 0.
     pub step: f64,
     /// Order of the rewindings.
     pub order: Order,
-    /// How often the pair of rewindings runs; it ends early where nothing gets shorter.
+    /// How often the pair of rewindings runs; it ends early if the path does not become shorter.
     pub repeats: usize,
 }
 
@@ -62,7 +62,7 @@ impl RewindOptions {
 /// Shortens a path whose segments are valid; the result is valid, has the same ends and is never longer.
 ///
 /// # Errors
-/// Bad options, or [`Error::interrupted`] if the watch says so.
+/// Invalid options, or [`Error::interrupted`] if the watch requests it.
 ///
 /// # Source
 /// The paper, section 4, Algorithms 4 and 5.
@@ -99,13 +99,13 @@ pub fn rewind<S: StateSpace>(
     }
 }
 
-/// From which end of a path a single rewinding starts.
+/// The end of a path from which a single rewinding starts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Direction {
-    /// The last waypoint is connected to the earliest point that it can be connected to (Algorithm 4).
+    /// Connects the last waypoint to the earliest point to which it can be connected (Algorithm 4).
     #[default]
     Backward,
-    /// The first waypoint is connected to the latest one (Algorithm 5).
+    /// Connects the first waypoint to the latest such point (Algorithm 5).
     Forward,
 }
 
@@ -114,7 +114,7 @@ choices!(Direction, "direction", [
     Forward = "forward": "From the first waypoint: Algorithm 5",
 ]);
 
-/// Rewinds a path once, in one direction; options as of [`rewind`], but for order and repeats.
+/// Rewinds a path once, in one direction; takes the options of [`rewind`] except order and repeats.
 ///
 /// # Errors
 /// As [`rewind`].
@@ -132,10 +132,10 @@ pub fn rewind_once<S: StateSpace>(
     Ok(path)
 }
 
-/// After which waypoint a reference is connected, and, if not there, at which new point of the segment that follows.
+/// The waypoint to which a reference is connected, or the new point on the segment that follows it.
 type Connection<State> = Option<(usize, Option<State>)>;
 
-/// Points tried between two looks at whether to stop.
+/// Points tried between two checks of the watch.
 const POLL: usize = 64;
 
 struct Rewinder<'a, S: StateSpace> {
@@ -161,8 +161,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(())
     }
 
-    /// Algorithm 4: for every reference waypoint from the last on, connect it to the earliest point of the path that it
-    /// can be connected to, and drop what lies between.
+    /// Algorithm 4: connects every reference waypoint, starting at the last, to the earliest point of the path to which it can be
+    /// connected, and removes what lies between.
     fn backward(&self, path: &mut Vec<S::State>) -> Result<(), Error> {
         let mut reference = path.len().saturating_sub(1);
         while reference >= 2 {
@@ -181,11 +181,11 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(())
     }
 
-    /// The first point along the path, at a waypoint j or in steps after it, that shortens the path to the reference and
-    /// can be connected to it.
+    /// The first point along the path, a waypoint j or a step after it, that can be connected to the reference and shortens the
+    /// path.
     fn earliest_connection(&self, path: &[S::State], reference: usize) -> Result<Connection<S::State>, Error> {
         let x_i = &path[reference];
-        let mut old = self.length(&path[..=reference]); // from x_j along the path to the reference
+        let mut old = self.length(&path[..=reference]); // along the path from x_j to the reference
         let mut tried = 0usize;
         for j in 0..=reference - 2 {
             let (x_j, x_next) = (&path[j], &path[j + 1]);
@@ -209,8 +209,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(None)
     }
 
-    /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it (it is
-    /// part of a valid motion, but its end is rounded).
+    /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it. (That piece is part
+    /// of a valid motion, but its end is rounded.)
     fn connects(&self, x_j: &S::State, x_step: &S::State, x_i: &S::State, k: usize) -> bool {
         self.validity.motion_valid(x_step, x_i) && (k == 0 || self.validity.motion_valid(x_j, x_step))
     }

@@ -1,17 +1,16 @@
-//! Taut paths: anyone's path becomes a shortest one of its kind, exactly.
+//! String pulling: turns any valid path into a locally shortest one, exactly.
 //!
-//! At fixed orientation what is forbidden are convex polyhedra in the space of positions, and a shortest path among
-//! polyhedra is straight but for bends at their edges (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces",
-//! SIAM J. Comput. 15, 1986). So a path is tightened in two turns, until neither helps:
+//! At fixed orientation the forbidden regions are convex polyhedra in the space of positions. Among polyhedra, a shortest path is
+//! straight except for bends at their edges (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces", SIAM J. Comput. 15,
+//! 1986). Two steps alternate until neither shortens the path:
 //!
-//! - *pull*: a bend and its neighbours span a triangle; the string over the corner is pulled taut in that plane
-//!   ([`pull`]). Its new bends lie on edges of the polyhedra.
-//! - *slide*: all bends move along their edges to where the path through these edges is shortest, a convex problem
-//!   ([`slide`]). A segment that meets something on its way there is led around it by pulling.
+//! - *pull*: a bend and its neighbours span a triangle; the string is pulled tight in its plane ([`pull`]). Its new bends lie on
+//!   edges of the polyhedra.
+//! - *slide*: all bends slide along their edges to the positions that make the path through these edges shortest, a convex problem
+//!   ([`slide`]). If a segment hits something on the way, pulling leads it around the obstruction.
 //!
-//! Whatever the polyhedra say, a change is made only if the engine finds every new segment valid and the path gets
-//! shorter; so the result is valid, never longer, and it does not matter if the polyhedra say too much (the sets fattened by a
-//! clearance) or too little (wrenches).
+//! A change is made only if the engine finds every new segment valid and the path becomes shorter. So the result is valid and never
+//! longer, even if the polyhedra cover too much (sets fattened by a clearance) or too little (wrenches).
 
 pub mod bound;
 pub mod hull;
@@ -37,45 +36,45 @@ use hull::{Hull, in_box};
 use hulls::{Hulls, Near, Room};
 use pull::Pull;
 
-/// A waypoint; where it bends around a polyhedron, the direction of the edge on which it can slide.
+/// A waypoint; if it bends around a polyhedron, with the direction of the edge along which it can slide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bend {
     /// Position, m.
     pub place: Point,
-    /// Unit vector along the edge; none for a waypoint that is on no edge.
+    /// Unit vector along the edge; `None` for a waypoint that is not on an edge.
     pub edge: Option<Vector>,
-    /// Its neighbours when the string over it was last found to be taut.
+    /// Its neighbours when pulling last left it unchanged.
     settled: Option<[Point; 2]>,
 }
 
 impl Bend {
-    /// A waypoint that may be on an edge.
+    /// A waypoint that may lie on an edge.
     pub fn new(place: Point, edge: Option<Vector>) -> Self {
         Bend { place, edge, settled: None }
     }
 }
 
-/// What is known of a scene for pulling paths taut in it.
+/// The string puller of a scene: everything needed to pull paths in it.
 pub struct Taut<'a> {
     engine: &'a dyn Checker,
     hulls: OnceLock<Hulls>,
     low: Point,
     high: Point,
-    /// Whether the engine ever refused what the polyhedra allow.
+    /// Whether the engine ever rejected a change that the polyhedra allow.
     hindered: AtomicBool,
-    /// Room for sampling.
+    /// Scratch memory for sampling.
     room: Mutex<Room>,
     ways: Mutex<Option<Ways>>,
 }
 
-/// Ways through cells, from wide detours to short ones through narrow passages.
+/// The cell search for paths, from wide detours to short paths through narrow passages.
 struct Ways {
     cells: Decomposition,
-    /// Tastes that were tried.
+    /// Number of tastes tried so far.
     tried: usize,
 }
 
-/// In what order ways through cells are searched: wide detours are found at once, short ways come close to the shortest.
+/// The order of cell searches: wide detours are found quickly, short paths come close to the shortest.
 const TASTES: [Taste; 6] = [
     Taste { level: 4, haste: 3.0 },
     Taste { level: 5, haste: 2.0 },
@@ -84,25 +83,25 @@ const TASTES: [Taste; 6] = [
     Taste { level: 8, haste: 2.0 },
     Taste { level: 9, haste: 2.0 },
 ];
-/// Rounds of pulling and sliding; five to ten are usual.
+/// Maximum number of rounds of pulling and sliding; five to ten are typical.
 const ROUNDS: usize = 50;
-/// Share of a length that cutting a corner or nudging must gain to go on.
+/// Share of a length that cutting a corner or nudging must gain to be continued.
 const WORTHWHILE: f64 = 1e-3;
-/// Share of its length that a round must gain to be followed by another one, where paths are compared.
+/// Share of its length that a round must gain to be followed by another, when candidate paths are compared.
 const ROUGH: f64 = 1e-4;
-/// How much longer than it is worth a path may be before each slide to be pulled on: a slide gains some per cent, the
-/// next one less.
+/// Before each slide: the ratio of path length to `worth` above which pulling stops. A slide gains several per cent, the next one
+/// less.
 const HOPES: [f64; 8] = [1.15, 1.04, 1.02, 1.01, 1.005, 1.002, 1.001, 1.001];
-/// Random moves of a bend by one size; few where limits bind that take long to check.
+/// Random moves of a bend per size; fewer if the path is limited by constraints that are slow to check.
 const NUDGES: usize = 12;
 const FEW_NUDGES: usize = 3;
-/// Sizes of nudges and of corners to cut off, each half the one before.
+/// Number of sizes of nudges and of corners to cut, each half the previous one.
 const SIZES: usize = 6;
-/// Halvings of a slide that cannot be made in full.
+/// Halvings of a slide that is not possible in full.
 const HALVINGS: usize = 12;
 
 impl<'a> Taut<'a> {
-    /// The polyhedra that an engine keeps out of.
+    /// A string puller for the polyhedra that an engine avoids.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.conditions().position_box();
         let (hindered, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
@@ -127,7 +126,7 @@ impl Guide<Point> for Taut<'_> {
         let Some(Ways { cells, tried }) = ways.as_mut() else { return Ok(None) };
         let Some(taste) = TASTES.get(*tried) else { return Ok(None) };
         let free = |from: &Point, to: &Point| self.engine.motion_valid(from, to);
-        let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // so much dearer is a sample
+        let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // the cost of a sample, in cells
         let Way::Path(path) = cells.way([start, goal], &free, *taste, effort, watch)? else { return Ok(None) };
         *tried += 1;
         Ok(Some(path))
@@ -153,7 +152,7 @@ impl Guide<Point> for Taut<'_> {
         Ok(string.places())
     }
 
-    /// A point on an edge of a polyhedron outside of all others: shortest paths bend there and nowhere else.
+    /// A point on an edge of a polyhedron, outside all others: shortest paths bend only there.
     fn sample(
         &self,
         promising: &dyn Fn(&Point) -> bool,
@@ -167,18 +166,18 @@ impl Guide<Point> for Taut<'_> {
 }
 
 impl Taut<'_> {
-    /// The polyhedra a little wider than they are; none if time is over before they are there.
+    /// The slightly enlarged polyhedra; `None` if time runs out before they are ready.
     fn hulls(&self, watch: &Watch) -> Result<Option<&Hulls>, Error> {
         if self.hulls.get().is_none() {
             let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
             let hulls = Hulls::new(polyhedra.into_iter().map(|p| Hull::around(p.half_spaces)), self.low, self.high);
-            let _ = self.hulls.set(hulls); // another thread may have been faster, with the same
+            let _ = self.hulls.set(hulls); // another thread may have set the same value first
         }
         Ok(self.hulls.get())
     }
 }
 
-/// An answer, or none if time was over before it was there.
+/// A result, or `None` if time ran out first.
 fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     match answer {
         Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
@@ -186,12 +185,12 @@ fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     }
 }
 
-/// A path on its way to being taut.
+/// A path that is being pulled.
 struct Strand<'a> {
     taut: &'a Taut<'a>,
     hulls: &'a Hulls,
     path: Vec<Bend>,
-    /// Whether the engine refused what the polyhedra allow.
+    /// Whether the engine rejected a change that the polyhedra allow.
     refused: bool,
     pull: Pull,
     near: Near,
@@ -199,12 +198,12 @@ struct Strand<'a> {
 }
 
 impl<'a> Strand<'a> {
-    /// None if time is over before the polyhedra are there.
+    /// `None` if time runs out before the polyhedra are ready.
     fn new(taut: &'a Taut<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
         let Some(hulls) = taut.hulls(watch)? else { return Ok(None) };
         let mut path: Vec<Bend> = path.iter().map(|place| Bend::new(*place, None)).collect();
         path.dedup_by(|a, b| a.place == b.place);
-        path.extend((path.len() == 1).then(|| path[0])); // a path has two ends, even if it stays
+        path.extend((path.len() == 1).then(|| path[0])); // a path has two ends, even if they coincide
         let (pull, near, chain) = (Pull::default(), Near::default(), Vec::new());
         Ok(Some(Strand { taut, hulls, path, refused: false, pull, near, chain }))
     }
@@ -213,8 +212,8 @@ impl<'a> Strand<'a> {
         self.path.into_iter().map(|bend| bend.place).collect()
     }
 
-    /// How far a bend can slide along its edge both ways before it meets another polyhedron, leaves the box, or has gone as
-    /// far as a shorter way over the edge can lead: no farther than to its neighbours, `reach`.
+    /// How far a bend can slide along its edge in both directions before it meets another polyhedron or leaves the box; at most
+    /// `reach`, the distances to its neighbours, since no shorter path over the edge lies beyond.
     fn range(&mut self, bend: &Bend, reach: f64) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
         let [low, high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
@@ -239,23 +238,22 @@ impl<'a> Strand<'a> {
         (0..path.len()).map(|k| self.range(&path[k], reach(k))).collect()
     }
 
-    /// The directions of all edges through a place.
+    /// The directions of all edges through a point.
     fn edges_at(&mut self, place: &Point) -> Vec<Vector> {
         self.hulls.near(&[*place], &mut self.near).flat_map(|hull| hull.edges_at(place)).collect()
     }
 
-    /// Pulls and slides, and nudges what is left: bends may hold each other, or be stopped by something that is no
-    /// polyhedron.
+    /// Pulls and slides, then nudges: bends may block each other, or be blocked by a constraint that is not a polyhedron.
     fn polish(&mut self, watch: &Watch) -> Result<(), Error> {
         self.pull_and_slide(watch)?;
-        let mut rng = ChaCha8Rng::seed_from_u64(0); // so that a path always gives the same one
+        let mut rng = ChaCha8Rng::seed_from_u64(0); // the result depends only on the path
         while self.nudge(&mut rng, watch)? {
             self.pull_and_slide(watch)?;
         }
         Ok(())
     }
 
-    /// Pulls and slides as long as that gains much, and as long as the path may become shorter than it is worth.
+    /// Pulls and slides as long as this gains enough and the path may still become shorter than `worth`.
     fn pull_roughly(&mut self, worth: f64, watch: &Watch) -> Result<(), Error> {
         let mut before = f64::INFINITY;
         for hope in HOPES {
@@ -293,7 +291,7 @@ impl<'a> Strand<'a> {
         path.windows(2).all(|pair| self.free(&pair[0], &pair[1]))
     }
 
-    /// From every waypoint straight to the last one that can be reached; whether the time is over.
+    /// Connects every waypoint to the last one that it can reach directly; returns whether time ran out.
     fn shortcut(&mut self, watch: &Watch) -> Result<bool, Error> {
         let mut from = 0;
         while from + 2 < self.path.len() {
@@ -310,7 +308,7 @@ impl<'a> Strand<'a> {
         Ok(false)
     }
 
-    /// Pulls the string over every bend until nothing gets shorter; whether the time is over.
+    /// Pulls the string over every bend until the path stops becoming shorter; returns whether time ran out.
     fn pull(&mut self, watch: &Watch) -> Result<bool, Error> {
         for _ in 0..ROUNDS {
             let mut pulled = false;
@@ -320,7 +318,7 @@ impl<'a> Strand<'a> {
                     return Ok(true);
                 }
                 if self.pull_over(at) {
-                    pulled = true; // and look at the first of the new bends
+                    pulled = true; // continue with the first of the new bends
                 } else {
                     at += 1;
                 }
@@ -363,7 +361,7 @@ impl<'a> Strand<'a> {
         pulled
     }
 
-    /// Where something that is no polyhedron is in the way: the largest corner, by halves, that can be cut off.
+    /// If a non-polyhedral constraint blocks pulling: cuts off the largest possible corner, trying halved sizes.
     fn cut_corner(&mut self, at: usize) -> bool {
         let [u, v, w] = [self.path[at - 1].place, self.path[at].place, self.path[at + 1].place];
         let toward = |end: &Point, share: f64| Bend::new(v + (end - v) * share, None);
@@ -379,7 +377,7 @@ impl<'a> Strand<'a> {
         found.is_some()
     }
 
-    /// Moves bends at random, by less and less, as long as the path gets shorter; whether it did.
+    /// Moves bends at random, by decreasing distances, if this shortens the path; returns whether it gained enough.
     fn nudge(&mut self, rng: &mut impl Rng, watch: &Watch) -> Result<bool, Error> {
         let before = length(&self.path);
         for halving in 1..=SIZES {
@@ -403,8 +401,8 @@ impl<'a> Strand<'a> {
         Ok(length(&self.path) < (1.0 - worthwhile) * before)
     }
 
-    /// Slides the bends along their edges: all at once, or, where one of them is in the way of the others, one by one;
-    /// whether the time is over.
+    /// Slides the bends along their edges, all at once or, if one of them blocks the others, one by one; returns whether time ran
+    /// out.
     fn slide(&mut self, watch: &Watch) -> Result<bool, Error> {
         if self.slide_together(watch)? {
             return Ok(false);
@@ -428,7 +426,7 @@ impl<'a> Strand<'a> {
         Ok(false)
     }
 
-    /// Slides all bends at once; whether that made the path shorter.
+    /// Slides all bends at once; returns whether this shortened the path.
     fn slide_together(&mut self, watch: &Watch) -> Result<bool, Error> {
         let path = std::mem::take(&mut self.path);
         let slid = self.slid(&path, watch);
@@ -439,7 +437,7 @@ impl<'a> Strand<'a> {
         Ok(shorter)
     }
 
-    /// The path with its bends slid to the best places on their edges, or as far on the way there as makes it shorter.
+    /// The path with its bends slid to the best points on their edges, or as far towards them as shortens the path.
     fn slid(&mut self, path: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         if path.iter().all(|bend| bend.edge.is_none()) {
             return Ok(None);
@@ -460,7 +458,7 @@ impl<'a> Strand<'a> {
         Ok(None)
     }
 
-    /// The slid path, with the segments that are not free led over the old ones and pulled taut.
+    /// The slid path; segments that are not free are led over the old ones and pulled tight.
     fn led_around(&mut self, path: &[Bend], moved: &[Bend], watch: &Watch) -> Result<Option<Vec<Bend>>, Error> {
         let mut led = vec![moved[0]];
         for (old, new) in path.windows(2).zip(moved.windows(2)) {

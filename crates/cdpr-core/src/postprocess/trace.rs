@@ -1,4 +1,4 @@
-//! What a rewinding asks on its way: the motions that the paper's Figure 5 draws.
+//! The motions that a rewinding checks, as drawn in the paper's Figure 5.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -8,27 +8,27 @@ use crate::error::Error;
 use crate::planning::StateSpace;
 use crate::watch::Watch;
 
-/// A motion that was asked about.
+/// A motion that was checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Try<State> {
-    /// Where it starts.
+    /// Start of the motion.
     pub from: State,
-    /// Where it ends.
+    /// End of the motion.
     pub to: State,
-    /// The answer.
+    /// Whether it was valid.
     pub valid: bool,
 }
 
-/// A path rewound once, and what was asked for it.
+/// A path rewound once, with the motions checked for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace<State> {
-    /// The path afterwards.
+    /// The path after rewinding.
     pub path: Vec<State>,
-    /// In the order in which they were asked; of forward rewinding in the direction of the reversed path.
+    /// Checked motions, in order; for forward rewinding in the direction of the reversed path.
     pub tries: Vec<Try<State>>,
 }
 
-/// Rewinds a path once, in one direction, and keeps every motion asked about.
+/// Rewinds a path once, in one direction, and records every motion that it checks.
 ///
 /// # Errors
 /// As [`rewind`](super::rewind()).
@@ -48,7 +48,7 @@ where
     Ok(Trace { path, tries: recorder.tries.into_inner().unwrap_or_else(PoisonError::into_inner) })
 }
 
-/// An engine that remembers which motions it was asked about.
+/// An engine that records the motions it is asked to check.
 struct Recorder<'a, State> {
     validity: &'a dyn Validity<State>,
     tries: Mutex<Vec<Try<State>>>,

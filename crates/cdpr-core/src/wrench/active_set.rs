@@ -1,9 +1,9 @@
 //! The point of a slice nearest to the origin of its directions, by the dual active-set method.
 //!
 //! D. Goldfarb and A. Idnani, "A numerically stable dual method for solving strictly convex quadratic programs",
-//! Mathematical Programming 27, 1983, with the identity for a Hessian. Start from y = 0, or from limits guessed active;
-//! take in the limit passed farthest, let go of those whose multiplier would turn negative. Every step increases the
-//! distance, so the method ends: with a point, or with limits that no y meets together.
+//! Mathematical Programming 27, 1983, with the identity as Hessian. The method starts from y = 0, or from limits guessed active.
+//! It adds the most violated limit and drops limits whose multiplier would become negative. Every step increases the
+//! distance, so the method terminates: with a point, or with limits that no y satisfies together.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,13 +12,13 @@ use crate::numerics::{
     ACTIVE_SET_STEPS, DEPENDENT_NORMALS, DEPENDENT_NORMALS_AT_LEAST, LIMIT_RELATIVE, LIMIT_ROUNDING, LIMIT_SLACK,
 };
 
-/// How the search for the nearest point ended.
+/// Result of the search for the nearest point.
 pub(super) enum Nearest {
-    /// `point + null y` within its limits, those that are active met exactly.
+    /// `point + null y` within its limits; active limits are met exactly.
     At(DVector<f64>),
-    /// No y meets all limits; the direction proves it, see [`Slice::separated_by`].
+    /// No y satisfies all limits; the direction proves it, see [`Slice::separated_by`].
     Nowhere(DVector<f64>),
-    /// Rounding kept it from either.
+    /// Undecided because of rounding.
     Unsettled,
 }
 
@@ -29,10 +29,10 @@ pub(super) struct Limit {
     pub(super) side: f64,
 }
 
-/// The y nearest to 0 whose `point + null y` is in the box, from limits that are perhaps active.
+/// The y nearest to 0 whose `point + null y` is in the box, starting from limits that may be active.
 ///
-/// Where limits only just hold together, the active set may not settle. It then gets limits wider by half the
-/// tolerance, first with the same care about dependent limits, then with less.
+/// If limits are only just compatible, the active set may not settle. Then the limits are widened by half the
+/// tolerance, first with the same threshold for dependent limits, then with a smaller one.
 pub(super) fn nearest(slice: &Slice, guess: &[Limit]) -> Nearest {
     match attempt(slice, guess, LIMIT_ROUNDING, DEPENDENT_NORMALS) {
         Nearest::Unsettled => {}
@@ -49,8 +49,8 @@ pub(super) fn nearest(slice: &Slice, guess: &[Limit]) -> Nearest {
     Nearest::Unsettled
 }
 
-/// One run that takes limits passed by up to `passing` for met, and normals with less than `dependent` of their own for
-/// sums of others.
+/// One run. Limits violated by at most `passing` count as met, and normals of which less than `dependent` is linearly independent
+/// count as dependent.
 fn attempt(slice: &Slice, guess: &[Limit], passing: f64, dependent: f64) -> Nearest {
     let mut set = ActiveSet::start(slice, guess, dependent);
     for _ in 0..ACTIVE_SET_STEPS * (slice.point.len() + 1) {
@@ -62,7 +62,7 @@ fn attempt(slice: &Slice, guess: &[Limit], passing: f64, dependent: f64) -> Near
             match slice.separated_by(&direction) {
                 true => return Nearest::Nowhere(direction),
                 false if by > LIMIT_SLACK => return Nearest::Unsettled,
-                false => break, // limits that exclude each other by no more than the tolerance hold together
+                false => break, // limits that contradict each other by no more than the tolerance count as compatible
             }
         }
     }
@@ -79,7 +79,7 @@ struct ActiveSet<'a> {
 }
 
 impl<'a> ActiveSet<'a> {
-    /// The nearest point on those of the guessed limits that keep y away from 0 together.
+    /// The nearest point on those guessed limits that together keep y away from 0.
     fn start(slice: &'a Slice<'a>, guess: &[Limit], dependent: f64) -> Self {
         let none = DVector::zeros(0);
         let mut set =
@@ -124,12 +124,12 @@ impl<'a> ActiveSet<'a> {
         farthest
     }
 
-    /// A vector's part across all active normals, and its shares along them.
+    /// The component of a vector orthogonal to all active normals, and its coefficients along them.
     fn split(&self, vector: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let Some((q, r)) = self.factors() else { return (vector.clone(), DVector::zeros(0)) };
         let along = q.tr_mul(vector);
         let mut across = vector - &q * &along;
-        across -= &q * q.tr_mul(&across); // once more, since once leaves rounding
+        across -= &q * q.tr_mul(&across); // repeated to remove the rounding error of the first pass
         let shares = r.solve_upper_triangular(&along).unwrap_or_else(|| DVector::zeros(self.limits.len()));
         (across, shares)
     }
@@ -142,7 +142,7 @@ impl<'a> ActiveSet<'a> {
         Some(DMatrix::from_columns(&normals).qr().unpack())
     }
 
-    /// Computes y and the multipliers afresh from the active limits, so that rounding does not add up.
+    /// Recomputes y and the multipliers from the active limits, so that rounding errors do not accumulate.
     fn settle(&mut self) {
         let Some((q, r)) = self.factors() else {
             self.y.fill(0.0);
@@ -158,8 +158,8 @@ impl<'a> ActiveSet<'a> {
         }
     }
 
-    /// Moves y onto a limit that it passes, letting go of limits in the way. If the active limits exclude the new one:
-    /// the direction, over the entries, that says so.
+    /// Moves y onto a limit that it violates, dropping limits that block it. If the active limits contradict the new one,
+    /// returns the direction, over the entries, that proves it.
     fn take_in(&mut self, passed: Limit) -> Result<(), DVector<f64>> {
         let normal = self.normal(passed);
         for _ in 0..=self.limits.len() {
@@ -186,14 +186,14 @@ impl<'a> ActiveSet<'a> {
         Ok(())
     }
 
-    /// Which multiplier falls to 0 first when they fall at the given rates, and when.
+    /// Which multiplier is the first to fall to 0 at the given rates, and when.
     fn first_to_vanish(&self, rates: &DVector<f64>) -> (usize, f64) {
         let time = |i: &usize| self.multipliers[*i].max(0.0) / rates[*i];
         let falling = (0..rates.len()).filter(|i| rates[*i] > 0.0);
         falling.map(|i| (i, time(&i))).fold((0, f64::INFINITY), |first, new| if new.1 < first.1 { new } else { first })
     }
 
-    /// The sum of limits in which y cancels: what is left of it no y can change.
+    /// The combination of limits in which y cancels; what remains does not depend on y.
     fn contradiction(&self, passed: Limit, shares: &DVector<f64>) -> DVector<f64> {
         let mut direction = DVector::zeros(self.slice.point.len());
         direction[passed.entry] += passed.side;
@@ -203,7 +203,7 @@ impl<'a> ActiveSet<'a> {
         direction
     }
 
-    /// The point found, if it is within its limits and the multipliers are those of a nearest point.
+    /// The point found, if it satisfies its limits and the multipliers are those of a nearest point.
     fn point(&self) -> Option<DVector<f64>> {
         let mut point = self.slice.within(&self.y)?;
         for limit in &self.limits {

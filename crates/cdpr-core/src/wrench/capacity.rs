@@ -48,7 +48,7 @@ impl CapacityMargin {
         Ok(CapacityMargin { statics, required, robot, kernel: Kernel::best() })
     }
 
-    /// The same without SIMD instructions, to compare with.
+    /// The same without SIMD instructions, for comparison.
     pub fn portable(mut self) -> Self {
         self.kernel = Kernel::Portable;
         self
@@ -64,7 +64,7 @@ impl CapacityMargin {
         &self.statics
     }
 
-    /// Whether the kernel of four positions serves this robot and demand.
+    /// Whether the four-position kernel supports this robot and requirement.
     pub fn by_kernel(&self) -> bool {
         self.robot.is_some()
     }
@@ -74,12 +74,12 @@ impl CapacityMargin {
         &self.required
     }
 
-    /// The margin at a position, N; NaN where a cable has no direction.
+    /// The margin at a position, N; NaN if a cable has no direction.
     pub fn at(&self, position: &Point) -> f64 {
         self.at_four(&[*position; WIDTH])[0]
     }
 
-    /// The margins at four positions, N; each is the same number as [`CapacityMargin::at`] gives.
+    /// The margins at four positions, N; each is equal to the result of [`CapacityMargin::at`].
     pub fn at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
         let Some(robot) = &self.robot else { return positions.map(|p| self.defined_at(&p)) };
         let mut margins = self.kernel.run(FourMargins { robot, positions: *positions });
@@ -91,7 +91,7 @@ impl CapacityMargin {
         margins
     }
 
-    /// The facet that is nearest, by definition rather than by the kernel; none where a cable has no direction.
+    /// The nearest facet, by definition rather than by the kernel; `None` if a cable has no direction.
     pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
         capacity_limit(&self.statics, &self.required, position)
     }

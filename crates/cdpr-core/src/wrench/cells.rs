@@ -1,5 +1,5 @@
-//! A grid over the positions, feasible cells, and the cells that a motion crosses. The paper's rule, where the grid point nearest
-//! to a position decides, and a stricter one, where all corners of its cell do.
+//! A grid of positions, its feasible cells, and the cells that a motion crosses. Implements the paper's rule, by which the nearest
+//! grid point decides about a position, and a stricter one, by which all corners of its cell decide.
 
 use rayon::prelude::*;
 
@@ -9,10 +9,10 @@ use crate::geometry::{Point, Vector};
 use crate::model::MembershipSpec;
 use crate::numerics::simd::WIDTH;
 
-/// Most nodes of a grid: beyond it lies a slip of the unit.
+/// Maximum number of nodes; more are probably due to a wrong unit.
 const MOST_NODES: f64 = 1e8;
 
-/// Cells of a box of positions. A cell is feasible when all its corners are, or the grid point in its middle is.
+/// Cells of a box of positions. A cell is feasible if all its corners are, or if the grid point at its centre is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FeasibleCells {
     membership: MembershipSpec,
@@ -23,10 +23,10 @@ pub struct FeasibleCells {
 }
 
 impl FeasibleCells {
-    /// Cells of this size over a box of positions, the points of the grid measured on all cores.
+    /// Cells of this size over a box of positions; the grid points are evaluated on all cores.
     ///
     /// # Errors
-    /// More points than would fit.
+    /// Too many points.
     pub fn new(
         measures: &[Measure],
         (min, max): (Point, Point),
@@ -57,7 +57,7 @@ impl FeasibleCells {
         Ok(FeasibleCells { membership, min, size, counts, feasible: cells.collect() })
     }
 
-    /// The fraction of a motion at which it enters a cell that is not feasible, or leaves the grid, and that cell; none if it
+    /// The fraction of a motion at which it first enters an infeasible cell or leaves the grid, and that cell; `None` if it
     /// never does. A wall belongs to the cell above it, so a motion that ends on one enters that cell.
     pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<(f64, [i64; 3])> {
         let (start, step) = ((from - self.min) / self.size, (to - from) / self.size);
@@ -82,7 +82,7 @@ impl FeasibleCells {
             at = wall(next).max(at);
             cell[next] += if step[next] > 0.0 { 1 } else { -1 };
             if self.leaves(cell, to) {
-                return self.end_infeasible(to); // only rounding leads out: it ends inside
+                return self.end_infeasible(to); // the end is inside; it appears outside only because of rounding
             }
         }
     }
@@ -92,7 +92,7 @@ impl FeasibleCells {
         (!self.is_feasible(cell)).then_some((1.0, cell))
     }
 
-    /// The points of the grid that decide about a cell.
+    /// The grid points that decide about a cell.
     pub fn points(&self, cell: [i64; 3]) -> Vec<Point> {
         let at = |offset: Vector| self.min + (Vector::from_fn(|axis, _| cell[axis] as f64) + offset) * self.size;
         match self.membership {
@@ -108,7 +108,7 @@ impl FeasibleCells {
         std::array::from_fn(|axis| self.cell_of(axis, at[axis]))
     }
 
-    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. No number has none.
+    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. NaN has none.
     fn cell_of(&self, axis: usize, x: f64) -> i64 {
         if x.is_nan() {
             return -1;
@@ -133,7 +133,7 @@ impl FeasibleCells {
 /// How far beyond the end of the grid a coordinate may lie by rounding, in cells.
 const END: f64 = 1e-9;
 
-/// Whether each point of the grid has slack that counts, x fastest. A set of lower rank has none, up to rounding.
+/// Whether each grid point has sufficient slack, x fastest. A set of lower rank has none, up to rounding.
 fn feasible_points(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;
@@ -164,7 +164,7 @@ mod tests {
         cells.first_infeasible(from, to).map(|(at, _)| at)
     }
 
-    /// A place in cells.
+    /// A position in cells.
     fn at(x: f64, y: f64, z: f64) -> Point {
         Point::new(1.0 + 0.25 * x, 0.25 * y, 0.25 * z)
     }

@@ -1,9 +1,9 @@
-//! Proofs about the slack along a straight motion: that it is nowhere too small, where it first is, how small it gets.
+//! Certificates for the slack along a straight motion: that it suffices everywhere, where it first fails, and its minimum.
 //!
-//! Two bounds work together. Slack is computed at four places at a time, and between two of them it cannot sag by more
-//! than [`sagging`] allows: that takes little and settles most motions, but near the limit it would need pieces as short
-//! as the slack is small. What it leaves open is proved facet by facet (`Facets`): there a piece may be as long as the
-//! root of the slack, and each facet is divided only where it limits.
+//! Two bounds work together. Slack is computed at four positions at a time, and between two of them it cannot drop by more
+//! than [`sagging`] allows. This is cheap and decides most motions, but near the limit it would need pieces as short
+//! as the slack is small. The remaining pieces are certified facet by facet (`Facets`): there a piece may be as long as the
+//! square root of the slack, and each facet is divided only where it limits.
 
 use super::facets::{Bounds, FacetPair, Facets};
 use super::measure::{Measure, sagging};
@@ -11,31 +11,31 @@ use crate::geometry::Point;
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 
-/// What can be said about a motion.
+/// Result for a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// The slack is at least the measure's floor everywhere.
     Holds,
-    /// At this fraction of the motion it is not.
+    /// It is too small at this fraction of the motion.
     Fails(f64),
-    /// Up to this fraction nothing fails, and from there on neither could be shown.
+    /// Up to this fraction nothing fails; beyond it, neither result could be proved.
     Undecided(f64),
 }
 
-/// Bounds of facets on pieces of a motion after which certifying gives up: some 3 ms, spent only by motions whose slack is
-/// next to nothing over a long way.
+/// Number of facet bounds after which certification gives up: some 3 ms, spent only on motions whose slack is
+/// almost zero over a long distance.
 const MOST_BOUNDS: usize = 10_000;
-/// What the slack of four positions costs in such bounds, by the kernel; by definition each facet costs as much as several.
+/// Cost of the slack at four positions, in such bounds, by the kernel; and by definition, per facet.
 const KERNEL_COST: usize = 8;
 const DEFINITION_COST: usize = 8;
-/// Divisions of pieces before facets are looked at.
+/// Maximum number of divisions of pieces before facets are examined.
 const DIVISIONS: usize = 2;
-/// A piece that its facet does not settle is tried by the slack at its ends each time it was halved so often.
+/// A piece that its facet does not decide is tested by the slack at its ends after every so many halvings.
 const HALVINGS: u32 = 6;
-/// Share of a motion to which the place of its first failure is found.
+/// Accuracy of the position of the first failure, as a share of the motion.
 const PLACE: f64 = 1e-10;
 
-/// A motion, and what may still be spent on it.
+/// A motion, and the remaining effort for it.
 struct Way<'a> {
     measure: &'a Measure,
     from: &'a Point,
@@ -44,7 +44,7 @@ struct Way<'a> {
     bounds: usize,
 }
 
-/// A piece of a motion between two fractions of it, and how often it was halved.
+/// A piece of a motion between two fractions of it, and its number of halvings.
 #[derive(Debug, Clone, Copy, Default)]
 struct Piece {
     from: f64,
@@ -52,7 +52,7 @@ struct Piece {
     halved: u32,
 }
 
-/// Pieces of one facet that wait, the first one on top; each halving leaves one more.
+/// A stack of pieces of one facet; each halving adds one piece.
 struct Waiting {
     pieces: [Piece; 64],
     count: usize,
@@ -92,7 +92,7 @@ impl<'a> Way<'a> {
         self.from + (self.to - self.from) * t
     }
 
-    /// The fraction of the motion at which it is nearest to a position.
+    /// The fraction of the motion at which it is closest to a position.
     fn nearest(&self, position: &Point) -> f64 {
         ((position - self.from).dot(&(self.to - self.from)) / (self.length * self.length)).clamp(0.0, 1.0)
     }
@@ -101,7 +101,7 @@ impl<'a> Way<'a> {
         self.measure.slack_at_four(&fractions.map(|t| self.at(t)))
     }
 
-    /// Whether slack at both ends of a piece proves that there is enough between them.
+    /// Whether the slack at both ends of a piece proves that it suffices between them.
     fn proved_by_ends(&self, [from, to]: [f64; 2], [a, b]: [f64; 2]) -> bool {
         sagging(a, b, self.measure.sag(&self.at(from), &self.at(to))) >= 0.0
     }
@@ -110,7 +110,7 @@ impl<'a> Way<'a> {
         self.bounds = self.bounds.saturating_sub(bounds);
     }
 
-    /// Whether a piece is proved by the slack at its ends; tried seldom, since it costs more than a bound.
+    /// Whether the slack at the ends proves a piece; tried rarely, since it costs more than a bound.
     fn closed(&mut self, piece: &Piece) -> bool {
         if piece.halved == 0 || !piece.halved.is_multiple_of(HALVINGS) {
             return false;
@@ -121,7 +121,7 @@ impl<'a> Way<'a> {
         a >= floor && b >= floor && self.proved_by_ends([piece.from, piece.to], [a, b])
     }
 
-    /// Whether the slack at a place is too little, where a facet's polynomial suspects it.
+    /// Whether the slack is too small at a point where a facet's polynomial suggests it.
     fn lacking(&mut self, bounds: &Bounds, at: f64, floor: f64) -> bool {
         if !bounds.middle.is_some_and(|slack| slack < floor) {
             return false;
@@ -134,12 +134,12 @@ impl<'a> Way<'a> {
         if self.measure.by_kernel() { KERNEL_COST } else { DEFINITION_COST * self.measure.facets() }
     }
 
-    /// Whether a piece is too short, or the work too much, to go on.
+    /// Whether a piece is too short, or the effort too large, to continue.
     fn exhausted(&self, piece: &Piece) -> bool {
         (piece.to - piece.from) * self.length <= CERTIFY_PIECE || piece.halved >= 60 || self.bounds == 0
     }
 
-    /// The verdict on one pair of facets on a piece of the motion, which `facets` are those of.
+    /// The verdict on one pair of facets on a piece of the motion; `facets` belongs to that piece.
     fn judged(&mut self, facets: &Facets, pair: &FacetPair, [start, end]: [f64; 2], floor: f64) -> Verdict {
         let inner = |t: f64| (t - start) / (end - start);
         let mut waiting = Waiting::of(Piece { from: start, to: end, halved: 0 });
@@ -164,7 +164,7 @@ impl<'a> Way<'a> {
         Verdict::Holds
     }
 
-    /// The verdict by facets on a piece of the motion.
+    /// The verdict on a piece of the motion by facets.
     fn by_facets(&mut self, from: f64, to: f64) -> Verdict {
         let floor = self.measure.floor();
         let (start, end) = (self.at(from), self.at(to));
@@ -182,12 +182,12 @@ impl<'a> Way<'a> {
     }
 }
 
-/// Whether the slack is at least the measure's floor all along a motion, both ends included.
+/// Whether the slack is at least the measure's floor along the whole motion, including both ends.
 pub fn certified(measure: &Measure, from: &Point, to: &Point) -> bool {
     verdict(measure, from, to) == Verdict::Holds
 }
 
-/// What can be said about a motion, both ends included.
+/// The verdict on a motion, including both ends.
 pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
     let floor = measure.floor();
     let enough = |slack: f64| slack >= floor;
@@ -200,7 +200,7 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
     if let Some(k) = slack.iter().position(|slack| !enough(*slack)) {
         return Verdict::Fails(fractions[k]);
     }
-    // From where to where it is open.
+    // The undecided interval.
     let mut open: Option<[f64; 2]> = None;
     let mut leave = |from: f64, to: f64| open = Some([open.map_or(from, |[start, _]| start), to]);
     let mut divisions = if measure.by_kernel() { DIVISIONS } else { 0 };
@@ -232,7 +232,7 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
     open.map_or(Verdict::Holds, |[start, end]| way.by_facets(start, end))
 }
 
-/// The fraction of a motion up to which it is certified; none if all of it is.
+/// The fraction up to which a motion is certified; `None` if all of it is.
 pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64> {
     let known = match verdict(measure, from, to) {
         Verdict::Holds => return None,
@@ -274,8 +274,8 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
     Some(end)
 }
 
-/// The least slack along a motion and the fraction at which it is, up to [`LEAST_SLACK_RELATIVE`] of the largest tension
-/// unless slack stays next to nothing over a long way; NaN where a cable has no direction.
+/// The smallest slack along a motion and its fraction, to within [`LEAST_SLACK_RELATIVE`] of the largest tension
+/// unless the slack stays almost zero over a long distance; NaN if a cable has no direction.
 pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
     let tolerance = LEAST_SLACK_RELATIVE * measure.statics().largest_tension();
     let mut way = Way::new(measure, from, to);
@@ -291,7 +291,7 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
         return least;
     }
     let Some(facets) = Facets::new(measure, from, to) else {
-        // A cable without direction, if the slack there is none; or more cables than facets are followed of.
+        // Either a cable has no direction (if the slack there is NaN), or there are more cables than `Facets` supports.
         let places = measure.statics().cables().iter().map(|cable| way.nearest(&(cable.outlet - cable.arm)));
         let without = places.map(|at| (measure.slack(&way.at(at)), at)).find(|(slack, _)| slack.is_nan());
         return without.unwrap_or(least);

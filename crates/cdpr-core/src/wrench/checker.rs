@@ -1,4 +1,4 @@
-//! An engine that asks for wrench feasibility as well, after everything that is cheaper.
+//! An engine that also checks wrench feasibility, after all cheaper checks.
 
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
@@ -6,14 +6,14 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
 
-/// An engine of geometry with the constraint on wrenches behind it.
+/// A geometric engine combined with the wrench constraint.
 pub struct WrenchChecker {
     geometry: Box<dyn Checker>,
     wrench: WrenchConstraint,
 }
 
 impl WrenchChecker {
-    /// Geometry first, wrenches then.
+    /// Checks geometry first, then wrenches.
     pub fn new(geometry: Box<dyn Checker>, wrench: WrenchConstraint) -> Self {
         WrenchChecker { geometry, wrench }
     }

@@ -1,4 +1,4 @@
-//! The demand of a scene's `[wrench]` as a constraint on states and motions.
+//! The requirement of a scene's `[wrench]` table as a constraint on states and motions.
 
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
@@ -11,7 +11,7 @@ use crate::geometry::Point;
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
 use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
-/// Cell size of the grid rule where a scene does not say, m.
+/// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;
 
 /// How a motion is judged.
@@ -21,14 +21,14 @@ enum Rule {
     Grid(FeasibleCells),
 }
 
-/// Wrench feasibility as a scene asks for it.
+/// Wrench feasibility as required by a scene.
 #[derive(Debug, Clone)]
 pub struct WrenchConstraint {
     measures: Vec<Measure>,
     rule: Rule,
 }
 
-/// What a scene measures wrench feasibility by; empty if it does not ask for it.
+/// The measures by which a scene judges wrench feasibility; empty if it does not require it.
 ///
 /// # Errors
 /// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
@@ -45,10 +45,10 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
     measures_by(&statics, &required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity))
 }
 
-/// What a demand is measured by; the demands of the projected margins are the radii of its balls.
+/// The measures of a requirement; the requirements of the projected margins are the radii of its balls.
 ///
 /// # Errors
-/// A moment required of a point mass, or one that its weight and load have about the point where its cables meet.
+/// A moment required of a point mass, or a moment of its weight and load about the point where its cables meet.
 pub fn measures_by(statics: &Statics, required: &Required, margin: MarginSpec) -> Result<Vec<Measure>, Error> {
     let capacity = CapacityMargin::new(statics.clone(), required.clone()).map_err(|e| e.under("wrench"))?;
     if let Some(moment) = statics.moment_on_point_mass() {
@@ -82,7 +82,7 @@ pub fn required(spec: &WrenchSpec) -> Result<Required, Error> {
     }
 }
 
-/// What a scene requires, with radii given instead of its own; without a demand nothing but balance.
+/// The required wrenches of a scene with other radii; without a requirement, only balance.
 ///
 /// # Errors
 /// A radius that is negative or not finite.
@@ -95,7 +95,7 @@ pub fn required_of(scene: &Scene, force: Option<f64>, moment: Option<f64>) -> Re
 }
 
 impl WrenchConstraint {
-    /// The constraint of a scene, whose geometric conditions are `conditions`; none if it does not ask for one.
+    /// The constraint of a scene, whose geometric conditions are `conditions`; `None` if the scene does not require one.
     ///
     /// # Errors
     /// As [`measures`]; a grid with too many cells.
@@ -112,12 +112,12 @@ impl WrenchConstraint {
         Ok(Some(WrenchConstraint { measures, rule }))
     }
 
-    /// What it measures by.
+    /// Its measures.
     pub fn measures(&self) -> &[Measure] {
         &self.measures
     }
 
-    /// Whether a motion keeps the demand: proved for every point of it, or by the cells that it crosses.
+    /// Whether a motion satisfies the requirement: certified at every point of it, or by the cells that it crosses.
     pub fn keeps(&self, from: &Point, to: &Point) -> bool {
         match &self.rule {
             Rule::Certified => self.measures.iter().all(|measure| certified(measure, from, to)),
@@ -125,7 +125,7 @@ impl WrenchConstraint {
         }
     }
 
-    /// The violation of a motion, if it does not keep the demand; marked as unproved if nothing is known to be lacking.
+    /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.
     pub fn violation(&self, from: &Point, to: &Point) -> Option<Violation> {
         let (at, limit) = match &self.rule {
             Rule::Certified => {
@@ -155,7 +155,7 @@ impl WrenchConstraint {
         })
     }
 
-    /// The measure with the least slack on a motion, and the fraction where it is least.
+    /// The measure with the smallest slack on a motion, and the fraction at which it is smallest.
     fn worst(&self, from: &Point, to: &Point) -> (&Measure, f64) {
         let least = self.measures.iter().map(|measure| (measure, least_slack(measure, from, to)));
         let (measure, (_, at)) = least
@@ -165,7 +165,7 @@ impl WrenchConstraint {
     }
 }
 
-/// The facet that limits a robot at a position, in names.
+/// The facet that limits a robot at a position, by cable names.
 pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
     let (name, unit) = match measure {
         Measure::Capacity(_) => ("capacity", "N"),

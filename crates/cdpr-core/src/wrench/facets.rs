@@ -1,10 +1,10 @@
-//! The facets of the measured set along a straight motion, each as one function of the way that is bounded from below.
+//! The facets of the measured set along a straight motion, each as a polynomial that is bounded from below.
 //!
-//! Not divided by its length, a cable's column is affine in the position. A facet's normal c is the cross product of n − 1
-//! of these columns, and c, c·wᵢ for every other column and c·w_r are polynomials of degree 3 at most: in axes of which
-//! the first is along the motion, only three of the six rows depend on the way. So they are known from four places, and
-//! in Bernstein form they are bounded by their coefficients. Only the lengths of the cables that are not in the facet
-//! are no polynomials: their inverses are interpolated, with a bound of the error. docs/wrench.md has the proof.
+//! Without normalisation by its length, a cable's column is affine in the position. A facet's normal c is the cross product of n − 1
+//! of these columns, and c, c·wᵢ for every other column and c·w_r are polynomials of degree at most 3: in axes whose
+//! first one is along the motion, only three of the six rows depend on the position. So their values at four points determine them, and
+//! in Bernstein form their coefficients bound them. Only the lengths of the cables that are not in the facet
+//! are not polynomials: their inverses are interpolated, with a bound of the error. docs/wrench.md has the proof.
 
 use super::margins::Required;
 use super::measure::Measure;
@@ -19,24 +19,24 @@ type Cubic = [f64; 4];
 /// Rows of a wrench.
 const ROWS: usize = 6;
 
-/// The numbers of rows as bit masks: a minor of the columns chosen so far for each set of rows.
+/// Sets of rows as bit masks: for each set, a minor of the columns chosen so far.
 const SETS: usize = 1 << ROWS;
 
 /// A cable along a motion.
 #[derive(Debug, Clone, Copy)]
 struct Column {
-    /// The column, not divided by the cable's length, at 0, 1/3, 2/3 and 1.
+    /// The column, without normalisation by the cable's length, at 0, 1/3, 2/3 and 1.
     places: [Cubic; ROWS],
-    /// Its greatest length.
+    /// Its maximum length.
     largest: f64,
-    /// Outlet less attachment at the start of the motion.
+    /// Outlet minus attachment at the start of the motion.
     line: [f64; 3],
     tension: [f64; 2],
     /// The inverse of the cable's length along the whole motion.
     inverse: Inverse,
 }
 
-/// One over the length of a cable on a piece of the motion: a parabola in Bernstein form, and how far off it is at most.
+/// The inverse of a cable's length on a piece of the motion: a parabola in Bernstein form, and its maximum error.
 #[derive(Debug, Clone, Copy, Default)]
 struct Inverse {
     parabola: [f64; 3],
@@ -53,16 +53,16 @@ pub struct FacetPair {
     /// The cables that are not in the facet, and the products of their columns with the normal.
     others: [(usize, Cubic); MOST_WRENCH_CABLES],
     count: usize,
-    /// What rounding is measured by: the product of the lengths of the columns in the facet.
+    /// Scale of rounding errors: the product of the lengths of the columns in the facet.
     scale: f64,
 }
 
-/// What is known of a pair of facets on a piece of the motion.
+/// Bounds for a pair of facets on a piece of the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds {
-    /// Whether the slack to both is at least what was asked for, all along the piece.
+    /// Whether the slack to both is at least the requested value along the whole piece.
     pub holds: bool,
-    /// The lesser slack of both in the middle of the piece; none where the normal is too uncertain.
+    /// The smaller slack of the two in the middle of the piece; `None` if the normal is too uncertain.
     pub middle: Option<f64>,
 }
 
@@ -75,12 +75,12 @@ pub struct Facets<'a> {
     rows: usize,
     balance: [f64; ROWS],
     step: [f64; 3],
-    /// Longest edge of the measured set there can be, and what is to be balanced, N or N·m.
+    /// Maximum length of the edges of the measured set, and the wrench to be balanced, N or N·m.
     edge: f64,
     kernel: Kernel,
 }
 
-/// How far the required set reaches in a direction.
+/// Support function of the required set.
 enum Reach<'a> {
     Balls([f64; 2]),
     Constant(f64),
@@ -119,8 +119,8 @@ fn size(c: &[f64; ROWS]) -> f64 {
 }
 
 impl<'a> Facets<'a> {
-    /// The facets of a measure between two positions; none for more cables than it holds, and where a cable comes too
-    /// near its outlet to have a direction.
+    /// The facets of a measure between two positions; `None` if there are too many cables, or if a cable comes too
+    /// close to its outlet to have a direction.
     pub fn new(measure: &'a Measure, from: &Point, to: &Point) -> Option<Self> {
         let statics = measure.statics();
         let cables = statics.cables().len();
@@ -130,7 +130,7 @@ impl<'a> Facets<'a> {
         let (reach, rows, [force, moment]) = shape(measure, statics);
         let balance: [f64; ROWS] = (*statics.balance()).into();
         let [fx, fy, fz, mx, my, mz] = balance;
-        // Forces first; moments alone stand in the first three rows, in N·m.
+        // Forces first; moments alone occupy the first three rows, in N·m.
         let ell = statics.characteristic_length();
         let balance = match (force, rows) {
             (true, 3) => [fx, fy, fz, 0.0, 0.0, 0.0],
@@ -175,7 +175,7 @@ impl<'a> Facets<'a> {
         Some(facets)
     }
 
-    /// One over the length of a cable on a piece; none where it is too short there.
+    /// The inverse of a cable's length on a piece; `None` if it becomes too short there.
     ///
     /// On a line at unit speed the third derivative of 1/l is at most 6/l⁴, so the parabola through both ends and the
     /// middle of a piece of length s is off by at most √3/36 s³/l⁴ (l the least length on the piece).
@@ -198,7 +198,7 @@ impl<'a> Facets<'a> {
         })
     }
 
-    /// Calls `visit` with every pair of facets until it returns false; false also where there is no facet at all.
+    /// Calls `visit` with every pair of facets until it returns false; also returns false if there is no facet at all.
     pub fn all(&self, mut visit: impl FnMut(&FacetPair) -> bool) -> bool {
         let mut pair = FacetPair {
             normal: [[0.0; 4]; ROWS],
@@ -222,7 +222,7 @@ impl<'a> Facets<'a> {
         through && any
     }
 
-    /// Chooses columns from `next` on until there are N − 1; first in `minors` are those of the columns chosen so far.
+    /// Chooses columns from `next` on until there are N − 1; `minors` starts with those of the columns chosen so far.
     #[allow(clippy::too_many_arguments)]
     fn descend<const N: usize>(
         &self,
@@ -266,7 +266,7 @@ impl<'a> Facets<'a> {
         }
     }
 
-    /// The pair of facets of the chosen columns; false where they are dependent all along the motion.
+    /// The pair of facets of the chosen columns; false if they are dependent along the whole motion.
     fn finish<const N: usize>(
         &self,
         minors: &[Cubic; SETS],
@@ -314,7 +314,7 @@ impl<'a> Facets<'a> {
     }
 
     /// Whether the slack to both facets of a pair is at least `least` on a piece of the motion, between two fractions of
-    /// it, and what it is in the middle.
+    /// it, and its value in the middle.
     pub fn bounds(&self, pair: &FacetPair, from: f64, to: f64, least: f64) -> Bounds {
         let whole = from == 0.0 && to == 1.0;
         let on_piece = |cubic: &Cubic| if whole { *cubic } else { restricted(cubic, from, to) };
@@ -331,7 +331,7 @@ impl<'a> Facets<'a> {
         }
         let middle_size = size(&middle_normal);
         let sure = middle_size > FACET_ROUNDING / FACET_CERTAIN * pair.scale;
-        // What is needed, per side: balance, reach and the slack asked for.
+        // The required value on each side: balance, support of the required set, and the requested slack.
         let balance = on_piece(&pair.balance);
         let middle_balance = middle(&balance);
         let asked = |k: usize| match least {
@@ -361,7 +361,7 @@ impl<'a> Facets<'a> {
             let highest = height.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
             let [slackest, tautest] = column.tension;
             for (side, sign) in SIDES {
-                // Any tension within the limits gives a bound; this one is right in the middle.
+                // Any tension within the limits gives a bound; this one is exact in the middle.
                 let tension = if sign * middle_height > 0.0 { tautest } else { slackest };
                 for k in 0..6 {
                     available[side][k] += sign * tension * product[k];
@@ -380,13 +380,13 @@ impl<'a> Facets<'a> {
 /// √3/36, see [`Facets::inverse`].
 const INTERPOLATION: f64 = 0.048_112_522_432_468_82;
 
-/// Relative accuracy of the slack in the middle of a piece, which decides what is looked at next.
+/// Relative accuracy of the slack in the middle of a piece, which decides what is examined next.
 const FACET_CERTAIN: f64 = 1e-6;
 
 /// Both sides of a pair of facets, with the sign of the normal.
 const SIDES: [(usize, f64); 2] = [(0, 1.0), (1, -1.0)];
 
-/// What is required, the rows that count, and whether forces and moments are among them.
+/// The requirement, the rows that count, and whether forces and moments are among them.
 fn shape<'a>(measure: &'a Measure, statics: &Statics) -> (Reach<'a>, usize, [bool; 2]) {
     let length = statics.characteristic_length();
     match measure {
@@ -402,7 +402,7 @@ fn shape<'a>(measure: &'a Measure, statics: &Statics) -> (Reach<'a>, usize, [boo
     }
 }
 
-/// Minors of `LEVEL` columns of N rows by the last one, from those of the columns before: Laplace's expansion.
+/// Minors of `LEVEL` columns of N rows, expanded along the last column from those of the columns before (Laplace).
 struct Expand<'x, const N: usize, const LEVEL: usize> {
     minors: &'x [Cubic; SETS],
     column: &'x [Cubic; ROWS],
@@ -433,8 +433,8 @@ impl<const N: usize, const LEVEL: usize> Task for Expand<'_, N, LEVEL> {
     }
 }
 
-/// By the number of columns: the sets of so many rows as masks, ascending, filled up with zeros, each with its rows and
-/// what it is without them.
+/// For each number of columns: the row sets of that size as masks, ascending, padded with zeros, each with its rows and
+/// the masks without them.
 const EXPANSIONS: [[(u8, [[u8; 2]; ROWS - 1]); 20]; ROWS] = expansions();
 
 const fn expansions() -> [[(u8, [[u8; 2]; ROWS - 1]); 20]; ROWS] {
@@ -463,7 +463,7 @@ fn bernstein([a, b, c, d]: &Cubic) -> Cubic {
     [*a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, *d]
 }
 
-/// The same cubic on a piece of its interval: P. de Casteljau's algorithm as a blossom.
+/// The same cubic on a part of its interval: P. de Casteljau's algorithm as a blossom.
 #[inline]
 fn restricted(&[a, b, c, d]: &Cubic, from: f64, to: f64) -> Cubic {
     let at = |t: f64, a: f64, b: f64| a + t * (b - a);

@@ -1,5 +1,5 @@
-//! What the cables hold at a position, whatever their tension limits: the rank of the wrench matrix, and what follows
-//! from it for the platform.
+//! What the cables can hold at a position regardless of their tension limits: the rank of the wrench matrix, and its consequences
+//! for the platform.
 
 use nalgebra::{Matrix6xX, SVector, Vector6};
 use serde::{Serialize, Serializer};
@@ -11,20 +11,20 @@ use crate::kinematics::wrench_matrix;
 use crate::model::Robot;
 use crate::numerics::{SAME_POINT, TENSION_RATIO};
 
-/// How the cables hold the platform.
+/// How the cables constrain the platform.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Hold {
-    /// Rank of the wrench matrix: how many independent motions of the platform the cables resist.
+    /// Rank of the wrench matrix: the number of independent motions of the platform that the cables resist.
     pub rank: usize,
-    /// The highest rank there can be: 6, or 3 for a point mass.
+    /// The maximum possible rank: 6, or 3 for a point mass.
     pub full_rank: usize,
-    /// What follows from it.
+    /// The resulting class.
     pub holding: Holding,
     /// A basis of the motions that no tensions resist; empty at full rank.
     pub free_motions: Vec<FreeMotion>,
 }
 
-/// What the rank and the directions of the cables mean for the platform.
+/// The class of a platform by the rank and the directions of its cables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Holding {
@@ -36,14 +36,14 @@ pub enum Holding {
     Underconstrained,
 }
 
-/// A motion of the platform, to first order, that leaves the length of every cable as it is.
+/// A motion of the platform that, to first order, leaves the length of every cable unchanged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FreeMotion {
-    /// Velocity of the platform's origin and rate of turning, world axes; the largest number is 1 (m/s or rad/s).
+    /// Linear velocity of the platform's origin and angular velocity, world axes; the largest component is 1 (m/s or rad/s).
     pub twist: [f64; 6],
 }
 
-/// Parts of a twist below this share of the largest one are rounding.
+/// Components of a twist below this share of the largest one are rounding errors.
 const NEGLIGIBLE: f64 = 1e-6;
 
 impl FreeMotion {
@@ -71,7 +71,7 @@ impl Serialize for FreeMotion {
 }
 
 impl Hold {
-    /// What columns of a wrench matrix, forces and moments in metres, can hold; of a point mass the forces count.
+    /// What the columns of a wrench matrix, forces and moments in metres, can hold; for a point mass only forces count.
     pub fn of(columns: &[Vector6<f64>], point_mass: bool) -> Self {
         if point_mass {
             let forces: Vec<SVector<f64, 3>> = columns.iter().map(|c| c.fixed_rows::<3>(0).into()).collect();
@@ -80,7 +80,7 @@ impl Hold {
         Self::of_generators(columns)
     }
 
-    /// What the cables of a robot can hold at a position; none where a cable has no direction.
+    /// What the cables of a robot can hold at a position; `None` if a cable has no direction.
     ///
     /// # Example
     /// ```
@@ -96,7 +96,7 @@ impl Hold {
         Some(Self::of(&columns, meet_in_one_point(robot.cables().iter().map(|cable| cable.attachment.coords))))
     }
 
-    /// Whether no motion is left free.
+    /// Whether no motion is free.
     pub fn is_full(&self) -> bool {
         self.rank == self.full_rank
     }
@@ -128,7 +128,7 @@ impl Hold {
     }
 }
 
-/// Whether vectors (attachments, arms) are one point.
+/// Whether vectors (attachments, arms) all coincide.
 pub(super) fn meet_in_one_point(arms: impl Iterator<Item = Vector>) -> bool {
     let arms: Vec<Vector> = arms.collect();
     arms.iter().all(|arm| (arm - arms[0]).norm() <= SAME_POINT)
@@ -142,8 +142,8 @@ fn pull_against_each_other<const N: usize>(generators: &[SVector<f64, N>]) -> bo
     matches!(FeasibilityLp::new().solve(&matrix, &limits, &Vector6::zeros()), Ok(Balance::Feasible(_)))
 }
 
-/// Another basis of the same space, each vector with a 1 where all others have a 0: motions about or along an axis come
-/// out as such.
+/// A basis of the same space in which each vector has a 1 where all others have a 0, so that rotations about and translations along
+/// an axis appear as such.
 fn reduced<const N: usize>(mut basis: Vec<SVector<f64, N>>) -> Vec<SVector<f64, N>> {
     let mut pivots: Vec<usize> = Vec::new();
     for k in 0..basis.len() {
@@ -166,7 +166,7 @@ fn reduced<const N: usize>(mut basis: Vec<SVector<f64, N>>) -> Vec<SVector<f64, 
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
-/// The largest part as 1, rounding as 0.
+/// Scaled so that the largest component is 1, with rounding errors set to 0.
 fn tidied<const N: usize>(row: SVector<f64, N>) -> SVector<f64, N> {
     let largest = row[row.iamax()];
     row.map(|x| if (x / largest).abs() <= NEGLIGIBLE { 0.0 } else { x / largest })
@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn a_swing_turns_while_it_moves() {
-        // Four cables from the corners of an oblong ceiling to those of a square: it swings sideways, and turns as it does.
+        // Four cables from the corners of an oblong ceiling to those of a square: it swings sideways and turns at the same time.
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         let columns: Vec<_> = corners.iter().map(|[x, y]| cable([1.5 * x, *y, 1.0], [0.2 * x, 0.2 * y, 0.1])).collect();
         let hold = Hold::of(&columns, false);

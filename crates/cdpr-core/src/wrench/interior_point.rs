@@ -1,9 +1,9 @@
-//! clarabel on programs of one size, again and again: `minimise ½ h |x|² + c·x where A x <= b`,
-//! h and c given once, A and b each time.
+//! clarabel for repeated programs of one size: `minimise ½ h |x|² + c·x where A x <= b`,
+//! with fixed h and c, and new A and b each time.
 //!
-//! Programs here have some ten unknowns or fewer and dense matrices of numbers near 1. For those the time of a solve
-//! goes into equilibration and iterative refinement, which they do not need: their answers are checked and made exact
-//! by whoever asks.
+//! These programs have at most about ten unknowns and dense matrices of numbers near 1. A solver would spend most of its time on
+//! equilibration and iterative refinement, which they do not need: the callers verify the answers and make them
+//! exact.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
@@ -11,10 +11,10 @@ use nalgebra::DMatrix;
 
 use crate::numerics::{INTERIOR_POINT, INTERIOR_POINT_ITERATIONS, INTERIOR_POINT_REGULARISATION};
 
-/// Says when an answer is plain enough to stop.
+/// Decides when an answer is clear enough to stop.
 pub(super) type Plain = fn(&DefaultInfo<f64>) -> bool;
 
-/// A program whose size seldom changes, and whose cost only changes with the size.
+/// A program whose size rarely changes, and whose cost changes only with the size.
 pub(super) struct InteriorPoint {
     hessian: f64,
     plain: Option<Plain>,
@@ -29,7 +29,7 @@ struct Program {
     bounds: Vec<f64>,
 }
 
-/// Where the solver stopped: unknowns, and a multiplier for each row. Not more than a proposal.
+/// Where the solver stopped: unknowns, and a multiplier for each row. Only a proposal.
 pub(super) struct Proposal<'a> {
     pub(super) x: &'a [f64],
     pub(super) multipliers: &'a [f64],
@@ -40,10 +40,10 @@ impl InteriorPoint {
         Self { hessian, plain, program: None }
     }
 
-    /// Runs the solver; nothing if it could not start or left numbers that are not finite.
+    /// Runs the solver; `None` if it could not start or returned numbers that are not finite.
     pub(super) fn propose(&mut self, cost: &[f64], matrix: &DMatrix<f64>, bounds: &[f64]) -> Option<Proposal<'_>> {
         if self.program.as_ref().is_none_or(|p| p.shape != matrix.shape()) {
-            self.program = None; // none is better than one of another size
+            self.program = None; // do not keep one of another size
             self.program = Some(self.build(cost, matrix, bounds)?);
         }
         let program = self.program.as_mut()?;
@@ -70,7 +70,7 @@ impl InteriorPoint {
     }
 }
 
-/// Every entry stored, zeros as well: the next matrix may have its zeros elsewhere.
+/// Stores every entry, including zeros: the next matrix may have its zeros elsewhere.
 fn dense(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
     let (rows, columns) = matrix.shape();
     let starts = (0..=columns).map(|j| j * rows).collect();
@@ -88,7 +88,7 @@ fn settings() -> DefaultSettings<f64> {
         static_regularization_constant: INTERIOR_POINT_REGULARISATION,
         direct_solve_method: "qdldl".into(),
         max_threads: 1,
-        presolve_enable: false, // or the numbers could not be replaced
+        presolve_enable: false, // otherwise the numbers could not be replaced
         equilibrate_enable: false,
         iterative_refinement_enable: false,
         ..DefaultSettings::default()

@@ -1,29 +1,29 @@
 //! Capacity margins of four positions at a time, for robots of six to eight cables.
 //!
-//! A facet's normal c is orthogonal to five columns of W, so v = Wᵀc vanishes on five cables, and being in the row space
-//! of W it is orthogonal to its null space N. With eight cables (fewer are filled up with columns of zeros) N has two
-//! columns, and on the three cables that are left v is the cross product of their rows of N: 28 products of two give
+//! A facet's normal c is orthogonal to five columns of W, so v = Wᵀc vanishes on five cables. As an element of the row space
+//! of W, v is orthogonal to its null space N. With eight cables (fewer are padded with zero columns) N has two
+//! columns, and on the three remaining cables v is the cross product of their rows of N: 28 products of two give
 //! all 56 normals. Everything else follows from v, through P = W⁺ᵀ, c = P v:
 //!
-//! - how far the facet is out on both sides: Σ ρᵢ|vᵢ| ± Σ μᵢ vᵢ with μ, ρ middle and half-width of the tensions;
+//! - the offset of the facet on both sides: Σ ρᵢ|vᵢ| ± Σ μᵢ vᵢ with μ, ρ the centre and half-width of the tensions;
 //! - c·w_r = Σ vᵢ Pᵢ·w_r.
 //!
-//! N and P come from a QR factorisation of Wᵀ by Householder reflections, which needs no pivots, so that lanes need not
-//! branch. Where a factor or a normal is too uncertain for that, the lane is left to [`super::margins`]. `sure` tells: it is
-//! negative then.
+//! N and P come from a QR factorisation of Wᵀ by Householder reflections, which needs no pivots, so lanes need not
+//! branch. If a factor or a normal is too uncertain for this, `sure` becomes negative, and the position is left to
+//! [`super::margins`].
 
 use super::statics::Statics;
 use crate::geometry::Point;
 use crate::numerics::simd::{Lanes, Task, WIDTH};
 use crate::numerics::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
 
-/// Cables that the kernel holds; fewer are filled up.
+/// Number of cables of the kernel; fewer are padded.
 pub const CABLES: usize = 8;
 
 /// Components of a wrench.
 const ROWS: usize = 6;
 
-/// The three cables outside of each facet: every choice of three of eight.
+/// The three cables outside each facet: every choice of three of eight.
 const TRIPLES: [[usize; 3]; 56] = triples();
 
 const fn triples() -> [[usize; 3]; 56] {
@@ -44,14 +44,14 @@ const fn triples() -> [[usize; 3]; 56] {
     all
 }
 
-/// A robot as the kernel takes it.
+/// A robot in the kernel's layout.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KernelRobot {
-    /// Outlet minus arm of each cable, m: the line of the cable is this minus the position.
+    /// Outlet minus arm of each cable, m; the cable vector is this minus the position.
     anchors: [[f64; 3]; CABLES],
-    /// From the platform's origin to the attachment, over the characteristic length.
+    /// From the platform's origin to the attachment, divided by the characteristic length.
     arms: [[f64; 3]; CABLES],
-    /// Middle and half-width of the tensions, N.
+    /// Centre and half-width of the tensions, N.
     middle: [f64; CABLES],
     half: [f64; CABLES],
     cables: usize,
@@ -61,8 +61,8 @@ pub struct KernelRobot {
 }
 
 impl KernelRobot {
-    /// The robot for the kernel, with balls of these radii of [force; moment / ℓ]; none if its count of cables does not
-    /// suit, or its platform is a point mass.
+    /// The robot for the kernel, with balls of these radii of [force; moment / ℓ]; `None` if its number of cables is not
+    /// supported, or its platform is a point mass.
     pub fn new(statics: &Statics, radii: [f64; 2]) -> Option<Self> {
         let cables = statics.cables();
         if !(ROWS..=CABLES).contains(&cables.len()) || statics.point_mass() {
@@ -151,7 +151,7 @@ fn dot<L: Lanes, const N: usize>(l: L, a: &[L::Four; N], b: &[L::Four; N]) -> L:
     sum
 }
 
-/// What the facets are read from.
+/// The matrices that the facets are computed from.
 struct Factors<L: Lanes> {
     /// Orthonormal null space of W, a row for each cable.
     null: [[L::Four; 2]; CABLES],
@@ -196,7 +196,7 @@ impl<L: Lanes> Factors<L> {
         let mut dual = [[l.splat(0.0); ROWS]; CABLES];
         for cable in 0..CABLES {
             null[cable] = [q[ROWS][cable], q[ROWS + 1][cable]];
-            // R x = Qᵀ e, from below; R stands above the diagonal of `rows`.
+            // R x = Qᵀ e, from below; R is stored above the diagonal of `rows`.
             for k in (0..ROWS).rev() {
                 let mut x = q[k][cable];
                 for j in k + 1..ROWS {
@@ -235,12 +235,12 @@ fn reflect<L: Lanes>(l: L, rows: &mut [[L::Four; ROWS]; CABLES], k: usize) -> (L
     (l.sub(l.splat(0.0), signed), factor)
 }
 
-/// The least slack over all facets.
+/// The smallest slack over all facets.
 #[inline(always)]
 fn least_slack<L: Lanes>(l: L, robot: &KernelRobot, factors: &Factors<L>, sure: &mut L::Four) -> L::Four {
     let zero = l.splat(0.0);
     let Factors { null, dual } = factors;
-    // Per cable: how far the balancing wrench is from the middle of the set, in the measure of v.
+    // Per cable: the offset of the balancing wrench from the centre of the set, in the coordinates of v.
     let mut offset = [zero; CABLES];
     let mut half = [zero; CABLES];
     for k in 0..CABLES {
@@ -278,12 +278,12 @@ fn least_slack<L: Lanes>(l: L, robot: &KernelRobot, factors: &Factors<L>, sure: 
         least = l.min(slack, least);
         let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
         *sure = unless(l, l.max(no_normal, clear), *sure);
-        *sure = unless(l, l.mul(slack, slack), *sure); // no number
+        *sure = unless(l, l.mul(slack, slack), *sure); // NaN
     }
     least
 }
 
-/// `sure` where a check is not negative, else -1; also where the check is no number.
+/// `sure` where a check is nonnegative, otherwise -1; also -1 where the check is NaN.
 #[inline(always)]
 fn unless<L: Lanes>(l: L, check: L::Four, sure: L::Four) -> L::Four {
     l.where_not_negative(check, sure, l.splat(-1.0))

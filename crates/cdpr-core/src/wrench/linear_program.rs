@@ -1,9 +1,9 @@
 //! Two linear programs about wrenches: whether tensions within limits balance one, and how far a polytope of them can
 //! be scaled up.
 //!
-//! Both are asked in the null space of the wrench matrix and in half ranges of the tensions (a wrench is balanced by
-//! `x = p + N y` with every entry between −1 and 1), so that eight cables leave three unknowns and sixteen rows.
-//! clarabel proposes; tensions or a separating plane, checked for themselves, decide.
+//! Both are formulated in the null space of the wrench matrix and in half ranges of the tensions (a wrench is balanced by
+//! `x = p + N y` with every entry between −1 and 1), so eight cables leave three unknowns and sixteen rows.
+//! clarabel proposes an answer; independently verified tensions, or a separating plane, decide.
 
 use clarabel::solver::DefaultInfo;
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
@@ -17,11 +17,11 @@ use crate::numerics::{PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING, SCALE_STEPS}
 /// Whether tensions within limits balance a wrench.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Balance {
-    /// These do, N, in cable order; inside their limits exactly.
+    /// These tensions do, N, in cable order; exactly within their limits.
     Feasible(DVector<f64>),
-    /// None do: a plane separates the wrench from all that the cables can balance.
+    /// None do: a plane separates the wrench from everything that the cables can balance.
     Infeasible,
-    /// The solver failed. Neither yes nor no.
+    /// The solver failed; undecided.
     Undecided,
 }
 
@@ -35,12 +35,12 @@ impl Balance {
     }
 }
 
-/// Solver for "can the cables balance this wrench?", to be kept for many questions.
+/// Reusable solver for "can the cables balance this wrench?".
 ///
 /// # Method
-/// The least σ with `|p + N y| <= σ` in every cable: the wrench is feasible where σ <= 1. This program always has a
-/// solution and an interior, feasible or not, which the plain question has not. Two cases need no solver: p itself is
-/// within limits, or the plane across p separates.
+/// Minimises σ with `|p + N y| <= σ` in every cable: the wrench is feasible if σ <= 1. Unlike the direct feasibility
+/// problem, this program always has a solution and an interior. Two cases need no solver: p itself is
+/// within limits, or the plane normal to p separates.
 ///
 /// # Example
 /// ```
@@ -67,16 +67,16 @@ impl Default for FeasibilityLp {
 }
 
 impl FeasibilityLp {
-    /// A solver; it takes its size from the first question.
+    /// A solver; the first query determines its size.
     pub fn new() -> Self {
         Self { program: InteriorPoint::new(0.0, Some(plain)) }
     }
 
     /// Tensions t with `W t = wrench` and `t_min <= t <= t_max`, if there are any.
     ///
-    /// `wrench_matrix` is W, 6 × m, of any rank, its rows counting alike; `limits` is (t_min, t_max) of each cable, N;
+    /// `wrench_matrix` is W, 6 × m, of any rank, with rows of comparable scale; `limits` is (t_min, t_max) of each cable, N;
     /// `wrench` is what the cables have to exert on the platform, [force, N; moment, N times the length unit of W]. The
-    /// balance holds to [`BALANCE_RELATIVE`](crate::numerics::BALANCE_RELATIVE).
+    /// balance is accurate to [`BALANCE_RELATIVE`](crate::numerics::BALANCE_RELATIVE).
     ///
     /// # Errors
     /// No cable, lengths that differ, numbers that are not finite or exceed
@@ -115,10 +115,10 @@ impl FeasibilityLp {
                 return Nearest::Nowhere(direction);
             }
         }
-        nearest(slice, &[]) // so near to the boundary that an interior point does not tell
+        nearest(slice, &[]) // too close to the boundary for an interior-point answer
     }
 
-    /// The y of the least σ, and the direction that bounds σ from below; both near enough, no more.
+    /// An approximate minimiser y of σ, and a direction that approximately bounds σ from below.
     fn least_reach(&mut self, slice: &Slice) -> Option<(DVector<f64>, DVector<f64>)> {
         let last = slice.freedom();
         let matrix = both_signs(slice.null, |_| -1.0, |_| -1.0);
@@ -133,7 +133,7 @@ impl FeasibilityLp {
     }
 }
 
-/// A σ plainly below or above 1.
+/// A σ clearly below or above 1.
 fn plain(info: &DefaultInfo<f64>) -> bool {
     let yes = info.cost_primal < 1.0 - PLAIN_ANSWER && info.res_primal < PLAIN_RESIDUAL;
     let no = info.cost_dual > 1.0 + PLAIN_ANSWER && info.res_dual < PLAIN_RESIDUAL;
@@ -151,7 +151,7 @@ fn both_signs(null: &DMatrix<f64>, a: impl Fn(usize) -> f64, b: impl Fn(usize) -
     })
 }
 
-/// Multipliers of upper limits less those of lower limits.
+/// Multipliers of upper limits minus those of lower limits.
 fn difference(multipliers: &[f64]) -> DVector<f64> {
     let (upper, lower) = multipliers.split_at(multipliers.len() / 2);
     DVector::from_iterator(upper.len(), upper.iter().zip(lower).map(|(u, l)| u - l))
@@ -160,22 +160,22 @@ fn difference(multipliers: &[f64]) -> DVector<f64> {
 /// How far a polytope of wrenches around a centre can be scaled up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LargestScale {
-    /// This far, >= 0: every corner, and with them the whole polytope, can just be balanced.
+    /// Up to this scale, >= 0: every corner, and therefore the whole polytope, can just be balanced.
     Bounded(f64),
-    /// All corners are the centre, which can be balanced.
+    /// All corners coincide with the centre, which can be balanced.
     Unbounded,
     /// The centre cannot be balanced.
     Infeasible,
-    /// The solver failed. Neither number nor "no".
+    /// The solver failed; undecided.
     Undecided,
 }
 
-/// Solver for "by how much can this polytope of wrenches grow?", to be kept for many questions.
+/// Reusable solver for "by how much can this polytope of wrenches grow?".
 ///
 /// # Method
-/// One small program for each corner, the largest s with `-1 <= p + s q + N y <= 1`, unless the smallest scale so far
-/// reaches the corner as well (which costs no program). Its multipliers are a plane that bounds s; where the plane's
-/// s is not yet balanced, the plane that separates it bounds s anew.
+/// One small program for each corner, the largest s with `-1 <= p + s q + N y <= 1`, unless the corner can also be balanced at the
+/// smallest scale so far (which needs no program). Its multipliers define a plane that bounds s. If the wrench at this bound cannot
+/// be balanced, the plane that separates it gives a new bound.
 ///
 /// # Example
 /// ```
@@ -200,18 +200,18 @@ impl Default for ScaleLp {
 }
 
 impl ScaleLp {
-    /// A solver; it takes its size from the first question.
+    /// A solver; the first query determines its size.
     pub fn new() -> Self {
         Self { program: InteriorPoint::new(0.0, None) }
     }
 
     /// The largest s for which `centre + s v` can be balanced for every v of `corners`.
     ///
-    /// `wrench_matrix` and `limits` are those of [`FeasibilityLp::solve`]; corners and centre are wrenches of the same
-    /// units. A corner that no tensions at all balance gives 0.
+    /// `wrench_matrix` and `limits` are those of [`FeasibilityLp::solve`]; corners and centre are wrenches in the same
+    /// units. If a corner is in a direction that no tensions balance, the result is 0.
     ///
     /// # Errors
-    /// Those of [`FeasibilityLp::solve`], and no corner at all.
+    /// Those of [`FeasibilityLp::solve`], and an empty list of corners.
     pub fn solve(
         &mut self,
         wrench_matrix: &Matrix6xX<f64>,
@@ -260,7 +260,7 @@ impl ScaleLp {
         if smallest.is_finite() { LargestScale::Bounded(smallest) } else { LargestScale::Unbounded }
     }
 
-    /// How far one ray stays inside, in half ranges; nothing if the solver failed.
+    /// How far one ray stays inside, in half ranges; `None` if the solver failed.
     fn along(&mut self, ray: &mut Ray) -> Option<f64> {
         let mut s = ray.bound(&ray.direction)?;
         if ray.slice.freedom() > 0
@@ -271,7 +271,7 @@ impl ScaleLp {
         for _ in 0..SCALE_STEPS {
             match ray.at(s) {
                 Nearest::At(_) => return Some(s),
-                // A plane that moves the end by rounding only moves it by a little more.
+                // If a plane moves the end only by rounding, move it slightly farther.
                 Nearest::Nowhere(normal) => s = ray.bound(&normal)?.min(s * (1.0 - SCALE_ROUNDING)),
                 Nearest::Unsettled => return None,
             }
@@ -279,7 +279,7 @@ impl ScaleLp {
         None
     }
 
-    /// The plane that stops the ray, near enough.
+    /// An approximation of the plane that stops the ray.
     fn plane(&mut self, ray: &Ray) -> Option<DVector<f64>> {
         let cables = ray.centre.len();
         let matrix = both_signs(ray.slice.null, |i| ray.direction[i], |i| -ray.direction[i]);
@@ -294,7 +294,7 @@ impl ScaleLp {
     }
 }
 
-/// Slices whose point moves along a direction, all of them in half ranges.
+/// Slices whose point moves along a direction, all in half ranges.
 struct Ray<'a> {
     slice: Slice<'a>,
     centre: DVector<f64>,
@@ -311,7 +311,7 @@ impl Ray<'_> {
         matches!(self.at(s), Nearest::At(_))
     }
 
-    /// Where the ray leaves the half-space that holds the box and has this normal; nothing if it does not.
+    /// Where the ray leaves the half-space with this normal that contains the box; `None` if it does not.
     fn bound(&self, normal: &DVector<f64>) -> Option<f64> {
         let normal = self.slice.across(normal)?;
         let rate = normal.dot(&self.direction);

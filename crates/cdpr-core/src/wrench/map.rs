@@ -1,6 +1,7 @@
 //! Wrench maps: margins at the nodes of a grid of positions, and the region where they are positive.
 //!
-//! The paper's wrench-feasible workspace (section 3.3) as numbers: where the platform can be and bear what is required.
+//! The paper's wrench-feasible workspace (section 3.3) in numbers: where the cables can hold the platform and exert the required
+//! wrenches.
 
 use super::margins::{force_limit, moment_limit};
 use super::{CapacityMargin, MapIdentity, Required, Statics};
@@ -11,12 +12,12 @@ use crate::model::body;
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{MAP_NODES, STEP_COUNT};
 
-/// Where the nodes are, and which margins are computed there.
+/// Spacing of the nodes, and the margins to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapOptions {
     /// Distance of neighbouring nodes along each axis, m.
     pub step: f64,
-    /// Force and moment margins as well; they are computed by definition, which takes longer.
+    /// Also compute force and moment margins; they are computed by definition, which takes longer.
     pub projected: bool,
 }
 
@@ -41,8 +42,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid that starts in the box's least corner; along each axis its last node is the last one in the box, where
-    /// a box of a whole number of steps (but for rounding, 1e-12 of them) has a node at its end.
+    /// The grid that starts at the box's minimum corner; along each axis its last node is the last one in the box. If the box
+    /// is a whole number of steps long (up to a rounding error of 1e-12 steps), the last node is at its end.
     ///
     /// # Errors
     /// A box that is empty or not finite, a step that is not positive, or one so small that there are more than
@@ -66,7 +67,7 @@ impl Grid {
         self.counts.iter().product()
     }
 
-    /// Where the margins of node (i, j, k) stand.
+    /// Index of the margins of node (i, j, k).
     pub fn index(&self, [i, j, k]: [usize; 3]) -> usize {
         (i * self.counts[1] + j) * self.counts[2] + k
     }
@@ -79,7 +80,7 @@ impl Grid {
     }
 }
 
-/// Refuses more nodes than [`MAP_NODES`].
+/// Rejects more nodes than [`MAP_NODES`].
 fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
     if nodes <= MAP_NODES {
         return Ok(());
@@ -92,7 +93,7 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 
 /// Margins of a robot at the nodes of a grid, at one orientation and under one load.
 ///
-/// Memory: 8 bytes for each node and margin. The same margins come out at any number of threads.
+/// Memory: 8 bytes for each node and margin. The margins do not depend on the number of threads.
 ///
 /// # Example
 /// ```
@@ -117,14 +118,14 @@ pub struct WrenchMap {
     margins: Margins,
 }
 
-/// The numbers of a map, one for each node in the order of the [`Grid`]; NaN where a cable has no direction.
+/// The values of a map, one for each node in the order of the [`Grid`]; NaN where a cable has no direction.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Margins {
     /// Capacity margins, N; see [`super::capacity_limit`].
     pub capacity: Vec<f64>,
-    /// Force margins, N, if asked for; see [`force_limit`].
+    /// Force margins, N, if requested; see [`force_limit`].
     pub force: Option<Vec<f64>>,
-    /// Moment margins, N·m, if asked for; a point mass has none. See [`moment_limit`].
+    /// Moment margins, N·m, if requested; a point mass has none. See [`moment_limit`].
     pub moment: Option<Vec<f64>>,
 }
 
@@ -132,7 +133,7 @@ impl WrenchMap {
     /// Computes a map over a box of positions.
     ///
     /// # Errors
-    /// As [`Grid::over`] and [`CapacityMargin::new`]; zero threads asked for; [`Error::interrupted`].
+    /// As [`Grid::over`] and [`CapacityMargin::new`]; zero threads; [`Error::interrupted`].
     pub fn new(
         statics: &Statics,
         required: &Required,
@@ -155,10 +156,10 @@ impl WrenchMap {
         Ok(WrenchMap { grid, identity: MapIdentity::of(statics, required), margins })
     }
 
-    /// A map from its parts, as files have them.
+    /// A map from its parts, as read from a file.
     ///
     /// # Errors
-    /// A grid that is not finite, or margins that are not one for each node.
+    /// A grid that is not finite, or a number of margins that differs from the number of nodes.
     pub fn from_parts(grid: Grid, identity: MapIdentity, margins: Margins) -> Result<Self, Error> {
         body::positive("step", grid.step)?;
         body::coordinates("origin", grid.origin.coords.as_slice())?;
@@ -176,7 +177,7 @@ impl WrenchMap {
         Ok(WrenchMap { grid, identity, margins })
     }
 
-    /// Where the nodes are.
+    /// The grid of nodes.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
@@ -191,7 +192,7 @@ impl WrenchMap {
         &self.margins
     }
 
-    /// The region where what is required is available, by the capacity margin.
+    /// The region where the required wrenches are available, by the capacity margin.
     pub fn summary(&self) -> MapSummary {
         MapSummary::of(&self.grid, &self.margins.capacity)
     }
@@ -208,9 +209,9 @@ pub struct Place {
 
 /// The feasible region of a map in numbers.
 ///
-/// A node is feasible where its margin is positive: a set without interior, as that of a robot which lacks a degree of
-/// freedom, has margins that are zero at best. Each feasible node stands for the cube of one step around it, so the
-/// volume is the count times step³; a region that reaches the side of the box is counted half a step beyond it.
+/// A node is feasible if its margin is positive: a set without interior, such as that of a robot which lacks a degree of
+/// freedom, has margins of at most zero. Each feasible node represents the cube of one step around it, so the
+/// volume is the count times step³; a region that extends to the side of the box is counted half a step beyond it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapSummary {
     /// Number of nodes.
@@ -223,11 +224,11 @@ pub struct MapSummary {
     pub share: f64,
     /// Estimated volume of the feasible region, m³.
     pub volume: f64,
-    /// The smallest box around the feasible nodes; none if there are none.
+    /// The smallest box around the feasible nodes; `None` if there are none.
     pub extent: Option<Aabb>,
-    /// The least margin, at the first node that has it; none if no node has a margin.
+    /// The smallest margin, at the first node that has it; `None` if no node has a margin.
     pub least: Option<Place>,
-    /// The greatest margin, at the first node that has it; none if no node has a margin.
+    /// The largest margin, at the first node that has it; `None` if no node has a margin.
     pub greatest: Option<Place>,
 }
 
@@ -263,14 +264,14 @@ impl MapSummary {
     }
 }
 
-/// Keeps the first of the most extreme margins.
+/// Keeps the first of equally extreme margins.
 fn replace_if(kept: &mut Option<(usize, f64)>, new: (usize, f64), beyond: impl Fn(f64, f64) -> bool) {
     if kept.is_none_or(|(_, margin)| beyond(new.1, margin)) {
         *kept = Some(new);
     }
 }
 
-/// A number for each node; positions come four at a time, the last ones filled up by repeating the last node.
+/// A number for each node; positions are processed four at a time, and the last group is padded by repeating the last node.
 fn at_nodes(
     grid: &Grid,
     margins: impl Fn(&[Point; WIDTH]) -> [f64; WIDTH] + Sync,

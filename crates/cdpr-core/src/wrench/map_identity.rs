@@ -1,4 +1,4 @@
-//! What the margins of a wrench map depend on, so that a map is only used for the robot and loads it was made for.
+//! Everything that the margins of a wrench map depend on, so that a map is used only for the robot and loads it was computed for.
 
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
@@ -7,10 +7,10 @@ use super::{Required, Statics};
 use crate::error::Error;
 use crate::fingerprint::fingerprint_of;
 
-/// What a margin depends on besides the position: geometry, tension limits, loads, orientation, what is required.
+/// Everything that a margin depends on besides the position: geometry, tension limits, loads, orientation, required wrenches.
 ///
-/// Mass, centre of mass, gravity and further load act through one wrench, `balance`; orientation and attachments
-/// through the arms. So two questions with the same identity have the same margins, bit for bit. Names do not count.
+/// Mass, centre of mass, gravity and further load act through one wrench, `balance`; orientation and attachments act
+/// through the arms. So two problems with the same identity have the same margins, bit for bit. Names do not count.
 ///
 /// # Example
 /// ```
@@ -35,11 +35,11 @@ pub struct MapIdentity {
     pub balance: [f64; 6],
     /// Characteristic length ℓ, m.
     pub characteristic_length: f64,
-    /// What is required around that wrench.
+    /// The required wrenches around that wrench.
     pub required: RequiredIdentity,
 }
 
-/// A cable of a platform that does not turn.
+/// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CableIdentity {
@@ -47,7 +47,7 @@ pub struct CableIdentity {
     pub outlet: [f64; 3],
     /// From the platform's origin to the attachment, world axes, m.
     pub arm: [f64; 3],
-    /// Least and largest tension, N.
+    /// Minimum and maximum tension, N.
     pub tension: [f64; 2],
 }
 
@@ -67,7 +67,7 @@ pub enum RequiredIdentity {
 }
 
 impl MapIdentity {
-    /// The identity of margins of these statics for this demand.
+    /// The identity of the margins of these statics for this requirement.
     pub fn of(statics: &Statics, required: &Required) -> Self {
         let cable = |cable: &super::StaticCable| CableIdentity {
             outlet: unsigned_zeros(cable.outlet.into()),
@@ -89,13 +89,13 @@ impl MapIdentity {
         }
     }
 
-    /// A short name of the identity: 16 hexadecimal digits.
+    /// A short hash of the identity: 16 hexadecimal digits.
     pub fn fingerprint(&self) -> String {
         fingerprint_of(&serde_json::to_string(self).expect("plain data"))
     }
 
-    /// The first thing in which another identity differs, in words: `tension of cables[3]: [10.0, 900.0] and not
-    /// [10.0, 1000.0]`, this one's value first. None if they are the same.
+    /// A description of the first difference to another identity: `tension of cables[3]: [10.0, 900.0] and not
+    /// [10.0, 1000.0]`, this one's value first. `None` if they are equal.
     pub fn first_difference(&self, other: &Self) -> Option<String> {
         if self.cables.len() != other.cables.len() {
             return Some(format!("{} cables and not {}", self.cables.len(), other.cables.len()));
@@ -116,7 +116,7 @@ impl MapIdentity {
         cables.chain(rest).flatten().next()
     }
 
-    /// Refuses a map with another identity than this one.
+    /// Rejects a map with a different identity.
     ///
     /// # Errors
     /// Names the first difference.

@@ -1,6 +1,6 @@
-//! How far the required wrenches are from the facets of the available wrench set: the definitions, for any robot.
+//! Definitions of the margins, for any robot: how far the required wrenches are from the facets of the available wrench set.
 //!
-//! [`CapacityMargin`](super::CapacityMargin) gives the same numbers faster where the kernel of four poses applies.
+//! [`CapacityMargin`](super::CapacityMargin) computes the same numbers faster where the four-position kernel applies.
 
 use nalgebra::{SVector, Vector3, Vector6};
 
@@ -42,7 +42,7 @@ impl Required {
         })
     }
 
-    /// Whether a moment is asked for.
+    /// Whether a moment is required.
     pub fn needs_moment(&self) -> bool {
         match self {
             Required::Balls { moment, .. } => *moment > 0.0,
@@ -50,7 +50,7 @@ impl Required {
         }
     }
 
-    /// How far the required wrenches reach in a direction of [force; moment / length].
+    /// Support function of the required wrenches in a direction of [force; moment / length].
     fn reach(&self, direction: &Vector6<f64>, length: f64) -> f64 {
         let (force, moment) = (direction.fixed_rows::<3>(0), direction.fixed_rows::<3>(3) / length);
         match self {
@@ -63,19 +63,19 @@ impl Required {
     }
 }
 
-/// A margin, and the direction in which there is least of it.
+/// A margin, and the direction in which it is attained.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<const N: usize> {
-    /// Slack in the direction `normal`, N (N·m for moments); negative where something required is not available.
+    /// Slack in the direction `normal`, N (N·m for moments); negative if a required wrench is not available.
     pub margin: f64,
-    /// Outward unit normal: of the nearest facet, or for [`force_limit`] and [`moment_limit`] outside of the set, from its nearest
-    /// point to the balancing force or moment.
+    /// Outward unit normal of the nearest facet; for [`force_limit`] and [`moment_limit`] outside the set, the direction from its
+    /// nearest point to the balancing force or moment.
     pub normal: SVector<f64, N>,
 }
 
-/// The facet of {Σ tᵢ gᵢ : t in the limits} nearest to the set that reaches `reach(c)` beyond `center` in direction c.
+/// The facet of {Σ tᵢ gᵢ : t in the limits} nearest to the set around `center` with support function `reach(c)`.
 ///
-/// A set of lower rank is flat: the directions across it count as well, with nothing available in them; among them the one in
+/// A set of lower rank is flat: the directions orthogonal to it count as well, with nothing available in them, including the one in
 /// which `center` is farthest from the set's span. A set without any facet is a point.
 fn nearest_facet<const N: usize>(
     generators: &[SVector<f64, N>],
@@ -116,11 +116,11 @@ fn nearest_facet<const N: usize>(
     nearest
 }
 
-/// Capacity margin: the least slack between the available wrench set and what is required, over all facets, N, with the
-/// facet. For a point mass the three force rows count. None where a cable has no direction.
+/// Capacity margin: the smallest slack between the available wrench set and the required one, over all facets, N, with the
+/// facet. For a point mass the three force rows count. `None` if a cable has no direction.
 ///
-/// With [f; m/ℓ] as measure, a facet c·w ≤ h and the balancing wrench w_r, the slack is
-/// h − c·w_r − r_F |c_f| − r_M |c_m| / ℓ. Where it is not negative, all that is required is available.
+/// In the coordinates [f; m/ℓ], with a facet c·w ≤ h and the balancing wrench w_r, the slack is
+/// h − c·w_r − r_F |c_f| − r_M |c_m| / ℓ. If it is nonnegative, all required wrenches are available.
 ///
 /// # Source
 /// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances in
@@ -137,18 +137,18 @@ pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) 
     Some(nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length)))
 }
 
-/// Force margin: signed distance from the balancing force to the boundary of the forces that the cables can exert, N,
-/// whatever their moment. Where it is positive, it is the radius of the largest ball of forces around the balancing force (the
-/// paper's effective set); where it is negative, the force that is missing at least. None where a cable has no direction.
+/// Force margin: signed distance from the balancing force to the boundary of the set of forces that the cables can exert, N,
+/// regardless of the moment. If it is positive, it is the radius of the largest ball of forces around the balancing force (the
+/// paper's effective set); if it is negative, minus the smallest missing force. `None` if a cable has no direction.
 ///
-/// It is the least slack h(c) − c·f over *all* unit directions c, where h is the set's support and f the balancing force: inside
-/// of the set a facet's normal is the worst direction, outside of it the one from its nearest point.
+/// It is the smallest slack h(c) − c·f over *all* unit directions c, where h is the set's support function and f the balancing
+/// force: inside the set the worst direction is a facet's normal, outside it is the direction from the set's nearest point.
 pub fn force_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
     let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
     Some(signed_distance(&forces, statics, &force_part(statics.balance())))
 }
 
-/// Moment margin: as [`force_limit`], of moments about the platform's origin, N·m, whatever their force. None where a
+/// Moment margin: like [`force_limit`], for moments about the platform's origin, N·m, regardless of the force. `None` if a
 /// cable has no direction, and for a point mass, which has no moments.
 pub fn moment_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
     if statics.point_mass() {
@@ -171,11 +171,11 @@ fn signed_distance(generators: &[Vector3<f64>], statics: &Statics, point: &Vecto
     let set = Scaled { generators, limits: &limits, unit: reach.max(point.norm()) };
     let found = proximity(&set, &Point::from(point / set.unit), f64::INFINITY, -1.0);
     let margin = -found.lower * set.unit;
-    // By rounding GJK may fall short of what the facet shows.
+    // Because of rounding, GJK may find a smaller distance than the facet proves.
     if margin < facet.margin { Limit { margin, normal: found.axis } } else { facet }
 }
 
-/// {Σ tᵢ gᵢ : t in the limits} in units of about its size, in which GJK's tolerances are small.
+/// {Σ tᵢ gᵢ : t in the limits}, scaled to about unit size so that GJK's tolerances are small in comparison.
 struct Scaled<'a> {
     generators: &'a [Vector3<f64>],
     limits: &'a [[f64; 2]],

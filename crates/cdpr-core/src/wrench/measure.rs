@@ -1,5 +1,5 @@
-//! A demand on the wrenches of a robot as one number: how much more than demanded is there, at positions and at least how
-//! much between them.
+//! A requirement on the wrenches of a robot as one number: the slack (margin minus requirement) at positions, and a lower bound
+//! of it between them.
 
 use nalgebra::Vector6;
 
@@ -10,10 +10,10 @@ use crate::geometry::Point;
 use crate::numerics::SLACK_RELATIVE;
 use crate::numerics::simd::WIDTH;
 
-/// What a demand is measured by.
+/// The margin by which a requirement is judged.
 #[derive(Debug, Clone)]
 pub enum Measure {
-    /// The rigorous one: forces and moments together.
+    /// The capacity margin: forces and moments together.
     Capacity(Box<CapacityMargin>),
     /// Forces alone: a ball of this radius, N.
     Force(Statics, f64),
@@ -30,7 +30,7 @@ impl Measure {
         }
     }
 
-    /// Slack at four positions: margin minus demand; NaN where a cable has no direction.
+    /// Slack at four positions: margin minus requirement; NaN where a cable has no direction.
     pub fn slack_at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
         match self {
             Measure::Capacity(margin) => margin.at_four(positions),
@@ -48,7 +48,7 @@ impl Measure {
         }
     }
 
-    /// The nearest facet with the slack to it; none where a cable has no direction.
+    /// The nearest facet and its slack; `None` if a cable has no direction.
     pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
         match self {
             Measure::Capacity(margin) => margin.limit(position),
@@ -63,12 +63,12 @@ impl Measure {
         }
     }
 
-    /// The least slack that counts: below it rounding could decide. A share of the longest edge of the measured set.
+    /// The smallest slack that counts: below it rounding could decide. A share of the longest edge of the measured set.
     pub fn floor(&self) -> f64 {
         SLACK_RELATIVE * self.edge()
     }
 
-    /// The longest edge that the measured set can have.
+    /// The maximum length of the edges of the measured set.
     pub fn edge(&self) -> f64 {
         let edge = |cable: &StaticCable| cable.tension[1] * self.lever(cable);
         self.statics().cables().iter().map(edge).fold(0.0, f64::max)
@@ -79,7 +79,7 @@ impl Measure {
         matches!(self, Measure::Capacity(margin) if margin.by_kernel())
     }
 
-    /// How many pairs of facets its set has at most.
+    /// The maximum number of pairs of facets of its set.
     pub fn facets(&self) -> usize {
         let statics = self.statics();
         let m = statics.cables().len();
@@ -87,7 +87,7 @@ impl Measure {
         (0..chosen).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
     }
 
-    /// How much a cable's column of the measured set moves at most for each unit that its direction moves.
+    /// Lipschitz constant of a cable's column of the measured set with respect to the cable's direction.
     fn lever(&self, cable: &StaticCable) -> f64 {
         match self {
             Measure::Capacity(margin) if margin.statics().point_mass() => 1.0,
@@ -97,7 +97,7 @@ impl Measure {
         }
     }
 
-    /// How far slack can sag below its chord in the middle of a straight piece; see [`sagging`].
+    /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].
     pub fn sag(&self, from: &Point, to: &Point) -> f64 {
         let step = to - from;
         let squared = step.norm_squared();
@@ -106,7 +106,7 @@ impl Measure {
             let foot = (line.dot(&step) / squared).clamp(0.0, 1.0);
             let nearest = (line - step * foot).norm_squared();
             let across = (line.norm_squared() - line.dot(&step).powi(2) / squared).max(0.0);
-            // The direction turns at |step| D / l² a unit of the way, D the distance of the outlet from the whole line.
+            // The direction turns by |step| D / l² along the piece, D the distance of the outlet from the infinite line.
             let turn = ((squared * across).sqrt() / nearest).min(2.0);
             let bend = squared * BEND / nearest;
             let [least, largest] = cable.tension;
@@ -116,17 +116,17 @@ impl Measure {
     }
 }
 
-/// Largest second derivative of a direction to a fixed point l away, times l², along a line at unit speed: with x the sine
-/// of the angle between both, x √(4 − 3x²) is largest at x² = 2/3.
+/// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with x the sine
+/// of the angle between the two, x √(4 − 3x²) is largest at x² = 2/3.
 const BEND: f64 = 1.154_700_538_379_251_5;
 
-/// The least slack there can be on a straight piece between two positions with slack `a` and `b` (not negative), where
+/// Lower bound of the slack on a straight piece between two positions with slack `a` and `b` (both nonnegative), where
 /// `sag` is [`Measure::sag`] of the piece.
 ///
-/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) less constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and slack is the least of
-/// them all. Between the ends c·wᵢ departs from its chord by a second-order term, and |x| of a linear x is below its chord
+/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) minus constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and the slack is the minimum over
+/// all c. Between the ends, c·wᵢ deviates from its chord by a second-order term, and |x| of a linear x is below its chord
 /// only where x changes sign, by at most 2λ(1−λ)|Δx|. So at fraction λ the slack is at least
-/// (1−λ) a + λ b − 4λ(1−λ) sag, a parabola whose least value is this.
+/// (1−λ) a + λ b − 4λ(1−λ) sag, a parabola; this function returns its minimum.
 pub fn sagging(a: f64, b: f64, sag: f64) -> f64 {
     let rise = b - a;
     if rise.abs() >= 4.0 * sag {

@@ -1,8 +1,8 @@
-//! The forces, or the moments, that the cables can exert at a position, as a surface to look at (the paper, Figure 4b).
+//! The set of forces, or of moments, that the cables can exert at a position, as a surface for display (the paper, Figure 4b).
 //!
-//! Both are zonotopes in three dimensions: a middle plus halves ±hᵢ, one for each direction of cables. A corner is a
-//! word of signs, and a facet is spanned by the halves orthogonal to its normal, so corners are found and matched by
-//! their words, without comparing coordinates.
+//! Both are zonotopes in three dimensions: a centre plus half-generators ±hᵢ, one for each direction of cables. A corner is a
+//! bit pattern of signs, and a facet is spanned by the half-generators orthogonal to its normal. Corners are therefore found and
+//! matched by their bit patterns, without comparing coordinates.
 
 use std::collections::BTreeMap;
 
@@ -13,15 +13,15 @@ use crate::error::Error;
 use crate::geometry::{Point, Polytope, TriangleMesh, Vector};
 use crate::numerics::{DEPENDENT, SET_CABLES};
 
-/// The part of the available wrench set in three dimensions, and what lies in it.
+/// The available wrench set reduced to three dimensions, and the points of interest in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AvailableSet {
     /// Dimension of the set, 0 to 3.
     pub rank: usize,
     /// Its surface, triangles counter-clockwise seen from outside; coordinates in N for forces, N·m for moments, not m.
     ///
-    /// A set of rank 3 has a closed surface; one of rank 2 is a polygon with two sides, closed as well, but without
-    /// volume; one of rank 1 is a segment: its two ends and no triangle; one of rank 0 is a single point.
+    /// A set of rank 3 has a closed surface; one of rank 2 is a two-sided polygon, closed as well, but without
+    /// volume; one of rank 1 is a segment, with two ends and no triangle; one of rank 0 is a single point.
     pub mesh: TriangleMesh,
     /// The force (moment) that balances the loads, N (N·m).
     pub balance: Vector,
@@ -30,19 +30,19 @@ pub struct AvailableSet {
 }
 
 impl AvailableSet {
-    /// The largest ball in the set around the balancing force (moment), as centre and radius; none where that is
-    /// outside, and in a flat set, which holds none.
+    /// The largest ball in the set around the balancing force (moment), as centre and radius; `None` if that is
+    /// outside, and for a flat set, which contains no ball.
     pub fn ball(&self) -> Option<(Vector, f64)> {
         (self.margin > 0.0).then_some((self.balance, self.margin))
     }
 }
 
-/// The forces that the cables can exert at a position, whatever their moment.
+/// The forces that the cables can exert at a position, regardless of the moment.
 ///
-/// Any number of cables will do, as long as their forces point in at most [`SET_CABLES`] directions.
+/// Any number of cables is allowed, as long as their forces point in at most [`SET_CABLES`] directions.
 ///
 /// # Errors
-/// A position where a cable has no direction; more directions than that; a surface that rounding keeps open.
+/// A position where a cable has no direction; too many directions; a surface that does not close because of rounding.
 ///
 /// # Source
 /// The paper, section 3.3 and Figure 4b; its sphere is [`AvailableSet::ball`].
@@ -64,7 +64,7 @@ pub fn force_set(statics: &Statics, position: &Point) -> Result<AvailableSet, Er
     available_set(statics, &forces, statics.balance().fixed_rows::<3>(0).into(), &limit)
 }
 
-/// The moments about the platform's origin that the cables can exert at a position, whatever their force, N·m.
+/// The moments about the platform's origin that the cables can exert at a position, regardless of the force, N·m.
 ///
 /// # Errors
 /// As [`force_set`]; a point mass, which has no moments.
@@ -84,7 +84,7 @@ fn no_margin() -> Error {
     Error::invalid("position", "found no margin there")
 }
 
-/// The columns of the wrench matrix; an error names the cable without direction.
+/// The columns of the wrench matrix; the error names a cable without direction.
 fn with_direction(statics: &Statics, position: &Point) -> Result<Vec<nalgebra::Vector6<f64>>, Error> {
     statics.columns(position).ok_or_else(|| {
         let length = statics.characteristic_length();
@@ -107,18 +107,18 @@ fn available_set(
     Ok(AvailableSet { rank, mesh, balance, margin: limit.margin })
 }
 
-/// {middle + Σ sᵢ hᵢ : −1 ≤ sᵢ ≤ 1} with halves h that are not zero and no two of them parallel.
+/// {centre + Σ sᵢ hᵢ : −1 ≤ sᵢ ≤ 1} with nonzero h, no two of which are parallel.
 struct Zonotope {
     middle: Vector,
     halves: Vec<Vector>,
 }
 
-/// A corner: bit i says whether sᵢ is 1 rather than −1.
+/// A corner: bit i is set if sᵢ is 1 rather than −1.
 type Corner = u64;
 
 impl Zonotope {
-    /// The set {Σ tᵢ gᵢ : t within limits}; what is short beside the longest is left out, what is parallel is put
-    /// together.
+    /// The set {Σ tᵢ gᵢ : t within limits}; generators that are negligible compared with the longest are dropped, parallel ones
+    /// are combined.
     fn new(generators: &[Vector], limits: &[[f64; 2]]) -> Result<Self, Error> {
         let each = || generators.iter().zip(limits);
         let middle = each().map(|(g, [least, greatest])| g * (0.5 * (least + greatest))).sum();
@@ -176,14 +176,14 @@ impl Zonotope {
         if mesh.is_watertight() { Ok(mesh) } else { self.hull(&mesh) }
     }
 
-    /// The halves that span the facet with this normal, in order; the two that gave it are sure to belong.
+    /// The half-generators that span the facet with this normal, in order; the two that define it always belong.
     fn spanning(&self, normal: &Vector, given: [usize; 2]) -> Vec<usize> {
         let level = |k: &usize| self.halves[*k].dot(normal).abs() <= DEPENDENT * self.halves[*k].norm();
         (0..self.halves.len()).filter(|k| given.contains(k) || level(k)).collect()
     }
 
-    /// The corners of the facet spanned by these halves, counter-clockwise seen from the tip of its normal: from the
-    /// corner that is lowest along one direction, the halves are walked by angle, forth and back.
+    /// The corners of the facet spanned by these half-generators, counter-clockwise seen from the tip of its normal: starting at the
+    /// corner that is lowest along one direction, the half-generators are added by angle, and then subtracted.
     fn ring(&self, spanning: &[usize], normal: &Vector) -> Vec<Corner> {
         let mut corner = self.farthest(normal);
         let u = self.halves[spanning[0]].normalize();
@@ -229,7 +229,7 @@ impl Zonotope {
         TriangleMesh::of_faces(vertices, &faces)
     }
 
-    /// The hull of the corners, for sets with choices of halves so near to dependent that rounding reads them
+    /// The hull of the corners, for sets with nearly dependent half-generators, which rounding classifies
     /// differently from facet to facet.
     fn hull(&self, open: &TriangleMesh) -> Result<TriangleMesh, Error> {
         let size = self.halves.iter().map(Vector::norm).sum::<f64>(); // tolerances of hulls are absolute
@@ -285,7 +285,7 @@ mod tests {
 
     #[test]
     fn directions_on_the_edge_of_dependence_leave_the_surface_closed() {
-        // Tilts around the tolerance, by which directions are in one plane from one pair's view and not from another's.
+        // Tilts near the tolerance, at which directions are in one plane for one pair but not for another.
         for k in 0..200 {
             let tilt = |n: i32| f64::from((k * 7 + n * n * 13) % 41 - 20) * 0.2 * DEPENDENT;
             let direction = |n: i32| {

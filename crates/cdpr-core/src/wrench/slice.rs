@@ -1,16 +1,16 @@
 //! The tensions that balance one wrench: an affine slice of the box of tension limits.
 //!
-//! `W t = w` leaves `t = p + N y`, p in the row space of W and N an orthonormal basis of its null space, so y has as
-//! many entries as there are cables more than the rank of W: two for eight cables. What is left of the question are the
-//! limits, two for each cable. Nothing here is believed because an algorithm ended: a point is checked against the
-//! limits, and a "no" comes with a plane between the slice and the box.
+//! `W t = w` has the solutions `t = p + N y`, with p in the row space of W and N an orthonormal basis of its null space, so the
+//! dimension of y is the number of cables minus the rank of W: two for eight cables. Only the limits remain, two for each cable. No
+//! result is trusted merely because an algorithm ended: a point is verified against the limits, and a "no" comes with a plane that
+//! separates the slice from the box.
 
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
 
 use crate::error::Error;
 use crate::numerics::{BALANCE_RELATIVE, LIMIT_RELATIVE, LIMIT_SLACK, MAX_WRENCH, RANK_RELATIVE, SEPARATING_LEFT};
 
-/// Refuses what is no question: no cables, wrong lengths, numbers that are not finite, limits upside down.
+/// Rejects ill-posed problems: no cables, wrong lengths, numbers that are not finite, lower limits above upper ones.
 pub(super) fn check(wrench_matrix: &Matrix6xX<f64>, limits: &[[f64; 2]], wrench: &Vector6<f64>) -> Result<(), Error> {
     let cables = wrench_matrix.ncols();
     if cables == 0 {
@@ -32,7 +32,7 @@ pub(super) fn check(wrench_matrix: &Matrix6xX<f64>, limits: &[[f64; 2]], wrench:
     Ok(())
 }
 
-/// Refuses numbers that are not finite, or so large that their products are not.
+/// Rejects numbers that are not finite, or so large that their products are not.
 pub(super) fn check_numbers(place: &str, numbers: &[f64]) -> Result<(), Error> {
     match numbers.iter().find(|x| !(x.abs() <= MAX_WRENCH)) {
         None => Ok(()),
@@ -40,7 +40,7 @@ pub(super) fn check_numbers(place: &str, numbers: &[f64]) -> Result<(), Error> {
     }
 }
 
-/// `W x = w` for one W and any w: row space, null space and rank, by Gram and Schmidt on the rows of W, largest first.
+/// Solver of `W x = w` for one W and any w: row space, null space and rank, by Gram-Schmidt on the rows of W, largest first.
 pub(super) struct Equations {
     /// Orthonormal basis of the null space, m × (m − rank).
     pub(super) null: DMatrix<f64>,
@@ -48,7 +48,7 @@ pub(super) struct Equations {
     rows: DMatrix<f64>,
     /// W Q, 6 × rank; lower triangular in the order of `pivots`.
     lower: Matrix6xX<f64>,
-    /// Row of W behind each column of Q.
+    /// For each column of Q, the row of W that it comes from.
     pivots: Vec<usize>,
 }
 
@@ -63,7 +63,7 @@ impl Equations {
         Self { null: basis.columns_range(rank..).into_owned(), lower: matrix * &rows, rows, pivots }
     }
 
-    /// The shortest x with `W x = wrench`, or nothing if the wrench has a part outside of the column space larger than
+    /// The shortest x with `W x = wrench`; `None` if the component of the wrench outside the column space exceeds
     /// [`BALANCE_RELATIVE`] of `scale`.
     pub(super) fn solve(&self, wrench: &Vector6<f64>, scale: f64) -> Option<DVector<f64>> {
         let mut left = *wrench;
@@ -76,9 +76,9 @@ impl Equations {
     }
 }
 
-/// Fills the first columns of `basis` with an orthonormal basis of the row space; returns the rows behind them.
+/// Fills the first columns of `basis` with an orthonormal basis of the row space; returns the rows that they come from.
 fn row_space(matrix: &Matrix6xX<f64>, basis: &mut DMatrix<f64>) -> Vec<usize> {
-    let mut left = matrix.transpose(); // what each row has outside of the basis so far
+    let mut left = matrix.transpose(); // the component of each row orthogonal to the basis so far
     let mut pivots = Vec::with_capacity(6);
     let mut largest = 0.0_f64;
     while pivots.len() < matrix.ncols().min(6) {
@@ -102,7 +102,7 @@ fn row_space(matrix: &Matrix6xX<f64>, basis: &mut DMatrix<f64>) -> Vec<usize> {
     pivots
 }
 
-/// Fills the columns of `basis` from `rank` on, so that it is orthonormal: always the axis that is least covered.
+/// Completes the columns of `basis` from `rank` on to an orthonormal basis, always using the axis that is least covered.
 fn complete(basis: &mut DMatrix<f64>, rank: usize) {
     let cables = basis.nrows();
     for k in rank..cables {
@@ -117,7 +117,7 @@ fn longest(squares: impl Iterator<Item = f64>) -> usize {
     squares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(i, _)| i)
 }
 
-/// Takes out of `column` what lies along `before`; twice, since once leaves rounding.
+/// Removes the components of `column` along `before`; done twice to remove the rounding error of the first pass.
 fn orthonormalise(before: &nalgebra::DMatrixViewMut<f64>, column: &mut nalgebra::DMatrixViewMut<f64>) {
     for _ in 0..2 {
         for other in before.column_iter() {
@@ -129,7 +129,7 @@ fn orthonormalise(before: &nalgebra::DMatrixViewMut<f64>, column: &mut nalgebra:
     }
 }
 
-/// All y with `lower <= point + null y <= upper`, row by row; lengths m.
+/// All y with `lower <= point + null y <= upper`, componentwise; all vectors have length m.
 pub(super) struct Slice<'a> {
     pub(super) null: &'a DMatrix<f64>,
     pub(super) point: DVector<f64>,
@@ -138,12 +138,12 @@ pub(super) struct Slice<'a> {
 }
 
 impl Slice<'_> {
-    /// How many directions are left.
+    /// Dimension of y.
     pub(super) fn freedom(&self) -> usize {
         self.null.ncols()
     }
 
-    /// `point + null y`, put exactly onto limits that it passes by rounding; nothing if it passes one by more.
+    /// `point + null y`, clamped to limits that it violates only by rounding; `None` if it violates one by more.
     pub(super) fn within(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
         let mut x = &self.point + self.null * y;
         for (i, x) in x.iter_mut().enumerate() {
@@ -162,12 +162,12 @@ impl Slice<'_> {
         Slice { null: self.null, point: self.point.clone(), lower, upper }
     }
 
-    /// Every entry put back to its limits.
+    /// Clamps every entry to its limits.
     pub(super) fn put_back(&self, x: DVector<f64>) -> DVector<f64> {
         DVector::from_fn(x.len(), |i, _| x[i].clamp(self.lower[i], self.upper[i]))
     }
 
-    /// Whether a direction, once freed of its part along the null space, proves that the slice misses the box: it is
+    /// Whether a direction, after its component along the null space is removed, proves that the slice misses the box: it is
     /// then constant on the slice, and larger than anywhere in the box.
     pub(super) fn separated_by(&self, direction: &DVector<f64>) -> bool {
         let Some(normal) = self.across(direction) else { return false };
@@ -175,7 +175,7 @@ impl Slice<'_> {
         normal.dot(&self.point) > self.support(&normal) + slack
     }
 
-    /// `direction` without its part along the null space; nothing if only rounding is left.
+    /// `direction` without its component along the null space; `None` if only rounding errors remain.
     pub(super) fn across(&self, direction: &DVector<f64>) -> Option<DVector<f64>> {
         let mut normal = direction.clone();
         for _ in 0..2 {
@@ -191,12 +191,12 @@ impl Slice<'_> {
     }
 }
 
-/// Tensions counted from the middle of their limits, in half ranges: every limit is −1 or 1.
+/// Tensions relative to the middle of their limits, in half ranges: every limit is −1 or 1.
 pub(super) struct Ranges {
     pub(super) middle: DVector<f64>,
     pub(super) half: DVector<f64>,
     pub(super) equations: Equations,
-    /// What a wrench is measured by where it is smaller itself, N.
+    /// The scale for wrenches that are smaller than this, N.
     greatest: f64,
 }
 
@@ -211,7 +211,7 @@ impl Ranges {
         Self { middle, half, equations: Equations::new(&scaled), greatest: greatest(limits) }
     }
 
-    /// The slice of a wrench; nothing if it has a part that no tensions at all balance.
+    /// The slice of a wrench; `None` if the wrench has a component that no tensions balance.
     pub(super) fn slice(&self, wrench_matrix: &Matrix6xX<f64>, wrench: &Vector6<f64>) -> Option<Slice<'_>> {
         let scale = self.greatest.max(wrench.norm());
         let point = self.equations.solve(&(wrench - wrench_matrix * &self.middle), scale)?;
@@ -219,13 +219,13 @@ impl Ranges {
         Some(Slice { null: &self.equations.null, point, lower: -&ones, upper: ones })
     }
 
-    /// Tensions from half ranges, inside their limits whatever rounding does.
+    /// Converts half ranges to tensions that are within their limits despite rounding.
     pub(super) fn tensions(&self, x: &DVector<f64>, limits: &[[f64; 2]]) -> DVector<f64> {
         DVector::from_fn(x.len(), |i, _| (self.middle[i] + self.half[i] * x[i]).clamp(limits[i][0], limits[i][1]))
     }
 }
 
-/// Greatest tension that the limits speak of, N.
+/// Largest tension in the limits, N.
 pub(super) fn greatest(limits: &[[f64; 2]]) -> f64 {
     limits.iter().flatten().fold(0.0, |greatest, t| greatest.max(t.abs()))
 }

@@ -1,4 +1,4 @@
-//! What the cables of a robot can pull with, and what they must balance, at one orientation.
+//! The tension limits of a robot's cables, and the wrench that they must balance, at one orientation.
 
 use nalgebra::Vector6;
 
@@ -8,16 +8,16 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::model::{Robot, Scene, body};
 use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
 
-/// What acts on the platform besides its cables, and how its wrenches are measured.
+/// The loads on the platform, and the units in which its wrenches are measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loads {
-    /// World-from-platform rotation.
+    /// Rotation from the platform frame to the world frame.
     pub orientation: Rotation,
     /// Gravity, world axes, m/s².
     pub gravity: Vector,
     /// A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
     pub load: Vector6<f64>,
-    /// Length by which moments are divided, so that they can be measured together with forces, m.
+    /// Length by which moments are divided, so that they are comparable to forces, m.
     pub characteristic_length: f64,
 }
 
@@ -33,7 +33,7 @@ impl Default for Loads {
 }
 
 impl Loads {
-    /// The loads of a scene: its orientation and gravity, and what its `[wrench]` says.
+    /// The loads of a scene: its orientation, its gravity and its `[wrench]` table.
     pub fn of(scene: &Scene) -> Self {
         let wrench = scene.wrench().cloned().unwrap_or_default();
         let default = Loads::default();
@@ -46,21 +46,21 @@ impl Loads {
     }
 }
 
-/// A cable of a platform that does not turn.
+/// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticCable {
     /// Outlet, world, m.
     pub outlet: Point,
     /// From the platform's origin to the attachment, world axes, m.
     pub arm: Vector,
-    /// Least and largest tension, N.
+    /// Minimum and maximum tension, N.
     pub tension: [f64; 2],
     /// Name.
     pub name: String,
 }
 
 impl StaticCable {
-    /// Column of the wrench matrix, moments divided by `length`; not finite where the cable has no direction.
+    /// Column of the wrench matrix, moments divided by `length`; not finite if the cable has no direction.
     #[inline]
     pub fn column(&self, position: &Point, length: f64) -> Vector6<f64> {
         let line = self.outlet - (position + self.arm);
@@ -71,7 +71,7 @@ impl StaticCable {
     }
 }
 
-/// A robot whose statics are known: tension limits of all cables, and the wrench they must balance.
+/// The statics of a robot: tension limits of all cables, and the wrench that they must balance.
 ///
 /// Wrenches are measured as [force; moment / ℓ], N, with ℓ the characteristic length; forces and moments in world axes,
 /// moments about the platform's origin.
@@ -166,8 +166,8 @@ impl Statics {
         self.point_mass
     }
 
-    /// The moment that weight and load have about the point where all cables of a point mass meet, N·m, if that is more than
-    /// rounding: the cables cannot balance it.
+    /// The moment of weight and load about the point where all cables of a point mass meet, N·m, if it exceeds
+    /// rounding errors: the cables cannot balance it.
     pub fn moment_on_point_mass(&self) -> Option<f64> {
         let arm = self.cables.first().filter(|_| self.point_mass)?.arm;
         let force = Vector::new(self.balance[0], self.balance[1], self.balance[2]);
@@ -181,13 +181,13 @@ impl Statics {
         self.cables.iter().map(|cable| cable.tension[1]).fold(0.0, f64::max)
     }
 
-    /// What the cables hold at a position whatever their limits; none where a cable has no direction.
+    /// What the cables hold at a position regardless of their limits; `None` if a cable has no direction.
     pub fn hold(&self, position: &Point) -> Option<Hold> {
         let columns: Vec<_> = self.cables.iter().map(|cable| cable.column(position, 1.0)).collect();
         columns.iter().all(|column| column.x.is_finite()).then(|| Hold::of(&columns, self.point_mass))
     }
 
-    /// Columns of the wrench matrix at a position, moments divided by ℓ; none where a cable has no direction.
+    /// Columns of the wrench matrix at a position, moments divided by ℓ; `None` if a cable has no direction.
     pub fn columns(&self, position: &Point) -> Option<Vec<Vector6<f64>>> {
         let columns: Vec<_> = self.cables.iter().map(|cable| cable.column(position, self.length)).collect();
         columns.iter().all(|column| column.x.is_finite()).then_some(columns)

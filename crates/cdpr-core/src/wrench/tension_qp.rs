@@ -1,7 +1,7 @@
 //! The tensions nearest to a reference that balance a wrench.
 //!
-//! With `t = p + N y`, p the balancing tensions nearest to the reference when limits do not count, the distance is that
-//! of y from 0: the question is for the point of a polytope nearest to the origin, in two dimensions for eight cables.
+//! Let `t = p + N y`, with p the balancing tensions nearest to the reference regardless of limits. The distance is then |y|, so the
+//! problem is to find the point of a polytope nearest to the origin, in two dimensions for eight cables.
 
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
 
@@ -11,17 +11,17 @@ use super::linear_program::Balance;
 use super::slice::{Equations, Slice, check, check_numbers, greatest};
 use crate::error::Error;
 
-/// How the nearest tensions are found. Both end in the same active set, so their answers are the same.
+/// How the nearest tensions are found. Both methods end in the same active set, so their answers are equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum QpMethod {
-    /// The dual active-set method from the reference on; the interior point where rounding stops it.
+    /// The dual active-set method, starting at the reference; the interior-point method if rounding stops it.
     #[default]
     ActiveSet,
-    /// clarabel first; the active set starts from the limits that it finds active.
+    /// clarabel first; the active set starts from the limits that clarabel finds active.
     InteriorPoint,
 }
 
-/// Solver for the tensions nearest to a reference, to be kept for many questions.
+/// Reusable solver for the tensions nearest to a reference.
 ///
 /// # Source
 /// Minimise Σ (tᵢ − refᵢ)² where `W t = wrench` and `t_min <= t <= t_max`; D. Goldfarb and A. Idnani, 1983, for the
@@ -52,17 +52,17 @@ impl Default for TensionQp {
 }
 
 impl TensionQp {
-    /// A solver; it takes its size from the first question.
+    /// A solver; the first query determines its size.
     pub fn new(method: QpMethod) -> Self {
         Self { method, program: InteriorPoint::new(1.0, None) }
     }
 
-    /// Tensions t nearest to the reference with `W t = wrench` and `t_min <= t <= t_max`, if there are any: they are
-    /// unique and move continuously with the wrench.
+    /// Tensions t nearest to the reference with `W t = wrench` and `t_min <= t <= t_max`, if there are any. They are
+    /// unique and depend continuously on the wrench.
     ///
     /// `wrench_matrix`, `limits` and `wrench` are those of
     /// [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve). `reference` is one tension for each
-    /// cable, N, within limits or not; the middle of the limits if none is given.
+    /// cable, N, within limits or not; the default is the middle of the limits.
     ///
     /// # Errors
     /// Those of [`FeasibilityLp::solve`](super::linear_program::FeasibilityLp::solve), and the same for `reference`.
@@ -99,7 +99,7 @@ impl TensionQp {
 
     fn nearest(&mut self, slice: &Slice) -> Nearest {
         if let Some(x) = slice.within(&DVector::zeros(slice.freedom())) {
-            return Nearest::At(x); // nothing is nearer when limits do not count
+            return Nearest::At(x); // the nearest even without limits
         }
         let middle = (&slice.lower + &slice.upper) * 0.5;
         let away = &slice.point - middle;
@@ -139,7 +139,7 @@ impl TensionQp {
     }
 }
 
-/// Limits whose multiplier outweighs their slack.
+/// Limits whose multiplier exceeds their slack.
 fn active(multipliers: &DVector<f64>, slack: &DVector<f64>) -> Vec<Limit> {
     let cables = slack.len() / 2;
     let limit = |i: usize| Limit { entry: i % cables, side: if i < cables { 1.0 } else { -1.0 } };

@@ -22,7 +22,7 @@ use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::watch::{Interrupt, Watch};
 
 impl Statics {
-    /// Least and largest tension of each cable, N.
+    /// Minimum and maximum tension of each cable, N.
     pub fn limits(&self) -> Vec<[f64; 2]> {
         self.cables().iter().map(|cable| cable.tension).collect()
     }
@@ -32,12 +32,12 @@ impl Statics {
         self.cables().iter().map(|cable| (cable.outlet - (position + cable.arm)).norm()).collect()
     }
 
-    /// The tensions that balance the loads at a position and are nearest to `reference` (the middle of the limits if none is
-    /// given), N; none where no tensions within the limits do, or where a cable has no direction. The solver is re-used
+    /// The tensions that balance the loads at a position and are nearest to `reference` (default: the middle of the limits),
+    /// N; `None` if no tensions within the limits balance them, or if a cable has no direction. The solver is reused
     /// from one position to the next.
     ///
     /// # Errors
-    /// A reference of the wrong length; a solver that came to no answer.
+    /// A reference of the wrong length; a solver that reached no answer.
     pub fn tensions(
         &self,
         solver: &mut TensionQp,
@@ -55,7 +55,7 @@ impl Statics {
     /// Whether any tensions within the limits balance the loads, by linear program.
     ///
     /// # Errors
-    /// A solver that came to no answer.
+    /// A solver that reached no answer.
     pub fn balanced(&self, solver: &mut FeasibilityLp, position: &Point) -> Result<bool, Error> {
         let Some(columns) = self.columns(position) else { return Ok(false) };
         match solver.solve(&Matrix6xX::from_columns(&columns), &self.limits(), self.balance())? {
@@ -74,37 +74,37 @@ fn undecided(position: &Point) -> Error {
 /// Everything about the wrenches of a robot at one position; see [`wrench_at`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WrenchReport {
-    /// Whether planning with the same demand allows the position: full rank, and all that is required is available.
+    /// Whether planning with the same requirement accepts the position: full rank, and all required wrenches are available.
     pub feasible: bool,
-    /// Whether tensions within the limits balance the loads alone. At a lower rank they may do so, but they resist no
+    /// Whether tensions within the limits balance the loads alone. At a lower rank this is possible, but the cables then resist no
     /// disturbance along a free motion.
     pub balanced: bool,
-    /// What the cables hold whatever their limits: rank and what follows from it.
+    /// What the cables hold regardless of their limits: the rank and its consequences.
     #[serde(flatten)]
     pub hold: Hold,
     /// The wrench matrix, six rows; the last three in metres.
     pub wrench_matrix: Vec<Vec<f64>>,
     /// See [`force_limit`], N.
     pub force_margin: f64,
-    /// See [`moment_limit`], N·m; none for a point mass.
+    /// See [`moment_limit`], N·m; `None` for a point mass.
     pub moment_margin: Option<f64>,
     /// See [`capacity_limit`], N.
     pub capacity_margin: f64,
     /// The facet that limits the capacity.
     pub limit: WrenchLimit,
-    /// Names of the cables, in the order of what follows.
+    /// Names of the cables, in the order of the following lists.
     pub cables: Vec<String>,
-    /// The tensions nearest to the middle of the limits that balance the loads, N; none if there are none.
+    /// The tensions nearest to the middle of the limits that balance the loads, N; `None` if there are none.
     pub tensions: Option<Vec<f64>>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
 }
 
-/// What the cables of a robot can do at a position, where `margin` decides.
+/// What the cables of a robot can do at a position, judged by `margin`.
 ///
 /// # Errors
-/// A position where a cable has no direction; a moment required of a point mass, or one that its weight has; a solver that
-/// came to no answer.
+/// A position where a cable has no direction; a moment required of a point mass, or a moment of its weight; a solver that
+/// reached no answer.
 ///
 /// # Example
 /// ```
@@ -156,12 +156,12 @@ fn metric_row(statics: &Statics, position: &Point, row: usize) -> Vec<f64> {
     statics.cables().iter().map(|cable| cable.column(position, 1.0)[row]).collect()
 }
 
-/// The lengths of the cables at one place of a path.
+/// The lengths of the cables at one point of a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LengthRow {
-    /// Way along the path, m.
+    /// Distance along the path, m.
     pub s: f64,
-    /// Which segment, counting from 0.
+    /// Index of the segment.
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
@@ -171,17 +171,17 @@ pub struct LengthRow {
     pub lengths: Vec<f64>,
 }
 
-/// The cables at one place of a path.
+/// The cables at one point of a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TensionRow {
-    /// Place and lengths.
+    /// Position and lengths.
     #[serde(flatten)]
     pub place: LengthRow,
-    /// Rank of the wrench matrix; 0 where a cable has no direction.
+    /// Rank of the wrench matrix; 0 if a cable has no direction.
     pub rank: usize,
-    /// Tension of each cable, N; none where the loads cannot be balanced.
+    /// Tension of each cable, N; `None` if the loads cannot be balanced.
     pub tensions: Option<Vec<f64>>,
-    /// See [`capacity_limit`], N; none where a cable has no direction.
+    /// See [`capacity_limit`], N; `None` if a cable has no direction.
     pub capacity_margin: Option<f64>,
     /// See [`force_limit`], N.
     pub force_margin: Option<f64>,
@@ -195,10 +195,10 @@ impl Place {
     }
 }
 
-/// Positions and cable lengths at even steps along a path, its end included. They need neither mass nor tension limits.
+/// Positions and cable lengths at equal steps along a path, including its end. They need neither mass nor tension limits.
 ///
 /// # Errors
-/// A step that is not positive or makes too many rows.
+/// A step that is not positive or gives too many rows.
 ///
 /// # Example
 /// ```
@@ -218,10 +218,10 @@ pub fn lengths_along(
     Ok(even_steps(waypoints, step)?.iter().map(row).collect())
 }
 
-/// Positions, lengths, tensions and margins at even steps along a path, its end included; on all cores.
+/// Positions, lengths, tensions and margins at equal steps along a path, including its end; uses all cores.
 ///
 /// # Errors
-/// A step that is not positive or makes too many rows, a reference of the wrong length, a moment required of a point mass,
+/// A step that is not positive or gives too many rows, a reference of the wrong length, a moment required of a point mass,
 /// [`Error::interrupted`].
 pub fn tensions_along(
     statics: &Statics,
@@ -261,7 +261,7 @@ pub struct Place {
     pub position: Point,
 }
 
-/// Most rows along a path: beyond it lies a slip of the unit.
+/// Maximum number of rows along a path; more are probably due to a wrong unit.
 const MOST_ROWS: f64 = 1e7;
 
 /// Places at even steps along a path, and its end.
@@ -291,36 +291,36 @@ pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
     Ok(ways.into_iter().map(place).collect())
 }
 
-/// Where along a path the wrenches are scarcest, and how the tensions range.
+/// The smallest wrench margin along a path, and the range of tensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathWrench {
-    /// The least margin beyond what is demanded.
+    /// The smallest slack.
     pub min_wrench_margin: MarginPlace,
-    /// Least and greatest tension, of those nearest to the middle of their limits; none if the loads cannot be balanced
+    /// Minimum and maximum of the tensions nearest to the middle of their limits; `None` if the loads cannot be balanced
     /// everywhere.
     pub tension_range: Option<TensionRange>,
 }
 
-/// The least margin on a path.
+/// The smallest slack on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MarginPlace {
-    /// Margin less demand, in the unit of its measure; none where a cable has no direction.
+    /// Margin minus requirement, in the unit of its measure; `None` if a cable has no direction.
     pub value: Option<f64>,
-    /// Which segment, counting from 0.
+    /// Index of the segment.
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-    /// The facet that limits it there.
+    /// The limiting facet there.
     #[serde(flatten)]
     pub limit: WrenchLimit,
 }
 
-/// Least and greatest tension on a path.
+/// Minimum and maximum tension on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TensionRange {
-    /// The slackest cable.
+    /// The minimum tension.
     pub min: TensionPlace,
-    /// The tautest cable.
+    /// The maximum tension.
     pub max: TensionPlace,
 }
 
@@ -331,20 +331,20 @@ pub struct TensionPlace {
     pub value: f64,
     /// Name of the cable.
     pub cable: String,
-    /// Which segment, counting from 0.
+    /// Index of the segment.
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
 }
 
-/// Steps into which a path is divided to find the range of tensions.
+/// Number of steps into which a path is divided to find the range of tensions.
 const RANGE_STEPS: f64 = 1000.0;
 
-/// The wrenches of a whole path, by the measures of its scene; none if there are none. Margins are least up to
-/// [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are looked at in a thousand even steps and at the waypoints.
+/// The wrenches of a whole path, by the measures of its scene; `None` if it has no measures. Margins are minima to within
+/// [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are evaluated at a thousand equal steps and at the waypoints.
 ///
 /// # Errors
-/// A solver that came to no answer; [`Error::interrupted`], [`Error::out_of_time`].
+/// A solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> Result<Option<PathWrench>, Error> {
     let Some(first) = measures.first() else { return Ok(None) };
     let mut least = Vec::new();
@@ -354,7 +354,7 @@ pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> 
             least.push((measure, (segment, least_slack(measure, &pair[0], &pair[1]))));
         }
     }
-    // NaN, a cable without direction, counts as less than anything.
+    // NaN, from a cable without direction, counts as smaller than anything.
     let rank = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
     let scarcest = least.into_iter().min_by(|(_, (_, (a, _))), (_, (_, (b, _)))| rank(*a).total_cmp(&rank(*b)));
     let Some((measure, (segment, (_, at)))) = scarcest else { return Ok(None) };

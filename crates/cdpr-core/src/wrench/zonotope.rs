@@ -1,10 +1,10 @@
 //! Facets of a zonotope {W t : t_min ≤ t ≤ t_max} in N dimensions, by hyperplane shifting.
 //!
 //! A facet of a set of rank n is spanned by n − 1 generators (columns of W), so every choice of n − 1 independent ones
-//! gives a normal, and the other generators say how far its two parallel facets are out. The choices are walked as a tree:
-//! each level keeps an orthonormal basis of what is orthogonal to the generators chosen so far, one vector fewer each time,
-//! until the normal is left. Choices that are dependent span no facet and are left out. Where W has not full rank the tree
-//! starts from a basis of its columns' space, and the set is flat across the rest.
+//! gives a normal, and the other generators determine the offsets of its two parallel facets. The choices are visited as a tree:
+//! each level keeps an orthonormal basis of the space orthogonal to the generators chosen so far, one vector fewer each time,
+//! until only the normal is left. Dependent choices span no facet and are skipped. If W does not have full rank, the tree
+//! starts from a basis of its column space, and the set is flat in the remaining directions.
 //!
 //! Source: hyperplane shifting after Gouttefarde and Krut, "Characterization of parallel manipulator available wrench set
 //! facets", Advances in Robot Kinematics, 2010, doi:10.1007/978-90-481-9262-5_51.
@@ -13,7 +13,7 @@ use nalgebra::SVector;
 
 use crate::numerics::{DEPENDENT, RANK_RELATIVE};
 
-/// An orthonormal basis of N dimensions, split: the first `rank` vectors span the generators, the rest is orthogonal to
+/// An orthonormal basis of N dimensions, split: the first `rank` vectors span the generators, the others are orthogonal to
 /// all of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<const N: usize> {
@@ -22,7 +22,7 @@ pub struct Span<const N: usize> {
 }
 
 impl<const N: usize> Span<N> {
-    /// The span of generators; what stands out less than [`RANK_RELATIVE`] of the longest one counts as nothing.
+    /// The span of generators; components below [`RANK_RELATIVE`] of the longest one count as zero.
     pub fn of(generators: &[SVector<f64, N>]) -> Self {
         let scale = largest(generators);
         let mut basis = [SVector::zeros(); N];
@@ -54,7 +54,7 @@ impl<const N: usize> Span<N> {
     }
 }
 
-/// What of a vector is orthogonal to orthonormal ones.
+/// The component of a vector orthogonal to orthonormal vectors.
 fn across<const N: usize>(v: &SVector<f64, N>, basis: &[SVector<f64, N>]) -> SVector<f64, N> {
     basis.iter().fold(*v, |rest, b| rest - b * b.dot(&rest))
 }
@@ -63,7 +63,7 @@ fn largest<const N: usize>(generators: &[SVector<f64, N>]) -> f64 {
     generators.iter().map(|g| g.norm()).fold(0.0, f64::max)
 }
 
-/// Calls `visit` with a unit normal of each pair of parallel facets; some come more than once.
+/// Calls `visit` with a unit normal of each pair of parallel facets; some normals occur more than once.
 ///
 /// # Example
 /// ```
@@ -82,7 +82,7 @@ pub fn for_each_normal<const N: usize>(
     descend(generators, &span.basis, span.rank, DEPENDENT * largest(generators), visit);
 }
 
-/// Chooses among `generators` until one vector is left of the first `left` of the basis.
+/// Chooses among `generators` until one vector of the first `left` of the basis remains.
 fn descend<const N: usize>(
     generators: &[SVector<f64, N>],
     basis: &[SVector<f64, N>; N],
@@ -103,8 +103,8 @@ fn descend<const N: usize>(
     }
 }
 
-/// An orthonormal basis of what is orthogonal to a generator within the first `left` vectors of a basis: they are
-/// reflected so that the last of them points along the generator, and that one is dropped. None if the generator is
+/// An orthonormal basis of the vectors orthogonal to a generator within the first `left` vectors of a basis: they are
+/// reflected so that the last of them points along the generator, and that one is dropped. `None` if the generator is
 /// orthogonal to them all.
 fn without<const N: usize>(
     basis: &[SVector<f64, N>; N],

@@ -1,9 +1,9 @@
-//! A lower bound of the length of all paths, valid or not yet found.
+//! A lower bound of the length of all paths.
 //!
-//! Every path from start to goal passes any plane that separates them, at a place that is not forbidden. So it is at
-//! least as long as the shortest way over such a place, the minimum of |x - start| + |x - goal| over what the forbidden
-//! polygons leave of the plane. That function is convex, so the minimum is where the straight line passes or on a side
-//! of a polygon, where it is known in closed form. Any plane gives a bound; the best of many is taken.
+//! Every path from start to goal crosses any plane that separates them, at a point that is not forbidden. So it is at
+//! least as long as the minimum of |x - start| + |x - goal| over the part of the plane that the forbidden polygons leave
+//! free. That function is convex, so the minimum is at the crossing of the straight line or on a side of a polygon, where
+//! it is known in closed form. Any plane gives a bound; the best of many is used.
 
 use super::hull::{Hull, edge_direction, in_box, meeting_line};
 use super::hulls::{Hulls, Near};
@@ -15,11 +15,11 @@ use crate::watch::Watch;
 /// Planes that are tried first: positions along the straight line, and tilts to both sides in two directions.
 const POSITIONS: usize = 7;
 const TILTS: [f64; 3] = [-0.6, 0.0, 0.6];
-/// Rounds in which the best plane is varied, by less and less.
+/// Rounds in which the best plane is varied, by decreasing amounts.
 const ROUNDS: usize = 4;
 
-/// A lower bound of the length of all paths between two points in a box that keep out of `hulls`, m; infinite where a
-/// plane is closed altogether, so that there is no path. If time is over it is the best bound until then.
+/// A lower bound of the length of all paths between two points in a box that avoid `hulls`, m; infinite if a plane is
+/// completely blocked, so that there is no path. If time runs out, it is the best bound so far.
 ///
 /// # Errors
 /// [`Error::interrupted`].
@@ -72,7 +72,7 @@ pub fn lower_bound(
     Ok(best.0)
 }
 
-/// Planes that the hulls cut, one after another.
+/// The planes that the hulls cut, one after another.
 struct Section<'a> {
     hulls: &'a Hulls,
     low: &'a Point,
@@ -82,24 +82,24 @@ struct Section<'a> {
     near: Near,
 }
 
-/// A side of a polygon that a hull cuts out of a plane, and how short a way over it could be.
+/// A side of a polygon that a hull cuts out of a plane, and how short a path through it could be.
 struct Side<'a> {
     hull: &'a Hull,
     point: Point,
     along: Vector,
     range: [f64; 2],
-    /// Where a way over the side's line is shortest.
+    /// The point on the side's line through which a path is shortest.
     unfolded: f64,
-    /// Length of the shortest way over the side, m, if all of the side were free.
+    /// Length of the shortest path through the side, m, if the whole side were free.
     least: f64,
 }
 
-/// Sides between two looks at the watch.
+/// Sides between two checks of the watch.
 const POLL: usize = 64;
 
 impl<'a> Section<'a> {
-    /// Length of the shortest way from start over a free place of a plane to the goal; none where the plane gives no bound
-    /// above `known`, m, or time is over.
+    /// Length of the shortest path from start through a free point of a plane to the goal; `None` if the plane gives no bound
+    /// above `known`, m, or time runs out.
     fn beyond(&mut self, plane: &HalfSpace, known: f64, watch: &Watch) -> Result<Option<f64>, Error> {
         let (below, above) = (plane.height(self.start), plane.height(self.goal));
         let way = self.goal - self.start;
@@ -108,8 +108,8 @@ impl<'a> Section<'a> {
         if !(below < 0.0 && above > 0.0 && self.hulls.near(&[crossing], &mut self.near).any(hidden)) {
             return Ok(None);
         }
-        // A way over a place at the distance h from the straight line of length d has at least the length √(d² + 4h²), and
-        // a place of the plane at the distance r from the crossing has h ≥ r sin(angle of line and plane).
+        // A path through a point at distance h from the straight line of length d has at least the length √(d² + 4h²), and
+        // a point of the plane at distance r from the crossing has h ≥ r sin(angle of line and plane).
         let steepness = plane.normal.dot(&way) / way.norm();
         let radius_of = |length: f64| 0.5 * (length * length - way.norm_squared()).max(0.0).sqrt() / steepness;
         let everything = (self.high - self.low).norm();
@@ -126,8 +126,8 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// The shortest way over free places on sides of the hulls that come within `radius` of a place of the plane, or any way
-    /// no longer than `known`; none if time is over.
+    /// The shortest path through free points on sides of the hulls within `radius` of a point of the plane, or any path no
+    /// longer than `known`; `None` if time runs out.
     fn shortest_within(
         &mut self,
         plane: &HalfSpace,
@@ -153,7 +153,7 @@ impl<'a> Section<'a> {
         Ok(Some(shortest))
     }
 
-    /// The sides of the hulls that come near a disc of the plane; none if the place of one is uncertain.
+    /// The sides of the hulls that come near a disc of the plane; `None` if the position of one is uncertain.
     fn sides_within(&mut self, plane: &HalfSpace, center: &Point, radius: f64) -> Option<Vec<Side<'a>>> {
         let across = plane.normal.cross(&Vector::ith(plane.normal.iamin(), 1.0)).normalize();
         let up = plane.normal.cross(&across);
@@ -164,7 +164,7 @@ impl<'a> Section<'a> {
         let hulls: Vec<&Hull> = self.hulls.near(&corners, &mut self.near).collect();
         for hull in hulls {
             for own in hull.planes() {
-                edge_direction(plane, own)?; // a side along the plane: its place there would be uncertain
+                edge_direction(plane, own)?; // the position of a side along the plane would be uncertain
                 let (point, along) = meeting_line(plane, own)?;
                 let [from, to] = in_box(self.low, self.high, &point, &along);
                 let Some([first, last]) = hull.side(&point, &along) else { continue };
@@ -180,7 +180,7 @@ impl<'a> Section<'a> {
         Some(sides)
     }
 
-    /// Where on the line of a side a way from start to goal is shortest: where it is straight once the line is unfolded.
+    /// The point on the line of a side through which a path from start to goal is shortest: it is straight in the unfolding.
     fn unfolded(&self, side: &Side) -> f64 {
         let [(s, ds), (g, dg)] = [self.start, self.goal].map(|end| {
             let t = side.along.dot(&(end - side.point));
@@ -189,7 +189,7 @@ impl<'a> Section<'a> {
         if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { s }
     }
 
-    /// Length of the way over a place on the line of a side, m.
+    /// Length of the path through a point on the line of a side, m.
     fn over(&self, side: &Side, t: f64) -> f64 {
         let place = side.point + side.along * t;
         (place - self.start).norm() + (place - self.goal).norm()
@@ -215,7 +215,7 @@ mod tests {
     use crate::geometry::{Polytope, Rotation};
     use rand::{RngExt, SeedableRng};
 
-    /// The least way over free places of a plane, of a fine grid over it.
+    /// The shortest path through free points of a plane, found on a fine grid.
     fn sampled(plane: &HalfSpace, hulls: &[Hull], low: &Point, high: &Point, ends: [&Point; 2]) -> f64 {
         const STEPS: i32 = 150;
         let across = plane.normal.cross(&Vector::ith(plane.normal.iamin(), 1.0)).normalize();
@@ -245,7 +245,7 @@ mod tests {
                     Hull::exact(body.transformed(&Rotation::new(axis), &at).half_spaces())
                 })
                 .collect();
-            // Planes that say the same but for rounding, and a hull twice.
+            // Planes that are equal up to rounding, and a hull twice.
             let twins: Vec<HalfSpace> = hulls[0].planes().iter().flat_map(|h| [*h, h.widened(1e-13)]).collect();
             hulls.extend([Hull::exact(twins), hulls[1].clone()]);
             hulls.remove(0);

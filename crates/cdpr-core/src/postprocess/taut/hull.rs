@@ -1,4 +1,4 @@
-//! The forbidden polyhedra as taut paths meet them: a little wider than they are, so that a path along them is free.
+//! The forbidden polyhedra for string pulling, slightly enlarged so that a path along their surface is free.
 
 use rand::{Rng, RngExt};
 
@@ -6,24 +6,24 @@ use super::polygon::{Frame, Polygon};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
 
-/// A convex polyhedron of positions that a path keeps out of.
+/// A convex polyhedron of positions that a path must avoid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hull {
     planes: Vec<HalfSpace>,
 }
 
-/// How much of a box a hull holds.
+/// How much of a box a hull contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Overlap {
     /// Nothing.
     None,
-    /// Maybe some of it.
+    /// Possibly some of it.
     Part,
-    /// All of it, and not just so.
+    /// All of it, with a margin.
     All,
 }
 
-/// A piece of an edge: where it begins, and the way to its end.
+/// A piece of an edge: its beginning, and the vector to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
     from: Point,
@@ -31,7 +31,7 @@ pub struct Piece {
 }
 
 impl Hull {
-    /// The polyhedron, its planes moved outward by [`STANDOFF`].
+    /// The polyhedron with its planes moved outward by [`STANDOFF`].
     pub fn around(half_spaces: Vec<HalfSpace>) -> Self {
         Hull { planes: half_spaces.into_iter().map(|h| h.widened(STANDOFF)).collect() }
     }
@@ -41,7 +41,7 @@ impl Hull {
         &self.planes
     }
 
-    /// How much of a box, given by its centre and half its sides, the polyhedron holds, as far as single planes tell.
+    /// How much of a box, given by its centre and half its sides, the polyhedron contains, as far as single planes tell.
     pub fn overlap(&self, center: &Point, half: &Vector) -> Overlap {
         let mut overlap = Overlap::All;
         for plane in &self.planes {
@@ -56,38 +56,38 @@ impl Hull {
         overlap
     }
 
-    /// Whether one plane alone has all these points outside, or in it.
+    /// Whether a single plane has all these points outside or on it.
     pub fn apart(&self, points: &[Point]) -> bool {
         self.planes.iter().any(|plane| points.iter().all(|p| plane.height(p) >= -GRAZING))
     }
 
-    /// The polyhedron as it is.
+    /// The polyhedron without enlargement.
     pub fn exact(half_spaces: Vec<HalfSpace>) -> Self {
         Hull { planes: half_spaces }
     }
 
-    /// The interval of t for which `from + t along`, a line in one of the planes, is on the polyhedron's surface; where
-    /// another plane says the same as that one but for rounding, both have the line.
+    /// The interval of t for which `from + t along`, a line in one of the planes, is on the polyhedron's surface; if
+    /// another plane is equal to that one up to rounding, the line belongs to both.
     pub fn side(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
         inside(&self.planes, from, along, EVERYWHERE, GRAZING)
     }
 
-    /// Whether a point is inside, more than by touching.
+    /// Whether a point is strictly inside.
     pub fn holds(&self, point: &Point) -> bool {
         self.planes.iter().all(|plane| plane.height(point) < -ON_SURFACE)
     }
 
-    /// The interval of t for which `from + t along` is inside; none if it never is.
+    /// The interval of t for which `from + t along` is inside; `None` if it never is.
     pub fn inside(&self, from: &Point, along: &Vector) -> Option<[f64; 2]> {
         inside(&self.planes, from, along, EVERYWHERE, -GRAZING)
     }
 
-    /// The part of an interval of t for which `from + t along` is inside; none if it never is.
+    /// The part of an interval of t for which `from + t along` is inside; `None` if it never is.
     pub fn inside_within(&self, from: &Point, along: &Vector, window: [f64; 2]) -> Option<[f64; 2]> {
         inside(&self.planes, from, along, window, -GRAZING)
     }
 
-    /// The directions of its edges through a place.
+    /// The directions of its edges through a point.
     pub fn edges_at(&self, place: &Point) -> Vec<Vector> {
         if self.planes.iter().any(|plane| plane.height(place) > ON_SURFACE) {
             return Vec::new();
@@ -97,7 +97,7 @@ impl Hull {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// The edges of one of its faces, clipped to a box. Where several planes coincide up to rounding, the face belongs to the
+    /// The edges of one of its faces, clipped to a box. If several planes coincide up to rounding, the face belongs to the
     /// first of them.
     pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         edges.clear();
@@ -106,7 +106,7 @@ impl Hull {
         let along = own.normal.cross(&Vector::ith(own.normal.iamin(), 1.0)).normalize();
         let across = own.normal.cross(&along);
         let frame = Frame { origin: center - own.normal * own.height(&center), along, across };
-        let reach = 0.5 * (high - low).norm(); // a square around all of the face that is in the box
+        let reach = 0.5 * (high - low).norm(); // a square around the part of the face in the box
         polygon.begin([[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]);
         for axis in 0..3 {
             for (side, sign) in [(low, -1.0), (high, 1.0)] {
@@ -131,7 +131,7 @@ impl Hull {
 }
 
 impl Piece {
-    /// What a box leaves of it, maybe a single point; none if it misses the box.
+    /// The part of it in a box, possibly a single point; `None` if it misses the box.
     pub fn within(&self, low: &Point, high: &Point) -> Option<Piece> {
         let length = self.along.norm();
         let direction = self.along.try_normalize(0.0)?;
@@ -141,12 +141,12 @@ impl Piece {
         (range[0] <= range[1]).then_some(Piece { from, along: to - from })
     }
 
-    /// The point at a share of it.
+    /// The point at a fraction of its length.
     pub fn at(&self, share: f64) -> Point {
         self.from + self.along * share
     }
 
-    /// The part of it up to a distance, m, on both sides of the point at a share.
+    /// The part of it within a distance, m, on both sides of the point at a fraction.
     pub fn around(&self, share: f64, distance: f64) -> Piece {
         let reach = distance / self.along.norm().max(distance);
         let [low, high] = [(share - reach).max(0.0), (share + reach).min(1.0)];
@@ -163,12 +163,12 @@ impl Piece {
         self.along.norm()
     }
 
-    /// A point of it, uniformly.
+    /// A uniform random point on it.
     pub fn sample(&self, rng: &mut dyn Rng) -> Point {
         self.from + self.along * rng.random::<f64>()
     }
 
-    /// Its pieces outside of all hulls, at least so long, m.
+    /// Its pieces outside all hulls that have at least this length, m.
     pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>, least: f64) -> Vec<Piece> {
         let mut covered: Vec<[f64; 2]> =
             hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
@@ -186,11 +186,11 @@ impl Piece {
     }
 }
 
-/// All of a line.
+/// The whole line.
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// The interval of a line in an intersection of half-spaces and a window; none if it is empty. Of a plane along the line the line is
-/// outside where it is higher than `rim`, m.
+/// The interval of a line in an intersection of half-spaces and a window; `None` if it is empty. If a plane is parallel to the line,
+/// the line counts as outside if it is higher than `rim`, m.
 fn inside(planes: &[HalfSpace], from: &Point, along: &Vector, window: [f64; 2], rim: f64) -> Option<[f64; 2]> {
     let [mut low, mut high] = window;
     for plane in planes {
@@ -209,7 +209,7 @@ fn inside(planes: &[HalfSpace], from: &Point, along: &Vector, window: [f64; 2], 
     Some([low, high])
 }
 
-/// The interval of a line in a box; it may be empty.
+/// The interval of a line in a box; possibly empty.
 pub fn in_box(low: &Point, high: &Point, from: &Point, along: &Vector) -> [f64; 2] {
     let mut range = [f64::NEG_INFINITY, f64::INFINITY];
     for axis in 0..3 {
@@ -221,7 +221,7 @@ pub fn in_box(low: &Point, high: &Point, from: &Point, along: &Vector) -> [f64; 
     range
 }
 
-/// The line in which two planes meet: a point and a unit vector.
+/// The line in which two planes intersect: a point and a unit vector.
 pub fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
     let along = edge_direction(a, b)?;
     let system = nalgebra::Matrix3::from_rows(&[a.normal.transpose(), b.normal.transpose(), along.transpose()]);
@@ -229,7 +229,7 @@ pub fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
     Some((Point::from(point), along))
 }
 
-/// The unit vector along the edge of two planes; none where they are too nearly parallel to have one.
+/// The unit vector along the edge of two planes; `None` if they are nearly parallel.
 pub fn edge_direction(a: &HalfSpace, b: &HalfSpace) -> Option<Vector> {
     a.normal.cross(&b.normal).try_normalize(crate::numerics::NEARLY_PARALLEL)
 }

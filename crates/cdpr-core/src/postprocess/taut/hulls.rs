@@ -1,5 +1,5 @@
-//! The hulls of a scene, found by place: an octree over the box of positions that is refined where it is asked, and
-//! nowhere else. A path meets few of the thousands of hulls of a large hall, and only those cost anything.
+//! A spatial index of the hulls of a scene: an octree over the box of positions, refined only where it is queried. A path meets only
+//! a few of the thousands of hulls of a large scene, and only these cost time.
 
 use std::sync::OnceLock;
 
@@ -10,7 +10,7 @@ use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
 
-/// Hulls in one place.
+/// Hulls with a spatial index.
 #[derive(Debug)]
 pub struct Hulls {
     list: Vec<Hull>,
@@ -20,7 +20,7 @@ pub struct Hulls {
     root_members: Vec<u32>,
 }
 
-/// A box of the octree. Its hulls are those of its parent that reach into it.
+/// A box of the octree. Its hulls are those hulls of its parent that reach into it.
 #[derive(Debug)]
 struct Node {
     center: Point,
@@ -29,26 +29,26 @@ struct Node {
     children: OnceLock<Box<[Node; 8]>>,
 }
 
-/// Room for one search of the octree, used again for the next.
+/// Scratch memory for one search of the octree, reused for the next.
 #[derive(Debug, Default)]
 pub struct Near {
-    /// Indices of the hulls that were found, each once.
+    /// Indices of the hulls found, without duplicates.
     found: Vec<u32>,
     seen: Vec<u32>,
     search: u32,
 }
 
-/// Boxes with no more hulls than this are not divided.
+/// Boxes with at most this many hulls are not divided.
 const FEW: usize = 8;
 /// Boxes smaller than this share of the query's extent are not divided.
 const FINE: f64 = 1.0 / 8.0;
-/// Levels below the root: boxes of a 256th of the whole.
+/// Maximum number of levels below the root: boxes of a 256th of the whole.
 const LEVELS: usize = 8;
-/// How far boxes reach beyond their share of space, m: what touches a box counts as reaching into it.
+/// Boxes are enlarged by this distance, m: hulls that touch a box count as reaching into it.
 const MARGIN: f64 = 2.0 * ON_SURFACE;
-/// How far from a drawn place on an edge free pieces are looked for, as a share of the size of the box.
+/// Distance from a drawn point on an edge within which free pieces are searched, as a share of the size of the box.
 const NEARBY: f64 = 1.0 / 16.0;
-/// Edges drawn until one of them has a free and promising piece.
+/// Maximum number of edges drawn before one has a free and promising piece.
 const DRAWS: usize = 8;
 
 impl Hulls {
@@ -60,12 +60,12 @@ impl Hulls {
         Hulls { list, low, high, root, root_members }
     }
 
-    /// How many there are.
+    /// Number of hulls.
     pub fn count(&self) -> usize {
         self.list.len()
     }
 
-    /// The hulls that come near the convex hull of one, two or three points inside the box of positions.
+    /// The hulls near the convex hull of one, two or three points inside the box of positions.
     pub fn near<'h, 'n>(
         &'h self,
         corners: &[Point],
@@ -77,8 +77,8 @@ impl Hulls {
         near.found.iter().map(|&index| &self.list[index as usize])
     }
 
-    /// A promising point on a free piece of an edge; none if none is found soon. A promising place on an edge is drawn first,
-    /// then one of the free pieces near by, so that narrow pieces are hardly rarer than wide ones.
+    /// A promising point on a free piece of an edge; `None` if none is found soon. First draws a promising point on an edge, then one
+    /// of the free pieces near it, so that narrow pieces are hardly less likely than wide ones.
     pub fn sample(
         &self,
         promising: &dyn Fn(&Point) -> bool,
@@ -103,13 +103,13 @@ impl Hulls {
 }
 
 impl Hulls {
-    /// Whether the box has no room to speak of along some axis.
+    /// Whether the box is practically flat along some axis.
     fn is_flat(&self) -> bool {
         (self.high - self.low).min() <= FLAT
     }
 
-    /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and the face itself to nothing that
-    /// rounding leaves; so there the face is cut by a thicker box first.
+    /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and rounding leaves nothing of the face
+    /// itself; in this case the face is first cut by a thicker box.
     fn edges(&self, hull: &Hull, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         if !self.is_flat() {
             return hull.face_edges(face, &self.low, &self.high, polygon, edges);
@@ -120,7 +120,7 @@ impl Hulls {
     }
 }
 
-/// Room for samples, used again for the next.
+/// Scratch memory for sampling, reused for the next sample.
 #[derive(Debug, Default)]
 pub struct Room {
     near: Near,
@@ -174,7 +174,7 @@ impl Node {
         Box::new(std::array::from_fn(|k| Node::new(center(k), half + margin)))
     }
 
-    /// Those of some hulls that reach into the box; where one of them holds all of it, that one hides the others.
+    /// The hulls, out of some, that reach into the box; if one of them contains all of the box, the others are omitted.
     fn reached_by(&self, members: &[u32], hulls: &[Hull]) -> Vec<u32> {
         let mut own = Vec::new();
         for &member in members {
@@ -193,7 +193,7 @@ struct Query {
     low: Point,
     high: Point,
     extent: f64,
-    /// A segment's beginning, and one over the way to its end.
+    /// The start of a segment, and the reciprocal of the vector to its end.
     segment: Option<(Point, Vector)>,
     /// A triangle's plane: unit normal and offset.
     plane: Option<(Vector, f64)>,
@@ -217,7 +217,7 @@ impl Query {
         if (0..3).any(beside) {
             return true;
         }
-        // Where the way along an axis is zero, numbers are infinite, or NaN on the box's surface, and min and max ignore them.
+        // If the segment has no extent along an axis, values are infinite, or NaN on the box's surface; min and max ignore NaN.
         let missed = |(from, inverse): &(Point, Vector)| {
             let (mut first, mut last) = (0.0f64, 1.0f64);
             for axis in 0..3 {

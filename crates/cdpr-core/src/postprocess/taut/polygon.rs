@@ -1,12 +1,12 @@
-//! Convex polygons in a plane, clipped by half-spaces: I. E. Sutherland and G. W. Hodgman (1974). Every side remembers the
-//! plane that cut it, so that corners can be traced back to the edges of a polyhedron.
+//! Convex polygons in a plane, clipped by half-spaces: I. E. Sutherland and G. W. Hodgman (1974). Every side keeps the plane that cut
+//! it, so that corners can be traced back to the edges of a polyhedron.
 
 use crate::geometry::{HalfSpace, Point, Vector};
 
 /// Coordinates in a [`Frame`].
 pub type Place = [f64; 2];
 
-/// A plane with coordinates.
+/// A plane with a coordinate system.
 #[derive(Debug, Clone)]
 pub struct Frame {
     pub origin: Point,
@@ -26,14 +26,14 @@ impl Frame {
     }
 }
 
-/// A corner of a polygon, and the plane that cut the side from it to the next; none for a side that was there before.
+/// A corner of a polygon, and the plane that cut the side from it to the next one; `None` for a side of the original polygon.
 #[derive(Debug, Clone, Copy)]
 pub struct Corner {
     pub place: Place,
     pub line: Option<usize>,
 }
 
-/// A convex polygon, and room to clip it.
+/// A convex polygon, with scratch memory for clipping.
 #[derive(Debug, Default)]
 pub struct Polygon {
     corners: Vec<Corner>,
@@ -41,13 +41,13 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// Begins with a polygon whose sides have no plane.
+    /// Starts with a polygon whose sides have no plane.
     pub fn begin(&mut self, corners: impl IntoIterator<Item = Place>) {
         self.corners.clear();
         self.corners.extend(corners.into_iter().map(|place| Corner { place, line: None }));
     }
 
-    /// Keeps what lies where a x + b y + c is negative.
+    /// Keeps the part where a x + b y + c is negative.
     pub fn clip(&mut self, [a, b, c]: [f64; 3], line: Option<usize>) {
         let height = |place: &Place| a * place[0] + b * place[1] + c;
         self.clipped.clear();
@@ -66,12 +66,12 @@ impl Polygon {
         std::mem::swap(&mut self.corners, &mut self.clipped);
     }
 
-    /// Its corners in order; none where nothing is left.
+    /// Its corners in order; empty if nothing is left.
     pub fn corners(&self) -> &[Corner] {
         &self.corners
     }
 
-    /// Each corner with the one before it.
+    /// Each corner with its predecessor.
     pub fn with_previous(&self) -> impl Iterator<Item = [Corner; 2]> {
         let count = self.corners.len();
         (0..count).map(move |k| [self.corners[(k + count - 1) % count], self.corners[k]])

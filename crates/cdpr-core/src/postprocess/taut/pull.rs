@@ -1,8 +1,8 @@
-//! A string over a triangle: the shortest way from one corner to another that passes the forbidden polyhedra on the
+//! A string over a triangle: the shortest path from one corner to another that passes the forbidden polyhedra on the
 //! side of the third.
 //!
-//! A plane cuts convex polyhedra in convex polygons. Where the way u → v → w is free, what they leave of the triangle's
-//! side v is bounded by the convex hull of u, w and the polygons inside the triangle, and so is the string. Its corners
+//! A plane cuts convex polyhedra in convex polygons. If the path u → v → w is free, the region that they leave on the side of v
+//! is bounded by the convex hull of u, w and the polygons inside the triangle, and so is the string. Its corners
 //! are corners of polygons, which lie on edges of polyhedra.
 
 use super::Bend;
@@ -12,7 +12,7 @@ use super::polygon::{Frame, Place, Polygon};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{GRAZING, SAME_POINT};
 
-/// Room for one pull, used again for the next.
+/// Scratch memory for one pull, reused for the next.
 #[derive(Debug, Default)]
 pub struct Pull {
     polygon: Polygon,
@@ -21,12 +21,12 @@ pub struct Pull {
 }
 
 impl Pull {
-    /// Replaces `chain` by the corners of the string u → v → w pulled taut; empty where v is not needed at all.
+    /// Replaces `chain` by the corners of the tightened string u → v → w; empty if v is not needed at all.
     pub fn over(&mut self, hulls: &Hulls, u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
         chain.clear();
         let Some((frame, top, length)) = framed(u, v, w) else { return };
         self.found.clear();
-        // A hull that holds a valid waypoint says too much there, and nothing about the way around it.
+        // A hull that contains a valid waypoint is too large there, and useless for finding a path around it.
         let in_the_way = |hull: &&Hull| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
         let mut near = std::mem::take(&mut self.near);
         for hull in hulls.near(&[*u, *v, *w], &mut near).filter(in_the_way) {

@@ -1,20 +1,20 @@
 //! Bends that slide along their edges: the shortest path through a given sequence of lines.
 //!
-//! The length of a path is a convex function of where its bends are, so the best places on their edges are found by
-//! Newton's method; the Hessian is tridiagonal, because a bend meets only its neighbours.
+//! The length of a path is a convex function of the positions of its bends, so Newton's method finds their best positions on their
+//! edges. The Hessian is tridiagonal, because a bend interacts only with its neighbours.
 
 use super::Bend;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{SAME_POINT, TAUT};
 
-/// Newton steps; three to six are usual.
+/// Maximum number of Newton steps; three to six are typical.
 const STEPS: usize = 30;
-/// Halvings of a Newton step.
+/// Maximum number of halvings of a Newton step.
 const HALVINGS: usize = 20;
-/// Added to the Hessian's diagonal, 1/m: an edge in line with the path leaves it singular.
+/// Added to the Hessian's diagonal, 1/m: an edge parallel to the path makes it singular.
 const DAMPING: f64 = 1e-9;
 
-/// How far each bend has to slide along its edge, m, within its range, for the path to be shortest.
+/// How far each bend has to slide along its edge, m, within its range, to make the path shortest.
 pub fn best_slides(path: &[Bend], ranges: &[[f64; 2]]) -> Vec<f64> {
     let mut slides = vec![0.0; path.len()];
     let mut length = slid_length(path, &slides);
@@ -38,7 +38,7 @@ pub fn best_slides(path: &[Bend], ranges: &[[f64; 2]]) -> Vec<f64> {
     slides
 }
 
-/// The bends, slid along their edges.
+/// The bends after sliding along their edges.
 pub fn slid(path: &[Bend], slides: &[f64], share: f64) -> Vec<Bend> {
     let moved = path.iter().zip(slides).map(|(bend, t)| Bend::new(place(bend, share * t), bend.edge));
     moved.collect()
@@ -53,7 +53,7 @@ fn slid_length(path: &[Bend], slides: &[f64]) -> f64 {
     (0..path.len() - 1).map(|k| ends(k).norm()).sum()
 }
 
-/// The Newton step of the slides that are not held by the end of their range.
+/// The Newton step of the slides that are not at the end of their range.
 fn newton_step(path: &[Bend], slides: &[f64], ranges: &[[f64; 2]]) -> Vec<f64> {
     let count = path.len();
     let (mut slope, mut diagonal, mut beside) = (vec![0.0; count], vec![DAMPING; count], vec![0.0; count]);
@@ -116,11 +116,11 @@ mod tests {
 
     #[test]
     fn a_bend_goes_where_the_unfolded_path_is_straight() {
-        // Ends 1 m and 3 m off a vertical edge, 4 m apart in height: unfolded, a line of slope 1 that meets it at 1.
+        // Ends at 1 m and 3 m from a vertical edge, 4 m apart in height: unfolded, a line of slope 1 that meets it at 1.
         let path =
             [bend([1.0, 0.0, 0.0], None), bend([0.0, 0.0, 3.5], Some([0.0, 0.0, 1.0])), bend([0.0, 3.0, 4.0], None)];
         let slides = best_slides(&path, &[FREE; 3]);
-        assert!((slides[1] + 2.5).abs() < 1e-7, "{slides:?}"); // lengths are equal to rounding from there on
+        assert!((slides[1] + 2.5).abs() < 1e-7, "{slides:?}"); // closer than this, lengths are equal up to rounding
         let held = best_slides(&path, &[FREE, [-1.0, 1.0], FREE]);
         assert_eq!(held[1], -1.0);
     }

@@ -1,0 +1,114 @@
+//! The question, the answer, and who watches the search.
+
+use super::PlanResult;
+use crate::collision::Checker;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::{Scene, body};
+
+/// A planning question: from where to where in which scene.
+///
+/// A scene file may give a start and a goal of its own; the query's take precedence.
+///
+/// # Example
+/// ```
+/// use cdpr_core::geometry::Point;
+/// use cdpr_core::plan::{PlanOptions, Query, plan};
+/// let scene = cdpr_core::testing::hard1();
+/// let query = Query::of(&scene).to(Point::new(0.3, 1.0, 1.0));
+/// let found = plan(query, &PlanOptions::default(), &())?.result;
+/// assert!((found.cost - 0.7).abs() < 1e-9); // nothing is in the way
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Query<'a> {
+    /// The robot and what stands around it.
+    pub scene: &'a Scene,
+    /// Start, if not the scene's, m.
+    pub start: Option<Point>,
+    /// Goal, if not the scene's, m.
+    pub goal: Option<Point>,
+    /// An engine compiled from the scene earlier; the options' engine and interference rule are then ignored.
+    pub engine: Option<&'a dyn Checker>,
+}
+
+impl<'a> Query<'a> {
+    /// From the scene's start to its goal.
+    pub fn of(scene: &'a Scene) -> Self {
+        Query { scene, start: None, goal: None, engine: None }
+    }
+
+    /// The same from another start, m.
+    pub fn from(self, start: Point) -> Self {
+        Query { start: Some(start), ..self }
+    }
+
+    /// The same to another goal, m.
+    pub fn to(self, goal: Point) -> Self {
+        Query { goal: Some(goal), ..self }
+    }
+
+    /// The same, answered by an engine that was compiled from the scene earlier.
+    pub fn by(self, engine: &'a dyn Checker) -> Self {
+        Query { engine: Some(engine), ..self }
+    }
+
+    /// Start and goal.
+    ///
+    /// # Errors
+    /// One that is missing or not finite.
+    pub fn ends(&self) -> Result<[Point; 2], Error> {
+        Ok([end("start", self.start, self.scene.start())?, end("goal", self.goal, self.scene.goal())?])
+    }
+}
+
+impl<'a> From<&'a Scene> for Query<'a> {
+    fn from(scene: &'a Scene) -> Self {
+        Query::of(scene)
+    }
+}
+
+fn end(key: &str, given: Option<Point>, of_scene: Option<Point>) -> Result<Point, Error> {
+    match given {
+        Some(point) => body::point(key, point.into()),
+        None => of_scene.ok_or_else(|| {
+            let problem = format!("found none, expected a position; give query.{key} in the scene");
+            Error::invalid(format!("query.{key}"), problem)
+        }),
+    }
+}
+
+/// Watches a search. `()` watches nothing; a closure that returns true ends the search.
+pub trait Observer: Sync {
+    /// Whether to stop; polled often, from any thread.
+    fn interrupted(&self) -> bool {
+        false
+    }
+
+    /// A better path was found: seconds since the start, its length in m, its waypoints. Called on the thread that plans.
+    fn improved(&self, _seconds: f64, _cost: f64, _path: &[Point]) {}
+}
+
+impl Observer for () {}
+
+impl<F: Fn() -> bool + Sync> Observer for F {
+    fn interrupted(&self) -> bool {
+        self()
+    }
+}
+
+/// The answer.
+pub struct Planned {
+    /// The scene at the orientation with the shortest path, where the query left it open.
+    pub turned: Option<Scene>,
+    /// The engine that was compiled; none where the query had one, or the time was over before it was there.
+    pub engine: Option<Box<dyn Checker>>,
+    /// What was found; counts and times are those of all orientations.
+    pub result: PlanResult,
+}
+
+impl std::fmt::Debug for Planned {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Planned").field("turned", &self.turned).field("result", &self.result).finish_non_exhaustive()
+    }
+}
