@@ -107,7 +107,7 @@ pub fn directions(body: &Polytope) -> Vec<Vector> {
     all
 }
 
-/// Unit vectors from one to another in even steps of at most [`BEVEL`], without both.
+/// Unit vectors from one to another in even steps of at most `BEVEL`, both excluded.
 pub fn between(a: &Vector, b: &Vector) -> Vec<Vector> {
     let steps = (a.angle(b) / BEVEL).ceil().max(1.0) as usize;
     let at = |k: usize| a.slerp(b, k as f64 / steps as f64);
