@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
-use cdpr_core::collision::forbidden::{forbidden, rounded};
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
@@ -174,17 +174,18 @@ fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
     let (mut near, mut held, mut cubes) = (0, 0, 0);
     for (base, clearance) in [(hard1(), 0.05), (hard3(), 0.02), (random_scenes(4).draw(5).unwrap(), 0.1)] {
         let engine = GjkEngine::new(&with_clearance(&base, clearance), Interference::Exact).unwrap();
-        let constraints = engine.constraints();
-        let (min, max) = constraints.position_box();
+        let conditions = engine.conditions();
+        let (min, max) = conditions.position_box();
         let mut rng = ChaCha8Rng::seed_from_u64(7);
-        for (index, constraint) in constraints.list.iter().enumerate() {
-            let Some(planes) = rounded(constraints, constraint) else { continue };
-            let cube = forbidden(constraints, constraint, clearance).unwrap().half_spaces;
+        for (index, condition) in conditions.list.iter().enumerate() {
+            let (details, fat) = (condition.details(), Fattened::default());
+            let Some(planes) = details.rounded(&conditions.bodies, &fat) else { continue };
+            let cube = details.forbidden(&conditions.bodies, clearance, &fat).unwrap().half_spaces;
             for _ in 0..3000 {
                 let p = min + (max - min).component_mul(&Vector::from_fn(|_, _| rng.random::<f64>()));
                 let inside = planes.iter().all(|plane| plane.height(&p) < 1e-9);
                 let broken = engine.breaks(index, &p, &p);
-                assert!(inside || !broken, "{constraint:?} at {p}");
+                assert!(inside || !broken, "{condition:?} at {p}");
                 near += usize::from(broken);
                 held += usize::from(inside);
                 cubes += usize::from(cube.iter().all(|plane| plane.height(&p) < 0.0));
@@ -413,7 +414,7 @@ impl Guide<Point> for Asked {
 fn the_guide_is_not_waited_for_before_there_is_a_path() {
     let asked = |scene: &Scene, max_samples: usize| {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
-        let space = TranslationSpace::of(engine.constraints());
+        let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let options = AnytimeOptions { limits: Limits::samples(max_samples), ..AnytimeOptions::default() };
         let (guide, mut rng) = (Asked::default(), ChaCha8Rng::seed_from_u64(3));

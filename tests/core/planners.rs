@@ -198,7 +198,7 @@ fn nodes_time_and_interruption_end_every_planner() {
 fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Result<(), Error> {
     let scene = empty();
     let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
         let limits = Limits::samples(200);

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
-use cdpr_core::collision::Constraints;
+use cdpr_core::collision::Conditions;
 use cdpr_core::error::printable;
 use cdpr_core::geometry::Point;
 use cdpr_core::{Error, Scene};
@@ -104,13 +104,13 @@ impl Console {
     }
 
     /// Says what is special about a scene, besides what is exempt from a clearance.
-    pub fn notes(&self, constraints: &Constraints) {
-        constraints.notes.iter().for_each(|note| self.note(note));
+    pub fn notes(&self, conditions: &Conditions) {
+        conditions.notes.iter().for_each(|note| self.note(note));
     }
 
     /// Says all that is special about a scene, where the answer does not list what is exempt.
-    pub fn remarks(&self, constraints: &Constraints) {
-        constraints.remarks().iter().for_each(|note| self.note(note));
+    pub fn remarks(&self, conditions: &Conditions) {
+        conditions.remarks().iter().for_each(|note| self.note(note));
     }
 
     /// Says what went wrong; also where all else is quiet.

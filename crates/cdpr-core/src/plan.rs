@@ -93,7 +93,7 @@ impl Processing {
         match self {
             Processing::None => Ok(waypoints.to_vec()),
             Processing::Rewind(options) => {
-                rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, watch)
+                rewind(&TranslationSpace::of(engine.conditions()), engine, waypoints, options, watch)
             }
             Processing::Taut => Taut::new(engine).polished(waypoints, watch),
         }
@@ -202,7 +202,7 @@ const APPRAISAL_GRACE: Duration = Duration::from_millis(12);
 /// The engine that answers for a scene: its geometry, and its wrenches if it asks for them.
 ///
 /// # Errors
-/// As [`crate::collision::Constraints::new`] and [`WrenchConstraint::of`].
+/// As [`crate::collision::Conditions::new`] and [`WrenchConstraint::of`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
     engine_within(scene, engine, interference, &Watch::NONE)
 }
@@ -221,7 +221,7 @@ pub fn engine_within(
         Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
         Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
     };
-    Ok(match WrenchConstraint::of(scene, geometry.constraints())? {
+    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
         Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
         None => geometry,
     })
@@ -270,7 +270,7 @@ pub fn appraise(
     bounded: bool,
     watch: &Watch,
 ) -> Result<Appraisal, Error> {
-    let unmeasured = || Nearest::unmeasured(engine.constraints());
+    let unmeasured = || Nearest::unmeasured(engine.conditions());
     let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else {
         return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
     };
@@ -283,7 +283,7 @@ pub fn appraise(
         _ => lower_bound(engine, start, goal, &watch).map(Some),
     };
     Ok(Appraisal {
-        nearest: unless_stopped(nearest(engine.constraints(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
+        nearest: unless_stopped(nearest(engine.conditions(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
         wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
         lower_bound: unless_stopped(lower_bound)?,
     })
@@ -370,7 +370,7 @@ fn search(
             return Ok(PlanResult::unsolved(status, engine.explain(&state, &state), Stats::default()));
         }
     }
-    let problem = Problem { space: TranslationSpace::of(engine.constraints()), start, goal };
+    let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
     let outcome = options.planner.search(&problem, engine, &Taut::new(engine), improved, &mut rng, watch)?;
@@ -487,7 +487,7 @@ pub fn trace_rewinding(
     watch: &Watch,
 ) -> Result<Trace<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     rewind_traced(&space, engine, waypoints, step, direction, watch)
 }
 

@@ -45,7 +45,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     let ends = query.ends().map_err(in_scene)?;
     let scene = turned.unwrap_or(scene);
-    engine.iter().for_each(|engine| out.notes(engine.constraints()));
+    engine.iter().for_each(|engine| out.notes(engine.conditions()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
     json["lower_bound"] = bound.into();

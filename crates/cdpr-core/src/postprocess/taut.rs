@@ -103,7 +103,7 @@ const HALVINGS: usize = 12;
 impl<'a> Taut<'a> {
     /// A string puller for the polyhedra that an engine avoids.
     pub fn new(engine: &'a dyn Checker) -> Self {
-        let (low, high) = engine.constraints().position_box();
+        let (low, high) = engine.conditions().position_box();
         let (hindered, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
         Taut { engine, hulls: OnceLock::new(), low, high, hindered, room, ways }
     }
@@ -134,7 +134,7 @@ impl Guide<Point> for Taut<'_> {
 
     fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
         let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
-        let hulls = Hulls::new(polyhedra.into_iter().map(Hull::exact), self.low, self.high);
+        let hulls = Hulls::new(polyhedra.into_iter().map(|p| Hull::exact(p.half_spaces)), self.low, self.high);
         bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
     }
 
@@ -170,7 +170,7 @@ impl Taut<'_> {
     fn hulls(&self, watch: &Watch) -> Result<Option<&Hulls>, Error> {
         if self.hulls.get().is_none() {
             let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
-            let hulls = Hulls::new(polyhedra.into_iter().map(Hull::around), self.low, self.high);
+            let hulls = Hulls::new(polyhedra.into_iter().map(|p| Hull::around(p.half_spaces)), self.low, self.high);
             let _ = self.hulls.set(hulls); // another thread may have set the same value first
         }
         Ok(self.hulls.get())

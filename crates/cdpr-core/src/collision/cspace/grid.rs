@@ -2,7 +2,7 @@
 //! cells it passes.
 
 use super::clip::{CoarseGroup, CoarsePlace, CoarsePlane};
-use super::region::{Inner, Region};
+use crate::conditions::{Inner, Region};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_ROUNDING;
