@@ -13,7 +13,8 @@ use cdpr_core::plan::{
     Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
 };
 use cdpr_core::planning::{
-    AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, anytime,
+    AnytimeOptions, Limits, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace,
+    anytime,
 };
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
@@ -142,7 +143,7 @@ fn refining_gains_what_a_slow_optimiser_gains() {
             if paper.status != Status::Solved {
                 return;
             }
-            let refined = shorten_path(&engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
+            let refined = shorten_path(&engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
             let slow = slowly_shortened(&engine, &paper.waypoints, seed);
             let (before, after, reference) = (paper.cost, path_length(&refined), path_length(&slow));
             assert!(before - after >= 0.9 * (before - reference), "{number}, {seed}: {before} {after} {reference}");
@@ -203,7 +204,7 @@ fn wrenches_are_respected_while_the_path_gets_shorter() {
         let scene = cdpr_files::load_scene(path.as_ref()).unwrap();
         let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
         let paper = planned(&scene, &PlanOptions::paper());
-        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
+        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
         let found = planned(&scene, &PlanOptions { budget: Some(Duration::from_millis(100)), ..seeded(0) });
         for path in [&refined, &found.waypoints] {
             assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
@@ -240,7 +241,7 @@ fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
         let found = planned(&hard1(), &PlanOptions { planner: planner.clone(), ..seeded(seed) });
         assert_eq!(
             (found.status, PlanOptions { planner: planner.clone(), ..seeded(0) }.post()),
-            (Status::Solved, Post::Taut)
+            (Status::Solved, Post::StringPulling)
         );
         assert!(found.cost <= found.raw_cost && found.cost < 2.44);
         valid_by_both(&hard1(), &found.raw_waypoints);
@@ -304,7 +305,7 @@ fn odd_questions_are_answered() {
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
-    assert_eq!(shorten_path(&engine, &stays, &Processing::Taut, &Watch::NONE).unwrap(), stays[..2]);
+    assert_eq!(shorten_path(&engine, &stays, &Processing::StringPulling, &Watch::NONE).unwrap(), stays[..2]);
     let straight = planned(&empty(), &seeded(0));
     assert_eq!((straight.waypoints.len(), straight.stats.samples), (2, 0));
 
@@ -390,7 +391,7 @@ fn limits_and_settings_end_it() {
 #[derive(Default)]
 struct Asked(std::sync::atomic::AtomicUsize);
 
-impl Guide<Point> for Asked {
+impl PathOptimizer<Point> for Asked {
     fn shortened(&self, path: &[Point], _: f64, _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
         Ok(path.to_vec())
     }

@@ -17,9 +17,9 @@ use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{
-    Guide, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
+    Milestone, Outcome, PathOptimizer, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
 };
-use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
+use crate::postprocess::{Direction, Order, RewindOptions, StringPuller, Trace, rewind, rewind_traced};
 use crate::watch::{Interrupt, Watch};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
@@ -37,7 +37,7 @@ pub enum Post {
     /// Forward rewinding, then backward.
     Forward,
     /// Pulled taut: a shortest path of its kind.
-    Taut,
+    StringPulling,
     /// Nothing.
     None,
 }
@@ -46,7 +46,7 @@ choices!(Post, "post", [
     Both = "both": "Rewinding in both orders; the shorter result is kept (the paper)",
     Backward = "backward": "Backward rewinding, then forward",
     Forward = "forward": "Forward rewinding, then backward",
-    Taut = "taut": "Pulled taut around the exact obstacles: a shortest path of its kind",
+    StringPulling = "taut": "Pulled taut around the exact obstacles: a shortest path of its kind",
     None = "none": "The planner's path as it is",
 ]);
 
@@ -55,7 +55,7 @@ impl Post {
     pub fn of(planner: Planner) -> Self {
         match planner {
             Planner::Anytime => Post::None,
-            Planner::TwoTrees | Planner::RrtConnect => Post::Taut,
+            Planner::TwoTrees | Planner::RrtConnect => Post::StringPulling,
             Planner::ModifiedRrt | Planner::Rrt | Planner::RrtStar => Post::Both,
         }
     }
@@ -70,7 +70,7 @@ impl Post {
             Post::Both => rewind(Order::Both),
             Post::Backward => rewind(Order::Backward),
             Post::Forward => rewind(Order::Forward),
-            Post::Taut => Ok(Processing::Taut),
+            Post::StringPulling => Ok(Processing::StringPulling),
             Post::None => Ok(Processing::None),
         }
     }
@@ -83,8 +83,8 @@ pub enum Processing {
     None,
     /// Algorithms 4 and 5 of the paper.
     Rewind(RewindOptions),
-    /// [`crate::postprocess::taut`].
-    Taut,
+    /// [`crate::postprocess::string_pulling`].
+    StringPulling,
 }
 
 impl Processing {
@@ -95,7 +95,7 @@ impl Processing {
             Processing::Rewind(options) => {
                 rewind(&TranslationSpace::of(engine.conditions()), engine, waypoints, options, watch)
             }
-            Processing::Taut => Taut::new(engine).polished(waypoints, watch),
+            Processing::StringPulling => StringPuller::new(engine).polished(waypoints, watch),
         }
     }
 }
@@ -373,7 +373,7 @@ fn search(
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = options.planner.search(&problem, engine, &Taut::new(engine), improved, &mut rng, watch)?;
+    let outcome = options.planner.search(&problem, engine, &StringPuller::new(engine), improved, &mut rng, watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -402,7 +402,7 @@ fn search(
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
-    Taut::new(engine).lower_bound(start, goal, watch)
+    StringPuller::new(engine).lower_bound(start, goal, watch)
 }
 
 /// A result with its raw path processed anew, and every segment checked once more.

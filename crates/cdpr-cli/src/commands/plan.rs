@@ -141,7 +141,7 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
     let (before, done) = match options.post() {
         Post::None => ("", ""),
-        Post::Taut => ("before it was pulled taut, ", "pulled taut"),
+        Post::StringPulling => ("before it was pulled taut, ", "pulled taut"),
         _ => ("before rewinding, ", "rewound"),
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };

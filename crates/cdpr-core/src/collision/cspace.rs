@@ -7,8 +7,8 @@
 //! edges of a clearance, where two cables cross) does the gjk engine decide. So the answers are those of the gjk engine, for
 //! the price of a few multiplications.
 
-mod clip;
 mod grid;
+mod segment_clip;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -26,8 +26,8 @@ use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
 use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task};
 use crate::watch::Watch;
-use clip::{CoarsePlace, Planes, Segment, not_outside};
 use grid::{Cells, FULL, Lists, Reached};
+use segment_clip::{CoarsePlace, Planes, Segment, not_outside};
 
 /// Checks the conditions of a scene at its orientation by clipping segments in the space of positions.
 ///
