@@ -87,7 +87,7 @@ wheel: $(VENV)/ready
 # The wheel as people install it.
 release-wheel: $(VENV)/ready
 	rm -rf $(WHEELS)
-	$(BIN)/maturin build --release --locked --out $(WHEELS)
+	$(BIN)/maturin build --profile dist --locked --out $(WHEELS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
 
 # The browser that the page is tested in: the one that is there; as root on Debian it is installed, elsewhere the tests
@@ -101,15 +101,18 @@ browser:
 program:
 	cargo test $(TESTED) --locked --no-run --quiet
 
+# A process for each core; tests of one file stay together where they share what takes long to make.
+PARALLEL := -n auto --dist worksteal
+
 python-test: wheel browser program
 	$(BIN)/python -m mypy python/cdpr
 	$(BIN)/python -m mypy.stubtest cdpr --mypy-config-file pyproject.toml --allowlist python/stubtest-allowlist.txt
-	$(BIN)/python -m pytest python/tests
+	$(BIN)/python -m pytest $(PARALLEL) python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
 
 # The Python tests once more with the wheel as people install it.
 wheel-test: release-wheel browser program
-	$(BIN)/python -m pytest python/tests
+	$(BIN)/python -m pytest $(PARALLEL) python/tests
 
 # Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned;
 # the source archive is built there from nothing, which takes some minutes.

@@ -62,7 +62,7 @@ pub enum Motions {
 /// 0.8 m, so that enough of them are valid.
 pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: usize, seed: u64) -> Vec<(Point, Point)> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed ^ 0x5eed);
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let mut state = || loop {
         let mut state = space.sample(&mut rng).expect("the workspace has room");
         if above_floor {

@@ -73,8 +73,9 @@ fn refine(c: &mut Criterion) {
         let paths: Vec<_> = (0..SEEDS).map(paper).collect();
         group.bench_function(scene.name(), |b| {
             b.iter(|| {
-                let taut =
-                    |path: &Vec<_>| shorten_path(&*engine, path, &Processing::Taut, &Watch::NONE).expect("valid").len();
+                let taut = |path: &Vec<_>| {
+                    shorten_path(&*engine, path, &Processing::StringPulling, &Watch::NONE).expect("valid").len()
+                };
                 paths.iter().map(taut).sum::<usize>()
             });
         });

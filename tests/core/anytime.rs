@@ -4,16 +4,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
-use cdpr_core::collision::forbidden::{forbidden, rounded};
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
     Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
 };
 use cdpr_core::planning::{
-    AnytimeOptions, Guide, Limits, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace, anytime,
+    AnytimeOptions, Limits, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace,
+    anytime,
 };
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
@@ -142,7 +143,7 @@ fn refining_gains_what_a_slow_optimiser_gains() {
             if paper.status != Status::Solved {
                 return;
             }
-            let refined = shorten_path(&engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
+            let refined = shorten_path(&engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
             let slow = slowly_shortened(&engine, &paper.waypoints, seed);
             let (before, after, reference) = (paper.cost, path_length(&refined), path_length(&slow));
             assert!(before - after >= 0.9 * (before - reference), "{number}, {seed}: {before} {after} {reference}");
@@ -174,17 +175,18 @@ fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
     let (mut near, mut held, mut cubes) = (0, 0, 0);
     for (base, clearance) in [(hard1(), 0.05), (hard3(), 0.02), (random_scenes(4).draw(5).unwrap(), 0.1)] {
         let engine = GjkEngine::new(&with_clearance(&base, clearance), Interference::Exact).unwrap();
-        let constraints = engine.constraints();
-        let (min, max) = constraints.position_box();
+        let conditions = engine.conditions();
+        let (min, max) = conditions.position_box();
         let mut rng = ChaCha8Rng::seed_from_u64(7);
-        for (index, constraint) in constraints.list.iter().enumerate() {
-            let Some(planes) = rounded(constraints, constraint) else { continue };
-            let cube = forbidden(constraints, constraint, clearance).unwrap().half_spaces;
+        for (index, condition) in conditions.list.iter().enumerate() {
+            let (details, fat) = (condition.details(), Fattened::default());
+            let Some(planes) = details.rounded(&conditions.bodies, &fat) else { continue };
+            let cube = details.forbidden(&conditions.bodies, clearance, &fat).unwrap().half_spaces;
             for _ in 0..3000 {
                 let p = min + (max - min).component_mul(&Vector::from_fn(|_, _| rng.random::<f64>()));
                 let inside = planes.iter().all(|plane| plane.height(&p) < 1e-9);
                 let broken = engine.breaks(index, &p, &p);
-                assert!(inside || !broken, "{constraint:?} at {p}");
+                assert!(inside || !broken, "{condition:?} at {p}");
                 near += usize::from(broken);
                 held += usize::from(inside);
                 cubes += usize::from(cube.iter().all(|plane| plane.height(&p) < 0.0));
@@ -202,7 +204,7 @@ fn wrenches_are_respected_while_the_path_gets_shorter() {
         let scene = cdpr_files::load_scene(path.as_ref()).unwrap();
         let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
         let paper = planned(&scene, &PlanOptions::paper());
-        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::Taut, &Watch::NONE).unwrap();
+        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
         let found = planned(&scene, &PlanOptions { budget: Some(Duration::from_millis(100)), ..seeded(0) });
         for path in [&refined, &found.waypoints] {
             assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
@@ -239,7 +241,7 @@ fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
         let found = planned(&hard1(), &PlanOptions { planner: planner.clone(), ..seeded(seed) });
         assert_eq!(
             (found.status, PlanOptions { planner: planner.clone(), ..seeded(0) }.post()),
-            (Status::Solved, Post::Taut)
+            (Status::Solved, Post::StringPulling)
         );
         assert!(found.cost <= found.raw_cost && found.cost < 2.44);
         valid_by_both(&hard1(), &found.raw_waypoints);
@@ -303,7 +305,7 @@ fn odd_questions_are_answered() {
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
-    assert_eq!(shorten_path(&engine, &stays, &Processing::Taut, &Watch::NONE).unwrap(), stays[..2]);
+    assert_eq!(shorten_path(&engine, &stays, &Processing::StringPulling, &Watch::NONE).unwrap(), stays[..2]);
     let straight = planned(&empty(), &seeded(0));
     assert_eq!((straight.waypoints.len(), straight.stats.samples), (2, 0));
 
@@ -389,7 +391,7 @@ fn limits_and_settings_end_it() {
 #[derive(Default)]
 struct Asked(std::sync::atomic::AtomicUsize);
 
-impl Guide<Point> for Asked {
+impl PathOptimizer<Point> for Asked {
     fn shortened(&self, path: &[Point], _: f64, _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
         Ok(path.to_vec())
     }
@@ -413,7 +415,7 @@ impl Guide<Point> for Asked {
 fn the_guide_is_not_waited_for_before_there_is_a_path() {
     let asked = |scene: &Scene, max_samples: usize| {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
-        let space = TranslationSpace::of(engine.constraints());
+        let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let options = AnytimeOptions { limits: Limits::samples(max_samples), ..AnytimeOptions::default() };
         let (guide, mut rng) = (Asked::default(), ChaCha8Rng::seed_from_u64(3));

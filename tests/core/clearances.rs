@@ -23,7 +23,7 @@ fn both(spec: &SceneSpec) -> [Box<dyn Checker>; 2] {
 }
 
 fn of_path(spec: &SceneSpec, path: &[Point]) -> Nearest {
-    nearest(both(spec)[0].constraints(), path, &Watch::NONE).unwrap()
+    nearest(both(spec)[0].conditions(), path, &Watch::NONE).unwrap()
 }
 
 fn between(a: &str, b: &str) -> [String; 2] {
@@ -80,20 +80,20 @@ fn exempt_cables_must_still_not_touch() {
         let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
         robot.cables[4].outlet = [0.0, 0.0, 0.3];
         let [cspace, gjk] = both(&spec);
-        let exempt = &cspace.constraints().exempt;
+        let exempt = &cspace.conditions().exempt;
         let vertical = exempt.iter().find(|e| e.pair == ["cable 0", "cable 4"]).unwrap();
         assert_eq!(vertical.attainable.unwrap() < 0.0, overlaps, "{vertical:?}");
         assert!((vertical.attainable.unwrap() - (0.05 - diameter)).abs() < 1e-9);
         assert_eq!(vertical.sentence().contains("must still not touch"), !overlaps, "{}", vertical.sentence());
-        let index = vertical.constraints[0];
+        let index = vertical.conditions[0];
         let mut refused = [0, 0];
         for k in 0..1000 {
             let p = {
                 let at = |step: usize| 0.1 + 0.0018 * ((k * step) % 1000) as f64;
                 Point::new(at(1), at(13), at(7))
             };
-            let near = cspace.constraints().list[index].clone();
-            let cdpr_core::collision::Constraint::CableCable(near) = near else { unreachable!("a pair of cables") };
+            let near = cspace.conditions().list[index].clone();
+            let cdpr_core::collision::Condition::CableCable(near) = near else { unreachable!("a pair of cables") };
             let gap = near.nearest(&p).distance - diameter;
             for (engine, refused) in [&cspace, &gjk].into_iter().zip(&mut refused) {
                 let breaks = engine.breaks(index, &p, &p);
@@ -115,11 +115,11 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
     };
     let spec = SceneSpec { clearance: Some(0.01), ..with(clearances) };
     let [engine, _] = both(&spec);
-    let constraints = engine.constraints();
-    for constraint in &constraints.list {
-        let Some(required) = constraints.required(constraint) else { continue };
-        let culprits = constraints.culprits(constraint);
-        let expected = match (constraints.kind(constraint), [&*culprits[0], &*culprits[1]]) {
+    let conditions = engine.conditions();
+    for condition in &conditions.list {
+        let Some(required) = conditions.required(condition) else { continue };
+        let culprits = conditions.culprits(condition);
+        let expected = match (conditions.kind(condition), [&*culprits[0], &*culprits[1]]) {
             (Kind::PlatformObstacle, _) => 0.2,
             (Kind::CableObstacle, ["cable 3", "pillar"]) => 0.07,
             (Kind::CableCable, ["cable 0", "cable 4"]) => 0.001,
@@ -137,11 +137,11 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
         let (from, to) = (found.waypoints[0], *found.waypoints.last().unwrap());
         let bound = lower_bound(&*engine, &from, &to, &Watch::NONE).unwrap();
         assert!(bound <= found.cost + 1e-9 && found.cost > 2.5, "{bound} {}", found.cost);
-        let constraints = engine.constraints();
-        for (k, constraint) in constraints.list.iter().enumerate() {
-            let Some(required) = constraints.required(constraint) else { continue };
-            let gap = cdpr_core::collision::path_check::nearest_of(constraints, &[k], &found.waypoints, &Watch::NONE);
-            assert!(gap.unwrap().unwrap().value >= required - 1e-7, "{:?}", constraints.culprits(constraint));
+        let conditions = engine.conditions();
+        for (k, condition) in conditions.list.iter().enumerate() {
+            let Some(required) = conditions.required(condition) else { continue };
+            let gap = cdpr_core::collision::path_check::nearest_of(conditions, &[k], &found.waypoints, &Watch::NONE);
+            assert!(gap.unwrap().unwrap().value >= required - 1e-7, "{:?}", conditions.culprits(condition));
         }
     }
     // 0.2 m from the platform alone cost more than 0.01 m from all.
@@ -176,8 +176,8 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
         assert!(engine.motion_valid(&along[0], &along[1]));
         assert!(!engine.motion_valid(&along[0], &(along[1] - cdpr_core::geometry::Vector::z() * 1e-6)));
         // The cables keep their distance from it all the same.
-        let demands = engine.constraints().list.iter().filter(|c| engine.constraints().kind(c) == Kind::CableObstacle);
-        assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.constraints().required(c) == Some(0.02)));
+        let demands = engine.conditions().list.iter().filter(|c| engine.conditions().kind(c) == Kind::CableObstacle);
+        assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.conditions().required(c) == Some(0.02)));
     }
     let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(planned.status, Status::Solved, "{:?}", planned.reason);
@@ -190,8 +190,8 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
     // `ignore` lets it through, and says so.
     let ignoring = SceneSpec { ignore: vec![between("platform", "conveyor")], ..conveyor() };
     let unchecked = |engine: &dyn Checker| {
-        let constraints = engine.constraints();
-        constraints.list.iter().all(|constraint| constraints.kind(constraint) != Kind::PlatformObstacle)
+        let conditions = engine.conditions();
+        conditions.list.iter().all(|condition| conditions.kind(condition) != Kind::PlatformObstacle)
     };
     assert!(both(&ignoring).iter().all(|engine| unchecked(&**engine)));
     let [exempt] = &of_path(&ignoring, &PATH).exempt[..] else { panic!("one is listed") };
@@ -208,14 +208,14 @@ fn an_outlet_nearer_than_the_clearance_needs_one_of_its_own() {
     let at = Point::new(1.0, 1.0, 1.0);
     let [engine, _] = both(&mast);
     assert!(!engine.state_valid(&at));
-    let note = &engine.constraints().notes[0];
+    let note = &engine.conditions().notes[0];
     assert!(note.contains("[[clearances.pairs]]") && note.contains("touch = [[\"cable 0\", \"mast\"]]"), "{note}");
     let pairs = vec![pair("cable 0", "mast", 0.009)];
     let own = SceneSpec { clearances: Some(ClearancesSpec { pairs, ..ClearancesSpec::default() }), ..mast.clone() };
     let touch = SceneSpec { touch: vec![between("mast", "cable 0")], ..mast };
     for spec in [own, touch] {
         for engine in both(&spec) {
-            assert!(engine.state_valid(&at) && engine.constraints().notes.is_empty());
+            assert!(engine.state_valid(&at) && engine.conditions().notes.is_empty());
         }
     }
 }

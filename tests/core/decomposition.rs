@@ -18,7 +18,7 @@ fn engine(scene: &Scene) -> CspaceEngine {
 }
 
 fn cells(engine: &CspaceEngine) -> Decomposition {
-    let (low, high) = engine.constraints().position_box();
+    let (low, high) = engine.conditions().position_box();
     Decomposition::new(engine.pieces(&Watch::NONE).unwrap(), low, high)
 }
 

@@ -1,7 +1,7 @@
 //! Orientations: honoured by everything, named, chosen by planning, kept by path files.
 
 use cdpr_core::collision::path_check::Nearest;
-use cdpr_core::collision::{Checker, Constraints, Engine, Interference};
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan};
@@ -58,7 +58,7 @@ fn same_answers(name: &str, turned: &Scene, built: &Scene, rng: &mut ChaCha8Rng)
     for kind in [Engine::Cspace, Engine::Gjk] {
         let [one, other]: [Box<dyn Checker>; 2] =
             [turned, built].map(|scene| engine_for(scene, kind, Interference::Exact).unwrap());
-        let (min, max) = one.constraints().position_box();
+        let (min, max) = one.conditions().position_box();
         let place = |rng: &mut ChaCha8Rng| min + (max - min).map(|side| side.max(0.0) * rng.random::<f64>());
         for _ in 0..300 {
             let (from, to) = (place(rng), place(rng));
@@ -169,8 +169,8 @@ fn a_path_is_checked_at_its_own_orientation() {
     let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
     let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
     assert!(refused.contains("selects none of across, along, askew; select one"), "{refused}");
-    assert!(scene_of_path(&across, &bare, true).is_ok() && Constraints::new(&across).unwrap().notes.is_empty());
-    assert!(Constraints::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
+    assert!(scene_of_path(&across, &bare, true).is_ok() && Conditions::new(&across).unwrap().notes.is_empty());
+    assert!(Conditions::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
     // An edited scene gives a result and a warning, or an error.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);

@@ -10,7 +10,7 @@ use cdpr_core::planning::{
     Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status, TranslationSpace,
     Until,
 };
-use cdpr_core::postprocess::Taut;
+use cdpr_core::postprocess::StringPuller;
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error};
@@ -198,7 +198,7 @@ fn nodes_time_and_interruption_end_every_planner() {
 fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Result<(), Error> {
     let scene = empty();
     let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
         let limits = Limits::samples(200);
@@ -207,8 +207,14 @@ fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Resu
         let star = PlannerOptions::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), limits });
         for planner in [rrt, star] {
             let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
-            let found =
-                planner.search(&problem, &engine, &Taut::new(&engine), &|_, _, _| {}, &mut rng, &Watch::NONE)?;
+            let found = planner.search(
+                &problem,
+                &engine,
+                &StringPuller::new(&engine),
+                &|_, _, _| {},
+                &mut rng,
+                &Watch::NONE,
+            )?;
             assert!(found.samples <= 200);
             assert!(found.waypoints.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
         }

@@ -99,7 +99,7 @@ proptest! {
         spec.clearance = Some(c + more);
         let strict = motion_of(&spec, &from, &to);
         // Pairs that cannot keep a clearance are exempt from it; so compare only where none is.
-        let exempt = !GjkEngine::new(&Scene::new(spec.clone()).unwrap(), Interference::Exact).unwrap().constraints().exempt.is_empty();
+        let exempt = !GjkEngine::new(&Scene::new(spec.clone()).unwrap(), Interference::Exact).unwrap().conditions().exempt.is_empty();
         spec.clearance = Some(c);
         prop_assert!(exempt || !strict || motion_of(&spec, &from, &to));
     }

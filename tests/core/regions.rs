@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use cdpr_core::collision::{Constraints, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::collision::{Conditions, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Aabb, Point, Rotation, TriangleMesh};
 use cdpr_core::model::{BodySpec, RobotSource};
 use cdpr_core::regions::{NamedMesh, RegionOptions, Space, regions, regions_within};
@@ -90,11 +90,11 @@ fn the_shadow_in_the_space_of_positions_is_the_one_of_the_attachment_moved() {
     let scene = turned_with_a_mast();
     let at = |space| regions(&scene, &RegionOptions { space: Some(space), ..RegionOptions::default() }).unwrap();
     let (attachment, position) = (at(Space::Attachment), at(Space::Position));
-    let constraints = Constraints::new(&scene).unwrap();
+    let conditions = Conditions::new(&scene).unwrap();
     let mut rng = cdpr_tests::rng(2);
     for region in &position.meshes {
         let same = attachment.meshes.iter().find(|r| r.name == region.name).unwrap();
-        let arm = constraints.cables.iter().find(|c| c.name == region.culprits[0]).unwrap().arm;
+        let arm = conditions.bodies.cables.iter().find(|c| c.name == region.culprits[0]).unwrap().arm;
         for _ in 0..300 {
             let p = inside(&mut rng, &position.within);
             assert_eq!(encloses(&region.mesh, &p), encloses(&same.mesh, &(p + arm)), "{} at {p}", region.name);
@@ -215,7 +215,7 @@ fn who_stops_is_answered_at_once() {
     assert!(interrupted(survey(&scene, &watch).err()));
     assert!(interrupted(regions_within(&scene, &all(), &watch).err()));
     assert!(interrupted(page_within(&scene, None, &[], &watch).err()));
-    assert!(interrupted(Constraints::within(&scene, &watch).err()));
+    assert!(interrupted(Conditions::within(&scene, &watch).err()));
     assert!(survey(&scene, &Watch::NONE).unwrap().valid.is_some_and(|share| (0.01..0.99).contains(&share)));
     assert_eq!(regions_within(&scene, &all(), &Watch::NONE).unwrap(), regions(&scene, &all()).unwrap());
 }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use cdpr_core::collision::{Checker, Constraint, Engine, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::collision::{Checker, Condition, Engine, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use cdpr_core::numerics::GAP_TOLERANCE;
@@ -144,7 +144,7 @@ fn an_outlet_before_a_sharp_edge_is_not_on_the_body() {
         vec![knife(1e-4)],
         0.05,
     );
-    assert!(!near.state_valid(&at(1.6, 0.0, 0.1)) && near.constraints().notes.len() == 1);
+    assert!(!near.state_valid(&at(1.6, 0.0, 0.1)) && near.conditions().notes.len() == 1);
     let beside = engine(
         vec![part([0.01; 3], [0.0; 3])],
         vec![cable([-0.009, 0.4999, 0.0], [-0.005, 0.0, 0.0])],
@@ -222,8 +222,8 @@ fn the_least_distance_of_two_cables_is_no_more_than_any_sample_and_reached() {
         let reach = 10f64.powf(uniform(&mut rng, -4.0, 0.0));
         let q: [f64; 3] = vector(&mut rng, reach).into();
         let engine = pair([place(&mut rng), place(&mut rng)], q, 0.0);
-        let Some(Constraint::CableCable(pair)) =
-            engine.constraints().list.iter().find(|c| matches!(c, Constraint::CableCable(_)))
+        let Some(Condition::CableCable(pair)) =
+            engine.conditions().list.iter().find(|c| matches!(c, Condition::CableCable(_)))
         else {
             continue;
         };

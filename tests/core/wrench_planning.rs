@@ -1,6 +1,6 @@
 //! Planning and checking on scenes with [wrench].
 
-use cdpr_core::collision::{Checker, Constraints, Engine, Interference, Kind, check_path};
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, check_path};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{
     BodySpec, CableSpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec,
@@ -101,9 +101,9 @@ fn under_the_papers_rule_the_nearest_grid_point_decides() {
     let corners = WrenchSpec { membership: None, ..papers.clone() };
     let [papers, corners] = [papers, corners].map(|wrench| {
         let scene = cogiro(wrench);
-        let constraints = Constraints::new(&scene).unwrap();
-        let (low, high) = constraints.position_box();
-        (WrenchConstraint::of(&scene, &constraints).unwrap().unwrap(), measures(&scene).unwrap(), low, high)
+        let conditions = Conditions::new(&scene).unwrap();
+        let (low, high) = conditions.position_box();
+        (WrenchConstraint::of(&scene, &conditions).unwrap().unwrap(), measures(&scene).unwrap(), low, high)
     });
     let (rule, measures, low, high) = &papers;
     let nearest = |p: &Point| low + ((p - low) / grid).map(f64::round) * grid;
@@ -267,7 +267,7 @@ fn slack_all_along_a_motion_is_enough_for_nine_cables_and_short_lengths_too() {
 }
 
 fn within(rng: &mut ChaCha8Rng, engine: &dyn Checker) -> Point {
-    let (low, high) = engine.constraints().position_box();
+    let (low, high) = engine.conditions().position_box();
     Point::from(Vector::from_fn(|axis, _| rng.random_range(low[axis]..=high[axis])))
 }
 

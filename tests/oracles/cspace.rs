@@ -21,7 +21,7 @@ fn engines(scene: &Scene) -> (CspaceEngine, GjkEngine) {
 fn assert_agree(name: &str, spec: SceneSpec) {
     let scene = Scene::new(spec).unwrap();
     let (cspace, gjk) = engines(&scene);
-    let space = TranslationSpace::of(gjk.constraints());
+    let space = TranslationSpace::of(gjk.conditions());
     let mut rng = rng(1);
     let (mut hits, mut free) = (0, 0);
     for _ in 0..4000 {
@@ -284,7 +284,7 @@ fn the_same_answers_without_simd() {
         let scene = cdpr_tests::scenes::scene(&mut rng, kind);
         let fast = CspaceEngine::new(&scene, Interference::Exact).unwrap();
         let portable = fast.clone().portable();
-        let space = TranslationSpace::of(fast.constraints());
+        let space = TranslationSpace::of(fast.conditions());
         for _ in 0..500 {
             let (Some(p), Some(q)) = (space.sample(&mut rng), space.sample(&mut rng)) else { break };
             let q = p + (q - p) * 10f64.powf(uniform(&mut rng, -6.0, 0.0));
@@ -314,7 +314,7 @@ fn recompiling_after_a_change_gives_what_compiling_gives() {
         for clearance in [0.0, 0.02] {
             let after = scene(SceneSpec { clearance: Some(clearance), ..paper_scene("posts", obstacles.clone()) });
             let (again, fresh) = (before.recompiled(&after).unwrap(), engines(&after).0);
-            let space = TranslationSpace::of(fresh.constraints());
+            let space = TranslationSpace::of(fresh.conditions());
             for _ in 0..2000 {
                 let (p, q) = (space.sample(&mut rng).unwrap(), space.sample(&mut rng).unwrap());
                 let q = p + (q - p) * 0.2;
@@ -359,6 +359,80 @@ fn a_margin_is_the_depth_of_the_deepest_state() {
 }
 
 #[test]
+fn a_motion_is_free_up_to_its_first_contact() {
+    let mut rng = rng(15);
+    let (mut contacts, mut free, mut seams) = (0, 0, 0);
+    for k in 0..300 {
+        let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
+        let kind = Kind { clearance, special: k % 2 == 0, ..Kind::default() };
+        let scene = cdpr_tests::scenes::scene(&mut rng, kind);
+        let rule = if k % 4 == 0 { Interference::Swept } else { Interference::Exact };
+        let engines: [Box<dyn Checker>; 2] =
+            [Box::new(CspaceEngine::new(&scene, rule).unwrap()), Box::new(GjkEngine::new(&scene, rule).unwrap())];
+        for _ in 0..4 {
+            let p = Point::from(cdpr_tests::vector(&mut rng, 2.0));
+            let q = p + direction(&mut rng) * uniform(&mut rng, 0.1, 2.0);
+            for engine in &engines {
+                let violations = engine.violations(&p, &q);
+                let Some((t, index)) = engine.first_contact(&p, &q) else {
+                    free += 1;
+                    assert!(violations.is_empty() && engine.motion_valid(&p, &q));
+                    continue;
+                };
+                let until = |t: f64| p + (q - p) * t;
+                assert!(t == 0.0 || engine.motion_valid(&p, &until(t - 1e-6)), "{t}");
+                assert!(engine.breaks(index, &p, &until(t)) && !engine.motion_valid(&p, &until(t)));
+                let conditions = engine.conditions();
+                let condition = &conditions.list[index];
+                if condition.details().closes_seam(&conditions.bodies) {
+                    seams += 1; // the violation is reported of a part beside it, which is met later
+                    assert!(violations.iter().all(|violation| t <= violation.at));
+                    continue;
+                }
+                contacts += 1;
+                let found = (t, conditions.kind(condition), conditions.culprits(condition));
+                let first = violations.into_iter().next().unwrap();
+                assert_eq!(found, (first.at, first.kind, first.culprits));
+            }
+        }
+    }
+    assert!(contacts > 500 && free > 50, "{contacts} {free} {seams}");
+}
+
+#[test]
+fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
+    let mut rng = rng(16);
+    let mut inside = 0;
+    for k in 0..60 {
+        let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
+        let scene = cdpr_tests::scenes::scene(&mut rng, Kind { clearance, ..Kind::default() });
+        let (cspace, gjk) = engines(&scene);
+        let pieces = cspace.pieces(&Watch::NONE).unwrap();
+        let outer = cspace.polyhedra(&Watch::NONE).unwrap();
+        let certain = cspace.certain_polyhedra(&Watch::NONE).unwrap();
+        // What the fast engine has compiled is what the conditions give, except what reaches into no position.
+        let of_conditions = gjk.pieces(&Watch::NONE).unwrap();
+        assert!(pieces.iter().all(|piece| of_conditions.contains(piece)));
+        assert!(
+            pieces
+                .iter()
+                .all(|piece| outer.iter().any(|p| (p.condition, &p.half_spaces) == (piece.condition, &piece.outer)))
+        );
+        let space = TranslationSpace::of(gjk.conditions());
+        for _ in 0..300 {
+            let Some(p) = space.sample(&mut rng) else { break };
+            for polyhedron in &certain {
+                if polyhedron.half_spaces.iter().all(|plane| plane.height(&p) < 0.0) {
+                    inside += 1;
+                    assert!(gjk.breaks(polyhedron.condition, &p, &p));
+                }
+            }
+        }
+    }
+    assert!(inside > 1000, "{inside}");
+}
+
+#[test]
 fn both_engines_plan_the_same_path() {
     for scene in [hard1(), hard3()] {
         for seed in 0..10 {
@@ -375,7 +449,7 @@ fn both_engines_plan_the_same_path() {
 #[test]
 fn a_million_checks_allocate_nothing() {
     let engine = engines(&hard3()).0;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let mut rng = rng(13);
     let places: Vec<Point> = (0..1001).map(|_| space.sample(&mut rng).unwrap()).collect();
     let mut free = 0;

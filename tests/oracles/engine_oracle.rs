@@ -49,7 +49,7 @@ fn a_motion_is_as_near_as_its_nearest_state_and_kept_to_the_demand() {
         let diameter = [0.0, 0.01][case % 2];
         let scene = scene(&mut rng, Kind { clearance, diameter, ..Kind::default() });
         let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-        let exempt = !engine.constraints().exempt.is_empty();
+        let exempt = !engine.conditions().exempt.is_empty();
         for _ in 0..4 {
             let p = Point::from(vector(&mut rng, 2.5));
             let q = p + direction(&mut rng) * 10f64.powf(uniform(&mut rng, -3.0, 0.0));

@@ -29,7 +29,7 @@ struct Engines {
 impl Engines {
     fn of(scene: &Scene, interference: Interference) -> Self {
         let gjk = GjkEngine::new(scene, interference).unwrap();
-        let space = TranslationSpace::of(gjk.constraints());
+        let space = TranslationSpace::of(gjk.conditions());
         Engines { cspace: CspaceEngine::new(scene, interference).unwrap(), gjk, space }
     }
 

@@ -230,7 +230,7 @@ fn what_is_measured_does_not_depend_on_what_is_demanded() {
             engine_for(&scene, Engine::Gjk, Interference::Exact).unwrap()
         };
         let engines = [0.0, 0.05, 0.4, 3.0].map(with);
-        exempt += engines.iter().filter(|engine| !engine.constraints().exempt.is_empty()).count();
+        exempt += engines.iter().filter(|engine| !engine.conditions().exempt.is_empty()).count();
         for _ in 0..10 {
             let p = Point::from(vector(&mut rng, 2.0));
             let q = p + direction(&mut rng) * uniform(&mut rng, 0.0, 0.5);

@@ -9,8 +9,8 @@ use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::{
-    AvailableSet, Balance, CapacityMargin, FeasibilityLp, LargestScale, Limit, Loads, Required, ScaleLp, Statics,
-    capacity_limit, force_limit, force_set, moment_limit, moment_set,
+    AvailableSet, Balance, BindingFacet, CapacityMargin, FeasibilityLp, LargestScale, Loads, Required, ScaleLp,
+    Statics, capacity_limit, force_limit, force_set, moment_limit, moment_set,
 };
 use cdpr_tests::{built_robot, direction, rng, rotation, uniform, vector};
 use nalgebra::{Matrix6xX, SVector, Vector3, Vector6};
@@ -93,7 +93,7 @@ impl Pose {
         self.counted(self.statics.balance())
     }
 
-    fn limit(&self, required: &Required) -> Limit<6> {
+    fn limit(&self, required: &Required) -> BindingFacet<6> {
         capacity_limit(&self.statics, required, &self.position).unwrap()
     }
 
@@ -261,7 +261,7 @@ fn margins_and_programs_agree_on_every_pose() {
     let (mut lp, mut tally) = (FeasibilityLp::new(), Tally::default());
     poses(1, 12_000 * effort(), |_, pose| {
         let required = Required::default();
-        let Limit { margin, normal } = pose.limit(&required);
+        let BindingFacet { margin, normal } = pose.limit(&required);
         let fast = CapacityMargin::new(pose.statics.clone(), required.clone()).unwrap().at(&pose.position);
         assert!((fast - margin).abs() <= 100.0 * pose.rounding(), "{fast} by the kernel, {margin}: {}", pose.told());
         // The plane that is told has that slack.
@@ -324,7 +324,7 @@ fn farthest(pose: &Pose, c: &Vector6<f64>) -> Vector6<f64> {
 fn a_facet_is_where_the_set_ends() {
     let (mut lp, mut inside) = (FeasibilityLp::new(), 0);
     poses(3, 2_000 * effort(), |_, pose| {
-        let Limit { normal, .. } = pose.limit(&Required::default());
+        let BindingFacet { normal, .. } = pose.limit(&Required::default());
         if normal.norm() < 0.5 {
             return; // no facet at all
         }
@@ -344,7 +344,7 @@ fn a_positive_margin_is_the_least_slack_over_all_directions() {
     poses(4, 4_000 * effort(), |rng, pose| {
         let ball = if pose.statics.point_mass() { 0.0 } else { 0.01 * pose.scale() };
         let required = Required::balls(uniform(rng, 0.0, 0.05) * pose.scale(), uniform(rng, 0.0, ball)).unwrap();
-        let Limit { margin, normal } = pose.limit(&required);
+        let BindingFacet { margin, normal } = pose.limit(&required);
         if margin <= 0.0 {
             return;
         }
@@ -390,7 +390,7 @@ fn a_polytope_is_available_iff_its_corners_are() {
         let corners = some_polytope(rng, &pose, around);
         let (matrix, limits, centre) = (pose.matrix(), pose.limits(), pose.required_centre());
         let measured: Vec<_> = corners.iter().map(|w| pose.measured(w)).collect();
-        let Limit { margin, normal } = pose.limit(&Required::Polytope(corners.clone()));
+        let BindingFacet { margin, normal } = pose.limit(&Required::Polytope(corners.clone()));
         let by_plane = pose.slack(&normal, &Required::Polytope(corners));
         assert!((by_plane - margin).abs() <= pose.rounding() || normal.norm() < 0.5, "{by_plane} for {margin}");
         let clear = CLEAR * pose.scale();
@@ -423,7 +423,7 @@ fn balls_are_available_iff_all_their_wrenches_are() {
         let arm = pose.robot.cables().iter().map(|c| c.attachment.coords.norm()).fold(0.0, f64::max);
         let (force, moment) = (size, if pose.statics.point_mass() { 0.0 } else { size * 0.3 * arm });
         let required = Required::balls(force, moment).unwrap();
-        let Limit { margin, normal } = pose.limit(&required);
+        let BindingFacet { margin, normal } = pose.limit(&required);
         let fast = CapacityMargin::new(pose.statics.clone(), required).unwrap().at(&pose.position);
         assert!((fast - margin).abs() <= 100.0 * pose.rounding(), "{fast} by the kernel, {margin}: {}", pose.told());
         let (matrix, limits, centre) = (pose.matrix(), pose.limits(), pose.required_centre());
@@ -469,7 +469,7 @@ fn distance_to(mesh: &TriangleMesh, point: &Vector3<f64>) -> f64 {
 fn forces_and_moments_alone_agree_with_programs() {
     let (mut lp, mut forces, mut moments) = (FeasibilityLp::new(), Tally::default(), Tally::default());
     poses(7, 4_000 * effort(), |rng, pose| {
-        let mut check = |tally: &mut Tally, limit: Limit<3>, set: AvailableSet, first: usize, factor: f64| {
+        let mut check = |tally: &mut Tally, limit: BindingFacet<3>, set: AvailableSet, first: usize, factor: f64| {
             let part = |w: &Vector6<f64>| Vector3::from(w.fixed_rows::<3>(first)) * factor;
             let columns: Vec<_> = pose.columns.iter().map(part).collect();
             let (limits, centre) = (pose.limits(), part(pose.statics.balance()));

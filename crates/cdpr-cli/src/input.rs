@@ -112,7 +112,7 @@ fn stream_of(path: &Path) -> Result<Option<Stream<'_>>, Error> {
     if !OPENED_BY_SHELL.iter().any(|folder| path.starts_with(folder)) {
         return Ok(None);
     }
-    let file = File::open(path).map_err(|e| Error::file(path, format!("cannot be read: {e}")))?;
+    let file = File::open(path).map_err(|e| Error::system(path, "cannot be read", e))?;
     Ok(Some(Stream { name: path, bytes: Box::new(file) }))
 }
 

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
-use cdpr_core::collision::Constraints;
+use cdpr_core::collision::Conditions;
 use cdpr_core::error::printable;
 use cdpr_core::geometry::Point;
 use cdpr_core::{Error, Scene};
@@ -104,13 +104,13 @@ impl Console {
     }
 
     /// Prints remarks about a scene, except those about pairs exempt from a clearance.
-    pub fn notes(&self, constraints: &Constraints) {
-        constraints.notes.iter().for_each(|note| self.note(note));
+    pub fn notes(&self, conditions: &Conditions) {
+        conditions.notes.iter().for_each(|note| self.note(note));
     }
 
     /// Prints all remarks about a scene, for commands whose result does not list exempt pairs.
-    pub fn remarks(&self, constraints: &Constraints) {
-        constraints.remarks().iter().for_each(|note| self.note(note));
+    pub fn remarks(&self, conditions: &Conditions) {
+        conditions.remarks().iter().for_each(|note| self.note(note));
     }
 
     /// Prints an error, even with `--quiet`.

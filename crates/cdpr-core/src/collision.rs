@@ -1,25 +1,22 @@
-//! What a motion must satisfy, and the engines that answer whether it does.
+//! Whether a motion keeps all conditions, and if not, which it breaks, where and by how much.
 //!
-//! [`constraint`] lists, for a scene at fixed orientation, who must keep away from whom and how (the conditions of
-//! sections 3.1 and 3.2 of the paper). An engine answers them; planners know only the trait [`Validity`].
+//! [`crate::conditions`] lists, for a scene at fixed orientation, who must keep away from whom and how. An engine checks
+//! motions against that list; planners know only the trait [`Validity`].
 
+mod along;
 pub mod batch;
-pub mod cable_cable;
-pub mod constraint;
+pub mod clearance;
 pub mod cspace;
-pub mod exempt;
 mod explain;
-pub mod forbidden;
 pub mod gjk_engine;
 pub mod path_check;
 pub mod validity;
+pub mod violation;
 
-pub use constraint::{Constraint, Constraints, Demand};
+pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
+pub use clearance::{Clearance, tightest};
 pub use cspace::CspaceEngine;
-pub use exempt::{Exemption, Reason};
-pub use explain::tightest;
 pub use gjk_engine::GjkEngine;
 pub use path_check::{PathReport, check_path};
-pub use validity::{
-    Checker, Clearance, Engine, Interference, Kind, Piece, Polyhedra, Validity, Violation, WrenchLimit,
-};
+pub use validity::{Checker, Engine, Validity};
+pub use violation::{Violation, WrenchLimit};

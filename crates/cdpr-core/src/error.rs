@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 pub struct Error {
     kind: Kind,
     file: Option<PathBuf>,
+    source: Option<Box<dyn std::error::Error + Send + Sync>>,
 }
 
 #[derive(Debug)]
@@ -43,30 +44,40 @@ pub enum ErrorClass {
 }
 
 impl Error {
+    fn of(kind: Kind) -> Self {
+        Self { kind, file: None, source: None }
+    }
+
     /// Bad input at `place` (a key path); `problem` states what was found and what is expected.
     pub fn invalid(place: impl Into<String>, problem: impl Into<String>) -> Self {
         let (place, problem) = (place.into(), problem.into());
-        Self { kind: Kind::Invalid { place, problem }, file: None }
+        Self::of(Kind::Invalid { place, problem })
     }
 
     /// A file that cannot be read or written.
     pub fn file(path: &Path, problem: impl Into<String>) -> Self {
-        Self { kind: Kind::File { problem: problem.into() }, file: Some(path.to_path_buf()) }
+        Self { file: Some(path.to_path_buf()), ..Self::of(Kind::File { problem: problem.into() }) }
+    }
+
+    /// A file that the system refuses to read or write: `what` fails ("cannot be read"), and `cause` says why.
+    pub fn system(path: &Path, what: &str, cause: std::io::Error) -> Self {
+        let error = Self::file(path, format!("{what}: {cause}"));
+        Self { source: Some(Box::new(cause)), ..error }
     }
 
     /// The caller asked to stop.
     pub fn interrupted() -> Self {
-        Self { kind: Kind::Interrupted, file: None }
+        Self::of(Kind::Interrupted)
     }
 
     /// The time budget ran out before there was a result.
     pub fn out_of_time() -> Self {
-        Self { kind: Kind::OutOfTime, file: None }
+        Self::of(Kind::OutOfTime)
     }
 
     /// The program itself failed.
     pub fn internal(problem: impl Into<String>) -> Self {
-        Self { kind: Kind::Internal { problem: problem.into() }, file: None }
+        Self::of(Kind::Internal { problem: problem.into() })
     }
 
     /// Adds the name of the file with the bad input; keeps a file name that is already there.
@@ -77,7 +88,7 @@ impl Error {
 
     /// Adds hints to the message for bad input.
     pub fn with_hints(mut self, hints: &[String]) -> Self {
-        if let Kind::Invalid { problem, .. } = &mut self.kind {
+        if let Kind::Invalid { problem, .. } | Kind::File { problem } = &mut self.kind {
             hints.iter().for_each(|hint| *problem += &format!("; {hint}"));
         }
         self
@@ -125,7 +136,11 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {}
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.source.as_deref().map(|source| source as _)
+    }
+}
 
 /// Runs work and converts a panic in it to an error. Values that the work was modifying must not be used afterwards.
 ///
@@ -202,6 +217,15 @@ mod tests {
         assert_eq!(error.to_string(), "robot.cables[3].outlet: found NaN");
         let error = error.in_file(Path::new("a.toml")).in_file(Path::new("b.toml"));
         assert_eq!(error.to_string(), "a.toml: robot.cables[3].outlet: found NaN");
+    }
+
+    #[test]
+    fn a_refusal_of_the_system_is_the_source() {
+        let refused = std::fs::File::open("no/such/file").unwrap_err();
+        let error = Error::system(Path::new("no/such/file"), "cannot be read", refused);
+        assert!(error.to_string().starts_with("no/such/file: cannot be read: "));
+        let source = std::error::Error::source(&error).and_then(|source| source.downcast_ref::<std::io::Error>());
+        assert_eq!(source.map(std::io::Error::kind), Some(std::io::ErrorKind::NotFound));
     }
 
     #[test]

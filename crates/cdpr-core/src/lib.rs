@@ -6,12 +6,13 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
 //! [`regions`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all, [`testing`] by examples and tests. Nothing here
 //! opens a file: scenes and paths are read and written by the crate `cdpr-files`.
 
 pub mod choice;
 pub mod collision;
+pub mod conditions;
 pub mod decomposition;
 pub mod error;
 pub mod fingerprint;

@@ -17,9 +17,9 @@ use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::{
-    Guide, Milestone, Outcome, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
+    Milestone, Outcome, PathOptimizer, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
 };
-use crate::postprocess::{Direction, Order, RewindOptions, Taut, Trace, rewind, rewind_traced};
+use crate::postprocess::{Direction, Order, RewindOptions, StringPuller, Trace, rewind, rewind_traced};
 use crate::watch::{Interrupt, Watch};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
@@ -37,7 +37,7 @@ pub enum Post {
     /// Rewind forward, then backward.
     Forward,
     /// String pulling: a locally shortest path.
-    Taut,
+    StringPulling,
     /// Nothing.
     None,
 }
@@ -46,7 +46,7 @@ choices!(Post, "post", [
     Both = "both": "Rewind in both orders and keep the shorter result (the paper)",
     Backward = "backward": "Rewind backward, then forward",
     Forward = "forward": "Rewind forward, then backward",
-    Taut = "taut": "String pulling: a locally shortest path around the exact forbidden regions",
+    StringPulling = "taut": "String pulling: a locally shortest path around the exact forbidden regions",
     None = "none": "Leave the planner's path as it is",
 ]);
 
@@ -55,7 +55,7 @@ impl Post {
     pub fn of(planner: Planner) -> Self {
         match planner {
             Planner::Anytime => Post::None,
-            Planner::TwoTrees | Planner::RrtConnect => Post::Taut,
+            Planner::TwoTrees | Planner::RrtConnect => Post::StringPulling,
             Planner::ModifiedRrt | Planner::Rrt | Planner::RrtStar => Post::Both,
         }
     }
@@ -70,7 +70,7 @@ impl Post {
             Post::Both => rewind(Order::Both),
             Post::Backward => rewind(Order::Backward),
             Post::Forward => rewind(Order::Forward),
-            Post::Taut => Ok(Processing::Taut),
+            Post::StringPulling => Ok(Processing::StringPulling),
             Post::None => Ok(Processing::None),
         }
     }
@@ -83,8 +83,8 @@ pub enum Processing {
     None,
     /// Algorithms 4 and 5 of the paper.
     Rewind(RewindOptions),
-    /// [`crate::postprocess::taut`].
-    Taut,
+    /// [`crate::postprocess::string_pulling`].
+    StringPulling,
 }
 
 impl Processing {
@@ -93,9 +93,9 @@ impl Processing {
         match self {
             Processing::None => Ok(waypoints.to_vec()),
             Processing::Rewind(options) => {
-                rewind(&TranslationSpace::of(engine.constraints()), engine, waypoints, options, watch)
+                rewind(&TranslationSpace::of(engine.conditions()), engine, waypoints, options, watch)
             }
-            Processing::Taut => Taut::new(engine).polished(waypoints, watch),
+            Processing::StringPulling => StringPuller::new(engine).polished(waypoints, watch),
         }
     }
 }
@@ -202,7 +202,7 @@ const APPRAISAL_GRACE: Duration = Duration::from_millis(12);
 /// The engine for a scene: checks its geometry and, if required, wrench feasibility.
 ///
 /// # Errors
-/// As [`crate::collision::Constraints::new`] and [`WrenchConstraint::of`].
+/// As [`crate::collision::Conditions::new`] and [`WrenchConstraint::of`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
     engine_within(scene, engine, interference, &Watch::NONE)
 }
@@ -221,7 +221,7 @@ pub fn engine_within(
         Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
         Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
     };
-    Ok(match WrenchConstraint::of(scene, geometry.constraints())? {
+    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
         Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
         None => geometry,
     })
@@ -270,7 +270,7 @@ pub fn appraise(
     bounded: bool,
     watch: &Watch,
 ) -> Result<Appraisal, Error> {
-    let unmeasured = || Nearest::unmeasured(engine.constraints());
+    let unmeasured = || Nearest::unmeasured(engine.conditions());
     let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else {
         return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
     };
@@ -283,7 +283,7 @@ pub fn appraise(
         _ => lower_bound(engine, start, goal, &watch).map(Some),
     };
     Ok(Appraisal {
-        nearest: unless_stopped(nearest(engine.constraints(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
+        nearest: unless_stopped(nearest(engine.conditions(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
         wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
         lower_bound: unless_stopped(lower_bound)?,
     })
@@ -370,10 +370,10 @@ fn search(
             return Ok(PlanResult::unsolved(status, engine.explain(&state, &state), Stats::default()));
         }
     }
-    let problem = Problem { space: TranslationSpace::of(engine.constraints()), start, goal };
+    let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = options.planner.search(&problem, engine, &Taut::new(engine), improved, &mut rng, watch)?;
+    let outcome = options.planner.search(&problem, engine, &StringPuller::new(engine), improved, &mut rng, watch)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -402,7 +402,7 @@ fn search(
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
-    Taut::new(engine).lower_bound(start, goal, watch)
+    StringPuller::new(engine).lower_bound(start, goal, watch)
 }
 
 /// A result with its raw path processed anew, and every segment rechecked.
@@ -487,7 +487,7 @@ pub fn trace_rewinding(
     watch: &Watch,
 ) -> Result<Trace<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     rewind_traced(&space, engine, waypoints, step, direction, watch)
 }
 

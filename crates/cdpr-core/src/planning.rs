@@ -16,7 +16,7 @@ pub mod space;
 pub mod tree;
 pub mod two_trees;
 
-pub use anytime::{AnytimeOptions, Guide, Improved, anytime};
+pub use anytime::{AnytimeOptions, Improved, PathOptimizer, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
 pub use outcome::{Milestone, Outcome, Status};

@@ -1,9 +1,9 @@
 //! Shortening of waypoint paths.
 
 pub mod rewind;
-pub mod taut;
+pub mod string_pulling;
 pub mod trace;
 
 pub use rewind::{Direction, Order, RewindOptions, rewind, rewind_once};
-pub use taut::Taut;
+pub use string_pulling::StringPuller;
 pub use trace::{Trace, Try, rewind_traced};

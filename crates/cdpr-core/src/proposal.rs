@@ -66,7 +66,7 @@ pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]
 }
 
 fn valid_places(engine: &dyn Checker, interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
-    let space = TranslationSpace::of(engine.constraints());
+    let space = TranslationSpace::of(engine.conditions());
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let mut places = Vec::new();
     for _ in 0..DRAWN {

@@ -11,10 +11,9 @@
 use serde::Serialize;
 
 use crate::choices;
-use crate::collision::forbidden::forbidden;
-use crate::collision::{Constraint, Constraints, Kind};
+use crate::collision::{Conditions, Kind};
 use crate::error::{Error, nearest_name};
-use crate::geometry::{Aabb, TriangleMesh, Vector, convex_mesh, wedge_mesh};
+use crate::geometry::{Aabb, TriangleMesh, Vector};
 use crate::model::Scene;
 use crate::watch::Watch;
 
@@ -104,7 +103,7 @@ impl NamedMesh {
 ///
 /// # Errors
 /// All regions requested in the space of attachments, a name that is not in the scene, and the errors of
-/// [`Constraints::new`].
+/// [`Conditions::new`].
 ///
 /// # Example
 /// ```
@@ -124,22 +123,27 @@ pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error>
 /// As [`regions`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn regions_within(scene: &Scene, options: &RegionOptions, watch: &Watch) -> Result<Regions, Error> {
     let space = options.checked(scene)?;
-    let constraints = Constraints::within(scene, watch)?;
+    let conditions = Conditions::within(scene, watch)?;
     let within = match space {
         Space::Attachment => *scene.workspace(),
         Space::Position => {
-            let (min, max) = constraints.position_box();
+            let (min, max) = conditions.position_box();
             Aabb { min, max }
         }
     };
     let mut found = Regions { space, within, meshes: Vec::new() };
-    for constraint in &constraints.list {
+    for condition in &conditions.list {
         watch.check()?;
-        let (kind, culprits) = (constraints.kind(constraint), constraints.culprits(constraint));
-        if !options.wants(kind, &culprits) || closes_a_seam(scene, &constraints, constraint) {
+        let (details, bodies) = (condition.details(), &conditions.bodies);
+        let (kind, culprits) = (details.kind(), conditions.culprits(condition));
+        if !options.wants(kind, &culprits) || details.closes_seam(bodies) {
             continue;
         }
-        let pieces = pieces(&constraints, constraint, space, &within).ok_or_else(|| {
+        let by = match space {
+            Space::Attachment => details.attachment(bodies),
+            Space::Position => Vector::zeros(),
+        };
+        let pieces = details.surfaces(bodies, &by, &within).ok_or_else(|| {
             Error::invalid(culprits.join(" and "), "the hull of their differences is too close to degenerate")
         })?;
         pieces.iter().for_each(|piece| found.add(kind, &culprits, piece));
@@ -200,44 +204,4 @@ impl Regions {
 pub fn unused(name: &str, separator: char, in_use: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|k| format!("{name}{separator}{k}"));
     std::iter::once(name.to_string()).chain(numbered).find(|name| !in_use(name)).expect("names do not run out")
-}
-
-fn closes_a_seam(scene: &Scene, constraints: &Constraints, constraint: &Constraint) -> bool {
-    match constraint {
-        Constraint::CableObstacle { body, .. } | Constraint::PlatformObstacle { body, .. } => {
-            constraints.obstacles[*body].seam.is_some()
-        }
-        Constraint::CablePlatform { body, .. } => *body >= scene.robot().parts().len(),
-        _ => false,
-    }
-}
-
-/// The closed surfaces of the region that one constraint forbids; none if platform and obstacle have no hull.
-fn pieces(
-    constraints: &Constraints,
-    constraint: &Constraint,
-    space: Space,
-    within: &Aabb,
-) -> Option<Vec<TriangleMesh>> {
-    let arm = match constraint {
-        Constraint::CableCable(pair) => return Some(crossing_wedges(constraints, [pair.first, pair.second], within)),
-        Constraint::CableObstacle { cable, .. } if space == Space::Attachment => constraints.cables[*cable].arm,
-        _ => Vector::zeros(),
-    };
-    let found = forbidden(constraints, constraint, 0.0);
-    if found.is_none() && matches!(constraint, Constraint::PlatformObstacle { .. }) {
-        return None;
-    }
-    let placed = found.map(|f| f.half_spaces.iter().map(|h| h.moved(&arm)).collect::<Vec<_>>());
-    Some(placed.and_then(|half_spaces| convex_mesh(&half_spaces, within)).into_iter().collect())
-}
-
-/// Positions where two cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from
-/// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. The wedges have no area if w and q are parallel.
-fn crossing_wedges(constraints: &Constraints, [i, j]: [usize; 2], within: &Aabb) -> Vec<TriangleMesh> {
-    let (i, j) = (&constraints.cables[i], &constraints.cables[j]);
-    let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
-    let origin = i.outlet - i.arm;
-    let wedges = [(origin + w, [w, q]), (origin - q, [-w, -q])];
-    wedges.iter().filter_map(|(apex, sides)| wedge_mesh(apex, *sides, within)).collect()
 }

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::collision::{Checker, Constraint, Engine, Exemption, Interference, Violation};
+use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -77,8 +77,8 @@ const AT_A_TIME: usize = 32;
 /// As [`engine_within`].
 pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
     let engine = engine_within(scene, Engine::default(), Interference::Exact, watch)?;
-    let constraints = engine.constraints();
-    let space = TranslationSpace::of(constraints);
+    let conditions = engine.conditions();
+    let space = TranslationSpace::of(conditions);
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let positions: Vec<Point> = (0..SAMPLES).map_while(|_| space.sample(&mut rng)).collect();
     let share = |test: &(dyn Fn(&Point) -> bool + Sync)| {
@@ -116,8 +116,8 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         samples: positions.len(),
         start: at(scene.start()),
         goal: at(scene.goal()),
-        exempt: constraints.exempt.clone(),
-        notes: constraints.notes.clone(),
+        exempt: conditions.exempt.clone(),
+        notes: conditions.notes.clone(),
     })
 }
 
@@ -136,13 +136,13 @@ fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
 }
 
 fn always_crossing(engine: &dyn Checker) -> Vec<[String; 2]> {
-    let constraints = engine.constraints();
-    let name = |i: usize| constraints.cables[i].name.clone();
-    let pair = |c: &Constraint| match c {
-        Constraint::CableCable(pair) if pair.always_crossing() => Some([name(pair.first), name(pair.second)]),
+    let conditions = engine.conditions();
+    let name = |i: usize| conditions.bodies.cables[i].name.clone();
+    let pair = |c: &Condition| match c {
+        Condition::CableCable(pair) if pair.always_crossing() => Some([name(pair.first), name(pair.second)]),
         _ => None,
     };
-    constraints.list.iter().filter_map(pair).collect()
+    conditions.list.iter().filter_map(pair).collect()
 }
 
 fn outlets_on_obstacles(scene: &Scene) -> Vec<[String; 2]> {

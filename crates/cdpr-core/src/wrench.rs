@@ -31,7 +31,7 @@ pub use hold::{FreeMotion, Hold, Holding};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 pub use map::{MapOptions, MapSummary, WrenchMap};
 pub use map_identity::MapIdentity;
-pub use margins::{Limit, Required, capacity_limit, force_limit, moment_limit};
+pub use margins::{BindingFacet, Required, capacity_limit, force_limit, moment_limit};
 pub use measure::Measure;
 pub use set_mesh::{AvailableSet, force_set, moment_set};
 pub use statics::{Loads, StaticCable, Statics};

@@ -81,7 +81,7 @@ fn files(path: &Path, bodies: Option<&Path>) -> Result<(PathBuf, PathBuf), Error
 }
 
 fn only_cables_file(folder: &Path) -> Result<PathBuf, Error> {
-    let unreadable = |e| Error::file(folder, format!("cannot be read: {e}"));
+    let unreadable = |e| Error::system(folder, "cannot be read", e);
     let entries = std::fs::read_dir(folder).map_err(unreadable)?;
     let paths = entries.filter_map(|entry| entry.ok().map(|e| e.path()));
     let mut found: Vec<PathBuf> =

@@ -83,7 +83,7 @@ impl Loader<'_> {
 }
 
 fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {
-    let whole = std::path::absolute(mesh).map_err(|e| Error::file(mesh, format!("cannot be found: {e}")))?;
+    let whole = std::path::absolute(mesh).map_err(|e| Error::system(mesh, "cannot be found", e))?;
     let source = MeshSource::File(whole.to_string_lossy().into_owned());
     Ok(BodySpec { mesh: Some(source), units: Some(unit), ..BodySpec::default() })
 }

@@ -54,13 +54,14 @@ pub fn read(path: &Path) -> Result<String, Error> {
 }
 
 /// The error for a file that cannot be read; for a missing file, it suggests a similar name in the same folder.
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+fn unreadable(path: &Path, error: std::io::Error) -> Error {
     if let (std::io::ErrorKind::NotFound, Ok(end)) = (error.kind(), std::fs::read_link(path)) {
         return Error::file(path, format!("cannot be read: it is a link to {}, which does not exist", end.display()));
     }
     let near = (error.kind() == std::io::ErrorKind::NotFound).then(|| near_file(path)).flatten();
-    let hint = near.map(|name| format!("; did you mean {}?", path.with_file_name(name).display())).unwrap_or_default();
-    Error::file(path, format!("cannot be read: {error}{hint}"))
+    let near: Vec<String> =
+        near.map(|name| format!("did you mean {}?", path.with_file_name(name).display())).into_iter().collect();
+    Error::system(path, "cannot be read", error).with_hints(&near)
 }
 
 fn near_file(path: &Path) -> Option<String> {
@@ -92,7 +93,7 @@ pub(super) fn read_bytes_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Erro
 
 fn bytes_of(stream: impl Read, name: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
-    stream.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(name, &e))?;
+    stream.take(most + 1).read_to_end(&mut bytes).map_err(|e| unreadable(name, e))?;
     if bytes.len() as u64 > most {
         return Err(too_large(name, most));
     }
@@ -108,14 +109,14 @@ fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
 /// Opens a regular file. Anything else is rejected before it is opened: the program would wait for ever for a pipe
 /// without a writer or a terminal, and a device may have no end.
 pub(super) fn open(path: &Path) -> Result<File, Error> {
-    let kind = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?.file_type();
+    let kind = std::fs::metadata(path).map_err(|e| unreadable(path, e))?.file_type();
     if kind.is_dir() {
         return Err(Error::file(path, "is a folder, expected a file"));
     }
     if !kind.is_file() {
         return Err(Error::file(path, "is not a regular file (it is a pipe or a device), expected one"));
     }
-    File::open(path).map_err(|e| unreadable(path, &e))
+    File::open(path).map_err(|e| unreadable(path, e))
 }
 
 /// Opens a table that is read row by row; an absurdly large one is rejected, since a row may be as long as the file.
@@ -124,7 +125,7 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
 /// Not a regular file, a file that cannot be read, or one that is too large.
 pub fn open_table(path: &Path) -> Result<File, Error> {
     let file = open(path)?;
-    if file.metadata().map_err(|e| unreadable(path, &e))?.len() > MOST_TABLE_BYTES {
+    if file.metadata().map_err(|e| unreadable(path, e))?.len() > MOST_TABLE_BYTES {
         return Err(too_large(path, MOST_TABLE_BYTES));
     }
     Ok(file)

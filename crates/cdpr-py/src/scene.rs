@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
-use cdpr_core::collision::{Checker, Constraints, Engine, Interference, check_path};
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
@@ -115,7 +115,7 @@ impl Scene {
 
     /// What the user should know about the scene.
     fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        Ok(interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.remarks())
+        Ok(interruptible(py, |stop| Conditions::within(&self.0, &Watch::on(stop)))?.remarks())
     }
 
     /// Notes that need no warning, such as a mesh that is filled exactly.
@@ -182,7 +182,7 @@ impl Scene {
 
     /// Smallest and largest coordinates of the positions at which the platform is inside the workspace.
     fn position_box(&self, py: Python<'_>) -> PyResult<([f64; 3], [f64; 3])> {
-        let (min, max) = interruptible(py, |stop| Constraints::within(&self.0, &Watch::on(stop)))?.position_box();
+        let (min, max) = interruptible(py, |stop| Conditions::within(&self.0, &Watch::on(stop)))?.position_box();
         Ok((min.into(), max.into()))
     }
 

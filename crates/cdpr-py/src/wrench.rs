@@ -4,7 +4,7 @@ use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{self, Robot, RobotSpec};
 use cdpr_core::wrench::{
-    self, AvailableSet, CapacityMargin, Limit, Loads, Required, TensionQp, force_limit, moment_limit,
+    self, AvailableSet, BindingFacet, CapacityMargin, Loads, Required, TensionQp, force_limit, moment_limit,
 };
 use cdpr_core::{Error, kinematics};
 use cdpr_files::text::Notation;
@@ -184,7 +184,7 @@ impl Statics {
         py: Python<'py>,
         positions: &PyReadonlyArray2<'py, f64>,
         threads: Option<usize>,
-        limit: impl Fn(&wrench::Statics, &Point) -> Option<Limit<3>> + Sync,
+        limit: impl Fn(&wrench::Statics, &Point) -> Option<BindingFacet<3>> + Sync,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let statics = self.core()?;
         let rows = positions.as_slice()?;

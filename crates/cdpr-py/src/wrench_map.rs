@@ -1,7 +1,7 @@
 //! Maps of margins.
 
 use cdpr_core::Error;
-use cdpr_core::collision::Constraints;
+use cdpr_core::collision::Conditions;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::Aabb;
 use cdpr_core::watch::Watch;
@@ -36,7 +36,7 @@ impl Map {
         let required = answered(|| constraint::required_of(scene, force, moment))?;
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
-            let (min, max) = Constraints::within(scene, &Watch::on(interrupted))?.position_box();
+            let (min, max) = Conditions::within(scene, &Watch::on(interrupted))?.position_box();
             WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &BatchOptions { threads, interrupted })
         })
         .map(Map)

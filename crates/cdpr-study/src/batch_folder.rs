@@ -49,7 +49,7 @@ impl BatchFolder {
     }
 
     pub(super) fn with(path: &Path, mut run: RunFile, resume: bool) -> Result<Self, Error> {
-        fs::create_dir_all(path).map_err(|e| Error::file(path, format!("cannot be created: {e}")))?;
+        fs::create_dir_all(path).map_err(|e| Error::system(path, "cannot be created", e))?;
         match (!as_good_as_new(path)?, resume) {
             (true, false) => {
                 return Err(Error::file(
@@ -61,7 +61,7 @@ impl BatchFolder {
             (false, _) => {}
         }
         let rows = path.join(ROWS);
-        fs::create_dir_all(&rows).map_err(|e| Error::file(&rows, format!("cannot be created: {e}")))?;
+        fs::create_dir_all(&rows).map_err(|e| Error::system(&rows, "cannot be created", e))?;
         let lock = locked(path, &rows.join(LOCK))?;
         let mut folder = BatchFolder { path: path.to_path_buf(), run, done: Vec::new(), _lock: lock };
         folder.write_run_file()?;
@@ -104,7 +104,7 @@ impl BatchFolder {
     /// Truncates an incomplete trial at the end of a group's rows; returns the number of complete ones.
     fn recover(&self, group: usize) -> Result<usize, Error> {
         let path = self.path.join(ROWS).join(file_name(group));
-        let problem = |e: std::io::Error| Error::file(&path, format!("cannot be read: {e}"));
+        let problem = |e: std::io::Error| Error::system(&path, "cannot be read", e);
         if !path.exists() {
             return Ok(0); // no trial is done yet
         }
@@ -124,7 +124,7 @@ impl BatchFolder {
             }
         }
         let file = OpenOptions::new().write(true).open(&path).map_err(problem)?;
-        file.set_len(complete).map_err(|e| Error::file(&path, format!("cannot be written: {e}")))?;
+        file.set_len(complete).map_err(|e| Error::system(&path, "cannot be written", e))?;
         Ok(lines / variants)
     }
 
@@ -205,8 +205,8 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
 }
 
 fn copy_lines(from: &Path, to: &Path, count: usize) -> Result<(), Error> {
-    let unreadable = |e: std::io::Error| Error::file(from, format!("cannot be read: {e}"));
-    let unwritable = |e: std::io::Error| Error::file(to, format!("cannot be written: {e}"));
+    let unreadable = |e: std::io::Error| Error::system(from, "cannot be read", e);
+    let unwritable = |e: std::io::Error| Error::system(to, "cannot be written", e);
     let mut reader = BufReader::new(text::open_table(from)?);
     let mut writer = BufWriter::new(OpenOptions::new().append(true).create(true).open(to).map_err(unwritable)?);
     let mut line = Vec::new();
@@ -239,7 +239,7 @@ fn as_good_as_new(path: &Path) -> Result<bool, Error> {
 fn holds_only(folder: &Path, known: impl Fn(&OsStr) -> bool) -> Result<bool, Error> {
     let names =
         fs::read_dir(folder).and_then(|entries| entries.map(|e| Ok(e?.file_name())).collect::<Result<Vec<_>, _>>());
-    let names = names.map_err(|e| Error::file(folder, format!("cannot be read: {e}")))?;
+    let names = names.map_err(|e| Error::system(folder, "cannot be read", e))?;
     Ok(names.iter().all(|name| known(name)))
 }
 
@@ -262,7 +262,7 @@ fn same_run(path: &Path, wanted: &RunFile) -> Result<RunFile, Error> {
 
 /// Keeps other processes out: two processes that append to the same rows would corrupt them.
 fn locked(folder: &Path, path: &Path) -> Result<File, Error> {
-    let unwritable = |e: std::io::Error| Error::file(path, format!("cannot be written: {e}"));
+    let unwritable = |e: std::io::Error| Error::system(path, "cannot be written", e);
     let file = OpenOptions::new().write(true).create(true).truncate(false).open(path).map_err(unwritable)?;
     match file.try_lock() {
         Ok(()) => Ok(file),
@@ -287,5 +287,5 @@ fn append(path: &Path, rows: &[Row]) -> Result<(), Error> {
 fn write_at_end(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let opened = OpenOptions::new().append(true).create(true).open(path);
     let written = opened.and_then(|mut file| file.write_all(bytes));
-    written.map_err(|e| Error::file(path, format!("cannot be written: {e}")))
+    written.map_err(|e| Error::system(path, "cannot be written", e))
 }

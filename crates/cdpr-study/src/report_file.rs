@@ -57,7 +57,7 @@ fn costs(path: &Path) -> Result<Costs, Error> {
 /// # Errors
 /// A folder or file that cannot be written.
 pub fn save_plots(folder: &Path, plots: &[Plot]) -> Result<(), Error> {
-    fs::create_dir_all(folder).map_err(|e| Error::file(folder, format!("cannot be created: {e}")))?;
+    fs::create_dir_all(folder).map_err(|e| Error::system(folder, "cannot be created", e))?;
     for (k, plot) in plots.iter().enumerate() {
         let path = folder.join(format!("{:02}-{}", k + 1, slug(&plot.title)));
         write_atomically(&path.with_extension("svg"), plot.svg().as_bytes())?;

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::region;
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Clearance, Constraints, WrenchLimit, tightest};
+use cdpr_core::collision::{Clearance, Conditions, WrenchLimit, tightest};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::Scene;
@@ -58,7 +58,7 @@ struct Margins {
 /// The plots of a path; `None` for a path of length zero.
 ///
 /// # Errors
-/// As [`Constraints::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
+/// As [`Conditions::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = path_length(waypoints);
     if !(length > 0.0) {
@@ -66,7 +66,7 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     }
     let places = even_steps(waypoints, length / STEPS)?;
     let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
-    let constraints = Constraints::within(scene, watch)?;
+    let conditions = Conditions::within(scene, watch)?;
     let mut motion = Motion {
         s: places.iter().map(|place| place.s as f32).collect(),
         lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
@@ -79,7 +79,7 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
         margins: margins(scene, &positions, watch)?,
     };
     let tightest: Result<Vec<_>, Error> =
-        positions.par_iter().map(|position| watch.check().map(|()| tightest(&constraints, position))).collect();
+        positions.par_iter().map(|position| watch.check().map(|()| tightest(&conditions, position))).collect();
     for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
         let known = motion.pairs.iter().position(|pair| *pair == culprits);
         // A gap that is kept to within the tolerance of the engines must not look violated.
@@ -222,7 +222,7 @@ pub(super) struct Feasible {
 pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>, Error> {
     let measures = measures(scene)?;
     let Some(first) = measures.first() else { return Ok(None) };
-    let (min, max) = Constraints::within(scene, watch)?.position_box();
+    let (min, max) = Conditions::within(scene, watch)?.position_box();
     let longest = (max - min).max();
     let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
     let grid = Grid::over(&Aabb { min, max }, longest / steps)?;

@@ -18,7 +18,7 @@ pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, path) = input::scene_and_path(args, out)?;
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
     let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
-    out.notes(engine.constraints());
+    out.notes(engine.conditions());
     let found = check(&scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {

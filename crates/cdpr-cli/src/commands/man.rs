@@ -16,7 +16,7 @@ pub fn run(args: &ManArgs, out: &Console) -> Result<Answer, Error> {
         return Ok(Answer::Yes);
     };
     let _writing = crate::progress::writing();
-    std::fs::create_dir_all(folder).map_err(|e| Error::file(folder, format!("cannot be created: {e}")))?;
+    std::fs::create_dir_all(folder).map_err(|e| Error::system(folder, "cannot be created", e))?;
     let shown = |command: &&Command| !command.is_hide_set() && command.get_name() != "help";
     let commands: Vec<&Command> = std::iter::once(&program).chain(program.get_subcommands().filter(shown)).collect();
     for command in &commands {

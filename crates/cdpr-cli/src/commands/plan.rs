@@ -45,7 +45,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     let ends = query.ends().map_err(in_scene)?;
     let scene = turned.unwrap_or(scene);
-    engine.iter().for_each(|engine| out.notes(engine.constraints()));
+    engine.iter().for_each(|engine| out.notes(engine.conditions()));
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
     json["lower_bound"] = bound.into();
@@ -141,7 +141,7 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
     let (before, done) = match options.post() {
         Post::None => ("", ""),
-        Post::Taut => ("before string pulling, ", "string pulling"),
+        Post::StringPulling => ("before string pulling, ", "string pulling"),
         _ => ("before rewinding, ", "rewinding"),
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };

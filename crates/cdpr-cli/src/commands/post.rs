@@ -37,7 +37,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, path) = input::scene_and_path(given, out)?;
     let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))
         .map_err(|e| e.in_file(&given.scene.scene))?;
-    out.remarks(engine.constraints());
+    out.remarks(engine.conditions());
     let processing = args.options()?;
     let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
     let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;

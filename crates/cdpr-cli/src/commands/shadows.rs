@@ -1,6 +1,6 @@
 //! `cdpr shadows`
 
-use cdpr_core::collision::Constraints;
+use cdpr_core::collision::Conditions;
 use cdpr_core::regions::{NamedMesh, Regions, regions_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
@@ -20,7 +20,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let watch = Watch::on(&interrupted);
     let found = regions_within(&scene, &args.options(), &watch).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
-        out.remarks(&Constraints::new(&scene)?);
+        out.remarks(&Conditions::new(&scene)?);
     }
     if has_round_regions(&scene) {
         out.note(

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cdpr_core::collision::Constraints;
+use cdpr_core::collision::Conditions;
 use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::MarginSpec;
@@ -205,7 +205,7 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     let (statics, required) = asked(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
     cdpr_files::MapFormat::of(output)?;
-    let (min, max) = Constraints::within(scene, &Watch::on(&interrupted))?.position_box();
+    let (min, max) = Conditions::within(scene, &Watch::on(&interrupted))?.position_box();
     if (min - max).max() > 0.0 {
         return Err(Error::invalid(
             "workspace",

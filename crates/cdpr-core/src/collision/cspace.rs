@@ -1,38 +1,35 @@
 //! The exact fast engine: a scene compiled to convex polyhedra in the space of positions.
 //!
-//! At fixed orientation a motion is a straight segment p(t) of positions, and what a constraint forbids is a convex
-//! polyhedron of positions (`region`). A motion is valid when its segment, clipped against the planes (`clip`), misses
-//! them all; a `grid` over the positions says which ones it can meet. Each polyhedron comes as a pair, one that certainly
-//! holds the forbidden set and one that is certainly inside of it; only between the two, in contact, at the rounded edges of
-//! a clearance and at the crossing of two cables, the gjk engine is asked. So the answers are those of the gjk engine, at
+//! At fixed orientation a motion is a straight segment p(t) of positions, and what a condition forbids is a convex
+//! polyhedron of positions ([`crate::conditions::region`]). A motion is valid when its segment, clipped against the planes
+//! (`clip`), misses them all; a `grid` over the positions lists those that it can meet. Each polyhedron is a pair: one
+//! certainly holds the forbidden set, the other is certainly inside of it. Only between the two (in contact, at the rounded
+//! edges of a clearance, where two cables cross) does the gjk engine decide. So the answers are those of the gjk engine, for
 //! the price of a few multiplications.
 
-mod clip;
 mod grid;
-mod region;
+mod segment_clip;
 
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use rayon::prelude::*;
-
-use super::constraint::{Constraint, Constraints};
+use super::clearance::{self, Clearance};
 use super::explain;
-use super::forbidden::{Fattened, rounded_with};
 use super::gjk_engine::GjkEngine;
-use super::validity::{Checker, Clearance, Interference, Piece, Polyhedra, Validity, Violation};
+use super::validity::{Checker, Validity};
+use super::violation::Violation;
+use crate::conditions::{Condition, Conditions, Fattened, Inner, Interference, Piece, Polyhedron, Region, Scale};
 use crate::error::Error;
-use crate::geometry::{HalfSpace, Point, Vector};
+use crate::geometry::{Point, Vector};
 use crate::model::Scene;
 use crate::numerics::TOUCH_DEPTH;
 use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task};
 use crate::watch::Watch;
-use clip::{CoarsePlace, Planes, Segment, not_outside};
 use grid::{Cells, FULL, Lists, Reached};
-use region::{Inner, Region, Scale, regions};
+use segment_clip::{CoarsePlace, Planes, Segment, not_outside};
 
-/// Answers the constraints of a scene at its orientation by clipping segments in the space of positions.
+/// Checks the conditions of a scene at its orientation by clipping segments in the space of positions.
 ///
 /// # Example
 /// ```
@@ -47,14 +44,16 @@ use region::{Inner, Region, Scale, regions};
 pub struct CspaceEngine {
     reference: GjkEngine,
     scale: Scale,
-    /// What was compiled from each constraint, kept for [`CspaceEngine::recompiled`].
+    /// What was compiled from each condition, kept for [`CspaceEngine::recompiled`].
     compiled: Vec<Arc<[Compiled]>>,
     /// Planes of the outer polyhedron of each region, by themselves to stay in the cache.
     outer: Vec<Range<u32>>,
     /// The rest of each region.
     heads: Vec<Head>,
-    /// The regions of each constraint.
+    /// The regions of each condition.
     regions_of: Vec<Range<usize>>,
+    /// The conditions that motions can break outside of all regions.
+    beyond_regions: Vec<usize>,
     planes: Planes,
     cells: Cells,
     lists: Lists,
@@ -73,10 +72,11 @@ struct Compiled {
     reached: Vec<Reached>,
 }
 
-/// What is asked of a region that its outer polyhedron does not settle.
+/// What decides about a motion that meets the outer polyhedron of a region.
 #[derive(Debug, Clone)]
 struct Head {
-    constraint: usize,
+    /// Index of its condition.
+    condition: usize,
     /// Planes of the inner polyhedron.
     inner: Range<u32>,
     /// How far the planes of `inner` are moved outward, m; none if there is no inner polyhedron.
@@ -87,7 +87,7 @@ impl CspaceEngine {
     /// The engine for a scene.
     ///
     /// # Errors
-    /// As [`Constraints::new`].
+    /// As [`Conditions::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
         Self::within(scene, interference, &Watch::NONE)
     }
@@ -95,7 +95,7 @@ impl CspaceEngine {
     /// As [`CspaceEngine::new`], within a watch.
     ///
     /// # Errors
-    /// As [`Constraints::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    /// As [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let reference = GjkEngine::within(scene, interference, watch)?;
         Self::compile(reference, |_| None, watch)
@@ -104,51 +104,46 @@ impl CspaceEngine {
     /// The engine for a scene that differs little from the one of this engine: what did not change is not compiled again.
     ///
     /// # Errors
-    /// As [`Constraints::new`].
+    /// As [`Conditions::new`].
     pub fn recompiled(&self, scene: &Scene) -> Result<Self, Error> {
         let reference = GjkEngine::new(scene, self.reference.interference())?;
-        let (old, new) = (self.reference.constraints(), reference.constraints());
-        let scale = Scale::of(new);
-        let same_frame = old.cables == new.cables
-            && old.platform == new.platform
+        let (old, new) = (self.reference.conditions(), reference.conditions());
+        let scale = new.scale();
+        let same_frame = old.bodies.cables == new.bodies.cables
+            && old.bodies.platform == new.bodies.platform
             && scale == self.scale
             && self.cells == cells_for(new);
         let unchanged = if same_frame { unchanged(old, new) } else { vec![None; new.list.len()] };
         Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone()), &Watch::NONE)
     }
 
-    /// Compiles all constraints, but for those that `known` gives.
+    /// Compiles all conditions, except those that `known` gives.
     fn compile(
         reference: GjkEngine,
         known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let constraints = reference.constraints();
-        let (scale, cells, fat) = (Scale::of(constraints), cells_for(constraints), Fattened::of(constraints));
-        let compile = |index: usize| {
-            watch.check()?;
-            Ok(known(index).unwrap_or_else(|| compiled(constraints, index, &scale, &cells, &fat).into()))
-        };
-        let indices = 0..constraints.list.len();
-        let compiled: Vec<Arc<[Compiled]>> = if indices.len() >= IN_PARALLEL {
-            indices.into_par_iter().map(compile).collect::<Result<_, Error>>()?
-        } else {
-            indices.map(compile).collect::<Result<_, Error>>()?
-        };
+        let conditions = reference.conditions();
+        let (scale, cells, fat) = (conditions.scale(), cells_for(conditions), conditions.fattened());
+        let compiled: Vec<Arc<[Compiled]>> = conditions.map(watch, |index| {
+            known(index).unwrap_or_else(|| compiled(conditions, index, &scale, &cells, &fat).into())
+        })?;
         let mut planes = Planes::default();
         let (mut outer, mut heads, mut regions_of) = (Vec::new(), Vec::new(), Vec::new());
-        for (constraint, pieces) in compiled.iter().enumerate() {
+        for (condition, pieces) in compiled.iter().enumerate() {
             let first = heads.len();
             for piece in pieces.iter() {
                 let range = planes.add(piece.region.outer.as_deref().unwrap_or_default());
-                heads.push(head(constraint, &piece.region, &range, &mut planes));
+                heads.push(head(condition, &piece.region, &range, &mut planes));
                 outer.push(range);
             }
             regions_of.push(first..heads.len());
         }
         let pieces = compiled.iter().flat_map(|pieces| pieces.iter());
         let lists = Lists::new(&cells, pieces.map(|piece| (&piece.region, piece.reached.as_slice())), watch)?;
-        let (min, max) = constraints.position_box();
+        let exceeds = |index: &usize| conditions.list[*index].details().exceeds_regions(reference.interference());
+        let beyond_regions = (0..conditions.list.len()).filter(exceeds).collect();
+        let (min, max) = conditions.position_box();
         let touch = Vector::repeat(TOUCH_DEPTH);
         Ok(CspaceEngine {
             low: min - touch,
@@ -161,6 +156,7 @@ impl CspaceEngine {
             outer,
             heads,
             regions_of,
+            beyond_regions,
             planes,
             cells,
             lists,
@@ -173,7 +169,7 @@ impl CspaceEngine {
         self
     }
 
-    /// Bytes that the compiled scene takes, the constraints themselves not counted.
+    /// Bytes that the compiled scene takes, without the conditions themselves.
     pub fn bytes(&self) -> usize {
         let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter());
         let kept = pieces.map(|p| size_of::<Compiled>() + p.reached.len() * size_of::<Reached>() + p.region.bytes());
@@ -183,20 +179,25 @@ impl CspaceEngine {
             + kept.sum::<usize>()
     }
 
+    /// The regions of one condition.
+    fn regions(&self, index: usize) -> impl Iterator<Item = &Region> + Clone {
+        self.compiled[index].iter().map(|compiled| &compiled.region)
+    }
+
     #[inline(always)]
     fn inside(&self, p: &Point) -> bool {
         let (low, high) = (&self.low, &self.high);
         (p.x >= low.x) & (p.y >= low.y) & (p.z >= low.z) & (p.x <= high.x) & (p.y <= high.y) & (p.z <= high.z)
     }
 
-    /// Whether a region says no to a motion.
+    /// Whether a motion breaks a condition by way of a region.
     #[inline(always)]
     fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
         let outer = self.planes.of(&self.outer[region]);
         if !segment.meets(outer, 0.0) {
             return false;
         }
-        self.certainly_refuses(region, segment) || self.reference_refuses(self.heads[region].constraint, from, to)
+        self.certainly_refuses(region, segment) || self.reference_refuses(self.heads[region].condition, from, to)
     }
 
     /// Whether a motion passes the inner polyhedron of a region.
@@ -208,11 +209,11 @@ impl CspaceEngine {
 
     #[cold]
     #[inline(never)]
-    fn reference_refuses(&self, constraint: usize, from: &Point, to: &Point) -> bool {
-        self.reference.breaks(constraint, from, to)
+    fn reference_refuses(&self, condition: usize, from: &Point, to: &Point) -> bool {
+        self.reference.breaks(condition, from, to)
     }
 
-    /// Whether any region says no to a motion inside the box of positions.
+    /// Whether a motion inside the box of positions breaks a condition by way of any region.
     #[inline(always)]
     fn refused<L: Lanes>(&self, lanes: L, from: &Point, to: &Point) -> bool {
         let segment = Segment::new(lanes, from, to);
@@ -260,21 +261,15 @@ impl CspaceEngine {
         None
     }
 
-    /// Whether the triangles swept by two cables meet, where the rule asks for that.
-    fn sweeps_meet(&self, from: &Point, to: &Point) -> bool {
-        let constraints = self.reference.constraints();
-        self.reference.interference() == Interference::Swept
-            && constraints.list.iter().enumerate().any(|(index, constraint)| match constraint {
-                Constraint::CableCable(pair) => {
-                    !pair.sweeps_apart(from, to, pair.gap.max(2.0 * TOUCH_DEPTH))
-                        && self.reference_refuses(index, from, to)
-                }
-                _ => false,
-            })
+    /// Whether a motion breaks a condition that exceeds its regions.
+    fn breaks_beyond_regions(&self, from: &Point, to: &Point) -> bool {
+        let list = &self.conditions().list;
+        let breaks = |&index: &usize| !list[index].certainly_keeps(from, to) && self.reference_refuses(index, from, to);
+        self.beyond_regions.iter().any(breaks)
     }
 }
 
-/// Asks all regions about a motion.
+/// Checks a motion against all regions.
 struct Motion<'a> {
     engine: &'a CspaceEngine,
     from: &'a Point,
@@ -290,13 +285,13 @@ impl Task for Motion<'_> {
     }
 }
 
-/// Asks the regions of one constraint about a motion.
-struct OneConstraint<'a> {
+/// Checks a motion against the regions of one condition.
+struct OneCondition<'a> {
     motion: Motion<'a>,
     index: usize,
 }
 
-impl Task for OneConstraint<'_> {
+impl Task for OneCondition<'_> {
     type Output = bool;
 
     #[inline(always)]
@@ -320,48 +315,35 @@ impl Clone for CspaceEngine {
 }
 
 impl Checker for CspaceEngine {
-    fn constraints(&self) -> &Constraints {
-        self.reference.constraints()
+    fn conditions(&self) -> &Conditions {
+        self.reference.conditions()
     }
 
     fn interference(&self) -> Interference {
         self.reference.interference()
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
-        let fat = Fattened::of(self.constraints());
-        // A constraint that reaches nowhere has no pieces.
-        for_all(self.constraints(), watch, |index| match &self.compiled[index] {
-            pieces if pieces.is_empty() => Vec::new(),
-            pieces => {
-                let planes = || pieces.iter().filter_map(|piece| piece.region.outer.clone());
-                outer_polyhedra_of(self.constraints(), index, &fat, planes)
-            }
-        })
+    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        let inside = self.inside(from) && self.inside(to);
+        if !inside || self.conditions().list[index].details().exceeds_regions(self.interference()) {
+            return self.reference_refuses(index, from, to);
+        }
+        self.kernel.run(OneCondition { motion: Motion { engine: self, from, to }, index })
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
-        let pieces = |index: usize| self.compiled[index].iter().filter_map(|piece| piece.region.certain()).collect();
-        for_all(self.constraints(), watch, pieces)
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
+        let (conditions, fat) = (self.conditions(), self.conditions().fattened());
+        conditions.for_each(watch, |index| conditions.polyhedra_of(index, self.regions(index), &fat))
+    }
+
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
+        let conditions = self.conditions();
+        conditions.for_each(watch, |index| conditions.certain_polyhedra_of(index, self.regions(index)))
     }
 
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
-        let fat = Fattened::of(self.constraints());
-        for_all(self.constraints(), watch, |index| {
-            let regions = || self.compiled[index].iter().map(|piece| &piece.region);
-            pieces_of(self.constraints(), index, &fat, regions)
-        })
-    }
-
-    fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
-        match &self.constraints().list[index] {
-            _ if !(self.inside(from) && self.inside(to)) => self.reference_refuses(index, from, to),
-            Constraint::Workspace { .. } => false,
-            Constraint::CableCable(_) if self.interference() == Interference::Swept => {
-                self.reference_refuses(index, from, to)
-            }
-            _ => self.kernel.run(OneConstraint { motion: Motion { engine: self, from, to }, index }),
-        }
+        let (conditions, fat) = (self.conditions(), self.conditions().fattened());
+        conditions.for_each(watch, |index| conditions.pieces_of(index, self.regions(index), &fat))
     }
 }
 
@@ -374,7 +356,7 @@ impl Validity for CspaceEngine {
         self.inside(from)
             && self.inside(to)
             && !self.kernel.run(Motion { engine: self, from, to })
-            && !self.sweeps_meet(from, to)
+            && !self.breaks_beyond_regions(from, to)
     }
 
     fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
@@ -382,92 +364,14 @@ impl Validity for CspaceEngine {
     }
 
     fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
-        explain::clearance(self.constraints(), from, to)
+        clearance::clearance(self.conditions(), from, to)
     }
 }
 
-/// As [`Checker::polyhedra`].
-pub(super) fn outer_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Polyhedra, Error> {
-    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
-    for_all(constraints, watch, |index| {
-        let planes = || regions(constraints, index, &scale, &fat).into_iter().filter_map(|region| region.outer);
-        outer_polyhedra_of(constraints, index, &fat, planes)
-    })
-}
-
-/// As [`Checker::certain_polyhedra`].
-pub(super) fn inner_polyhedra(constraints: &Constraints, watch: &Watch) -> Result<Polyhedra, Error> {
-    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
-    for_all(constraints, watch, |index| {
-        regions(constraints, index, &scale, &fat).iter().filter_map(Region::certain).collect()
-    })
-}
-
-/// As [`Checker::pieces`].
-pub(super) fn pieces(constraints: &Constraints, watch: &Watch) -> Result<Vec<Piece>, Error> {
-    let (scale, fat) = (Scale::of(constraints), Fattened::of(constraints));
-    for_all(constraints, watch, |index| {
-        let regions = regions(constraints, index, &scale, &fat);
-        pieces_of(constraints, index, &fat, || regions.iter())
-    })
-}
-
-/// The pieces of one constraint, of which these are the regions.
-fn pieces_of<'r, I: Iterator<Item = &'r Region>>(
-    constraints: &Constraints,
-    index: usize,
-    fat: &Fattened,
-    regions: impl Fn() -> I,
-) -> Vec<Piece> {
-    if regions().next().is_none() {
-        return Vec::new(); // it reaches nowhere
-    }
-    let outer = outer_polyhedra_of(constraints, index, fat, || regions().filter_map(|region| region.outer.clone()));
-    let certain = regions().filter(|region| region.outer.is_some()).map(Region::certain);
-    let piece = |(outer, certain)| Piece { constraint: index, outer, certain };
-    outer.into_iter().zip(certain).map(piece).collect()
-}
-
-/// What holds all that one constraint forbids, and not much more; `planes` gives its outer polyhedra.
-fn outer_polyhedra_of<I: Iterator<Item = Vec<HalfSpace>>>(
-    constraints: &Constraints,
-    index: usize,
-    fat: &Fattened,
-    planes: impl Fn() -> I,
-) -> Polyhedra {
-    match &constraints.list[index] {
-        // What is known to hold all crossings of two cables at a distance holds much else.
-        Constraint::CableCable(pair) if pair.gap > 0.0 => Vec::new(),
-        constraint => match rounded_with(constraints, constraint, fat) {
-            Some(planes) => vec![planes],
-            None => planes().collect(),
-        },
-    }
-}
-
-/// What there is for all constraints, in their order.
-fn for_all<T: Send>(
-    constraints: &Constraints,
-    watch: &Watch,
-    of: impl Fn(usize) -> Vec<T> + Sync,
-) -> Result<Vec<T>, Error> {
-    let one = |index: usize| watch.check().map(|()| of(index));
-    let indices = 0..constraints.list.len();
-    let found: Vec<Vec<T>> = if indices.len() >= IN_PARALLEL {
-        indices.into_par_iter().map(one).collect::<Result<_, Error>>()?
-    } else {
-        indices.map(one).collect::<Result<_, Error>>()?
-    };
-    Ok(found.into_iter().flatten().collect())
-}
-
-/// Constraints from which on all cores compile.
-const IN_PARALLEL: usize = 256;
-
-/// Cells along each axis for so many constraints: enough that few regions share a cell, few enough to fill in no time.
-fn cells_for(constraints: &Constraints) -> Cells {
-    let (min, max) = constraints.position_box();
-    let n = match constraints.list.len() {
+/// Cells along each axis, by the number of conditions: enough that few regions share a cell, few enough to fill quickly.
+fn cells_for(conditions: &Conditions) -> Cells {
+    let (min, max) = conditions.position_box();
+    let n = match conditions.list.len() {
         0..100 => 4,
         100..1500 => 8,
         1500..6000 => 16,
@@ -477,48 +381,42 @@ fn cells_for(constraints: &Constraints) -> Cells {
     Cells::new(min - touch, max + touch, n)
 }
 
-/// The regions of a constraint that reach into the box of positions.
-fn compiled(constraints: &Constraints, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
+/// The regions of a condition that reach into the box of positions.
+fn compiled(conditions: &Conditions, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
+    let condition = conditions.list[index].details();
     let piece = |region: Region| {
         let reached = match &region.outer {
             Some(outer) => cells.reached_by(outer, &region.inner),
-            None => cells
-                .reached(&|center, half| explain::slack(constraints, &constraints.list[index], center) <= half.norm()),
+            None => cells.reached(&|center, half| condition.slack(&conditions.bodies, center) <= half.norm()),
         };
         Compiled { region, reached }
     };
-    let pieces = regions(constraints, index, scale, fat).into_iter().map(piece);
+    let pieces = conditions.regions(index, scale, fat).into_iter().map(piece);
     pieces.filter(|piece| !piece.reached.is_empty()).collect()
 }
 
-fn head(constraint: usize, region: &Region, outer: &Range<u32>, planes: &mut Planes) -> Head {
+fn head(condition: usize, region: &Region, outer: &Range<u32>, planes: &mut Planes) -> Head {
     let (inner, widen) = match &region.inner {
         Inner::Unknown => (0..0, None),
         Inner::Shrunk(widen) => (outer.clone(), Some(*widen)),
         Inner::Own(half_spaces) => (planes.add(half_spaces), Some(0.0)),
     };
-    Head { constraint, inner, widen }
+    Head { condition, inner, widen }
 }
 
-/// For each new constraint the old one that says the same, where cables, platform and workspace are the same.
-fn unchanged(old: &Constraints, new: &Constraints) -> Vec<Option<usize>> {
+/// For each new condition the old one that is the same, where cables, platform and workspace are the same.
+fn unchanged(old: &Conditions, new: &Conditions) -> Vec<Option<usize>> {
+    let (old_obstacles, new_obstacles) = (&old.bodies.obstacles, &new.bodies.obstacles);
     let same_body = |body: usize| {
-        let wanted = &new.obstacles[body];
-        let likely = old.obstacles.get(body).is_some_and(|o| o == wanted).then_some(body);
-        likely.or_else(|| old.obstacles.iter().position(|o| o == wanted))
+        let wanted = &new_obstacles[body];
+        let likely = old_obstacles.get(body).is_some_and(|o| o == wanted).then_some(body);
+        likely.or_else(|| old_obstacles.iter().position(|o| o == wanted))
     };
-    let bodies: Vec<Option<usize>> = (0..new.obstacles.len()).map(same_body).collect();
-    let in_old_words = |constraint: &Constraint| {
-        let mut constraint = constraint.clone();
-        if let Constraint::PlatformObstacle { body, .. } | Constraint::CableObstacle { body, .. } = &mut constraint {
-            *body = bodies[*body]?;
-        }
-        Some(constraint)
-    };
+    let bodies: Vec<Option<usize>> = (0..new_obstacles.len()).map(same_body).collect();
     // Both lists have the same order, so the search goes on where the last one ended.
     let mut next = 0;
-    let find = |constraint: &Constraint| {
-        let wanted = in_old_words(constraint)?;
+    let find = |condition: &Condition| {
+        let wanted = condition.renumbered(&bodies)?;
         let found = (next..old.list.len()).chain(0..next).find(|&k| old.list[k] == wanted)?;
         next = found + 1;
         Some(found)

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::constraint::Constraints;
-use super::exempt::Exemption;
-use super::explain;
-use super::validity::{Checker, Clearance, Validity, Violation};
+use super::clearance::{self, Clearance};
+use super::validity::{Checker, Validity};
+use super::violation::Violation;
+use crate::conditions::{Conditions, Exemption};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -59,8 +59,8 @@ pub struct Nearest {
 
 impl Nearest {
     /// What is exempt, where nothing was measured.
-    pub fn unmeasured(constraints: &Constraints) -> Self {
-        let exempt = constraints.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
+    pub fn unmeasured(conditions: &Conditions) -> Self {
+        let exempt = conditions.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
         Nearest { exempt, ..Nearest::default() }
     }
 }
@@ -98,13 +98,13 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
     for (segment, pair) in waypoints.windows(2).enumerate() {
         watch.check()?;
         if checker.motion_valid(&pair[0], &pair[1]) {
-            continue; // many times faster than to ask every constraint
+            continue; // many times faster than to check every condition by itself
         }
         valid = false;
         let found = checker.violations(&pair[0], &pair[1]);
         violations.extend(found.into_iter().map(|violation| PathViolation { segment, violation }));
     }
-    let (length, nearest) = (path_length(waypoints), nearest(checker.constraints(), waypoints, watch)?);
+    let (length, nearest) = (path_length(waypoints), nearest(checker.conditions(), waypoints, watch)?);
     Ok(PathReport { valid, length, nearest, violations })
 }
 
@@ -112,33 +112,33 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn nearest(constraints: &Constraints, waypoints: &[Point], watch: &Watch) -> Result<Nearest, Error> {
-    let of = |indices: &[usize]| nearest_of(constraints, indices, waypoints, watch);
-    let all: Vec<usize> = (0..constraints.list.len()).collect();
-    let mut exempt = Vec::with_capacity(constraints.exempt.len());
-    for exemption in &constraints.exempt {
-        let gap = of(&exemption.constraints)?.map(|clearance| clearance.value);
+pub fn nearest(conditions: &Conditions, waypoints: &[Point], watch: &Watch) -> Result<Nearest, Error> {
+    let of = |indices: &[usize]| nearest_of(conditions, indices, waypoints, watch);
+    let all: Vec<usize> = (0..conditions.list.len()).collect();
+    let mut exempt = Vec::with_capacity(conditions.exempt.len());
+    for exemption in &conditions.exempt {
+        let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
         exempt.push(PathExemption { exemption: exemption.clone(), gap });
     }
     let mut held = vec![true; all.len()];
-    constraints.exempt.iter().flat_map(|e| &e.constraints).for_each(|&index| held[index] = false);
+    conditions.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
     let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
     let min_clearance = of(&all)?;
     let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
     Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
 }
 
-/// The nearest approach of a path with regard to some constraints, by their indices.
+/// The nearest approach of a path with regard to some conditions, by their indices.
 ///
 /// # Errors
 /// As [`nearest`].
 pub fn nearest_of(
-    constraints: &Constraints,
+    conditions: &Conditions,
     indices: &[usize],
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
-    let found = explain::path_clearance(constraints, indices, waypoints, watch)?;
+    let found = clearance::path_clearance(conditions, indices, waypoints, watch)?;
     Ok(found.map(|(segment, Clearance { value, at, culprits, required })| PathClearance {
         value,
         segment,
@@ -167,7 +167,7 @@ mod tests {
                 for k in 0..150 {
                     path.push(path[k].map(|x| (x + step * (rng.random::<f64>() - 0.5)).clamp(0.0, 2.0)));
                 }
-                let found = nearest(engine.constraints(), &path, &Watch::NONE).unwrap().min_clearance.unwrap();
+                let found = nearest(engine.conditions(), &path, &Watch::NONE).unwrap().min_clearance.unwrap();
                 let each = path.windows(2).map(|pair| engine.clearance(&pair[0], &pair[1]).unwrap());
                 let each: Vec<f64> = each.map(|clearance| clearance.value).collect();
                 let least = each.iter().copied().fold(f64::INFINITY, f64::min);

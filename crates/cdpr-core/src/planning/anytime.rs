@@ -1,8 +1,8 @@
 //! The anytime planner: a first path quickly, then shorter ones until a limit is reached or further search no longer pays off.
 //!
-//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`Guide`], which knows the geometry, turns the resulting path
+//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`PathOptimizer`], which knows the geometry, turns the resulting path
 //! into a locally shortest one; the shortest of these is kept. Once there is a path, or after a while without one, half of the
-//! samples also come from the guide, from places where shortest paths can bend: in narrow passages few other samples are useful.
+//! samples also come from the optimizer, from places where shortest paths can bend: in narrow passages few other samples are useful.
 //! Samples through which no shorter path can lead are skipped (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*",
 //! IROS 2014).
 
@@ -18,7 +18,7 @@ use crate::error::{Error, ErrorClass};
 use crate::watch::Watch;
 
 /// A string puller: what the planner needs from the geometry of the space to shorten paths and to choose samples.
-pub trait Guide<State>: Sync {
+pub trait PathOptimizer<State>: Sync {
     /// Shortens a valid path; the result is valid, has the same ends and is never longer. It is approximately locally shortest if
     /// that may be shorter than `worth`, m.
     ///
@@ -29,7 +29,7 @@ pub trait Guide<State>: Sync {
     /// The same to full precision, for paths that are worth the effort.
     ///
     /// # Errors
-    /// As [`Guide::shortened`].
+    /// As [`PathOptimizer::shortened`].
     fn polished(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error> {
         self.shortened(path, f64::INFINITY, watch)
     }
@@ -49,7 +49,7 @@ pub trait Guide<State>: Sync {
     }
 
     /// Whether constraints other than polyhedra have blocked the string puller, which makes pulling slow.
-    fn hindered(&self) -> bool {
+    fn blocked(&self) -> bool {
         false
     }
 
@@ -100,10 +100,10 @@ const LEAST_EFFORT: f64 = 500.0;
 const EFFORT_SHARE: f64 = 0.5;
 /// Effort of string pulling one path, in samples; and the same if non-polyhedral constraints block the string puller.
 const PULL: usize = 20;
-const HINDERED_PULL: usize = 40;
+const BLOCKED_PULL: usize = 40;
 /// Only a path shorter by this share counts as an improvement that prolongs the search.
 const BETTER: f64 = 1e-3;
-/// Samples without a path before the guide is used: preparing it may take longer than finding a first path.
+/// Samples without a path before the optimizer is used: preparing it may take longer than finding a first path.
 const UNGUIDED: usize = 500;
 /// Samples before the first cell search, and between two cell searches.
 const FIRST_WAY: usize = 100;
@@ -129,7 +129,7 @@ const MOST_NODES: usize = 20_000;
 pub fn anytime<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
-    guide: &dyn Guide<S::State>,
+    optimizer: &dyn PathOptimizer<S::State>,
     options: &AnytimeOptions,
     improved: &Improved<S::State>,
     rng: &mut impl Rng,
@@ -140,7 +140,7 @@ pub fn anytime<S: StateSpace>(
     let hopeless = if options.limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
     let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
     let mut run = Run {
-        guide,
+        optimizer,
         watch,
         improved,
         search: Search::new(problem, validity, &limits, watch),
@@ -202,7 +202,7 @@ impl Patience {
 }
 
 struct Run<'r, S: StateSpace> {
-    guide: &'r dyn Guide<S::State>,
+    optimizer: &'r dyn PathOptimizer<S::State>,
     watch: &'r Watch<'r>,
     improved: &'r Improved<'r, S::State>,
     search: Search<'r, S>,
@@ -255,7 +255,7 @@ impl<S: StateSpace> Run<'_, S> {
         if self.cost.is_finite()
             && let Some(gap) = self.gap.take()
         {
-            self.enough = self.enough.max((1.0 + gap) * self.guide.lower_bound(start, goal, self.watch)?);
+            self.enough = self.enough.max((1.0 + gap) * self.optimizer.lower_bound(start, goal, self.watch)?);
         }
         Ok(())
     }
@@ -263,18 +263,18 @@ impl<S: StateSpace> Run<'_, S> {
     fn ask_for_a_way(&mut self) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
         let samples = self.search.samples();
-        let enough = FRUITLESS_WAYS + self.guide.complexity() / THINGS_PER_WAY;
+        let enough = FRUITLESS_WAYS + self.optimizer.complexity() / THINGS_PER_WAY;
         if samples < self.next_way || self.fruitless_ways >= enough {
             return Ok(());
         }
         self.next_way = samples + NEXT_WAY;
-        let Some(way) = self.guide.way(start, goal, NEXT_WAY, self.watch)? else { return Ok(()) };
+        let Some(way) = self.optimizer.way(start, goal, NEXT_WAY, self.watch)? else { return Ok(()) };
         let before = self.cost;
         if way != self.last_way {
             if self.best.is_empty() {
                 self.take(way.clone()); // a result in case time runs out here
             }
-            let taut = self.guide.shortened(&way, before, self.watch)?;
+            let taut = self.optimizer.shortened(&way, before, self.watch)?;
             self.take(taut);
             self.last_way = way;
         }
@@ -289,7 +289,7 @@ impl<S: StateSpace> Run<'_, S> {
     fn patience_lost(&mut self) -> bool {
         self.patience.as_mut().is_some_and(|patience| {
             patience.effort += 1;
-            patience.lost(self.guide.complexity())
+            patience.lost(self.optimizer.complexity())
         })
     }
 
@@ -301,7 +301,9 @@ impl<S: StateSpace> Run<'_, S> {
         let promising = |state: &S::State| space.distance(start, state) + space.distance(state, goal) < cost;
         let sample = match samples % 4 {
             1 if self.cost.is_infinite() => space.sample_around(self.halves.stuck(rng), rng),
-            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => self.guide.sample(&promising, rng, self.watch)?,
+            0 | 2 if self.cost.is_finite() || samples >= UNGUIDED => {
+                self.optimizer.sample(&promising, rng, self.watch)?
+            }
             _ => None,
         };
         let sample = sample.or_else(|| match self.cost {
@@ -328,12 +330,12 @@ impl<S: StateSpace> Run<'_, S> {
             return Ok(());
         }
         if let Some(patience) = &mut self.patience {
-            patience.effort += if self.guide.hindered() { HINDERED_PULL } else { PULL };
+            patience.effort += if self.optimizer.blocked() { BLOCKED_PULL } else { PULL };
         }
         if self.best.is_empty() {
             self.take(way.clone()); // a result in case time runs out here
         }
-        let taut = self.guide.shortened(&way, self.cost, self.watch)?;
+        let taut = self.optimizer.shortened(&way, self.cost, self.watch)?;
         self.take(taut);
         self.polish_if_much_better()
     }
@@ -342,10 +344,10 @@ impl<S: StateSpace> Run<'_, S> {
         if self.cost < MUCH_BETTER * self.polished { self.polish() } else { Ok(()) }
     }
 
-    /// Makes the best path as short as the guide can.
+    /// Makes the best path as short as the optimizer can.
     fn polish(&mut self) -> Result<(), Error> {
         if self.cost < self.polished && !self.best.is_empty() {
-            let polished = self.guide.polished(&self.best, self.watch)?;
+            let polished = self.optimizer.polished(&self.best, self.watch)?;
             self.take(polished);
             self.polished = self.cost;
         }

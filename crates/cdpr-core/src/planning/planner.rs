@@ -5,7 +5,7 @@ use rand::Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::anytime::{AnytimeOptions, Guide, Improved, anytime};
+use super::anytime::{AnytimeOptions, Improved, PathOptimizer, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
 use super::outcome::Outcome;
 use super::rrt::{RrtOptions, rrt};
@@ -216,13 +216,13 @@ impl PlannerOptions {
         &self,
         problem: &Problem<S>,
         validity: &dyn Validity<S::State>,
-        guide: &dyn Guide<S::State>,
+        optimizer: &dyn PathOptimizer<S::State>,
         improved: &Improved<S::State>,
         rng: &mut impl Rng,
         watch: &Watch,
     ) -> Result<Outcome<S::State>, Error> {
         match self {
-            PlannerOptions::Anytime(options) => anytime(problem, validity, guide, options, improved, rng, watch),
+            PlannerOptions::Anytime(options) => anytime(problem, validity, optimizer, options, improved, rng, watch),
             PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, rng, watch),
             PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
             PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),

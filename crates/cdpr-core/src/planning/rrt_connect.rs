@@ -57,7 +57,7 @@ enum Step {
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.constraints());
+/// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
 /// let outcome = rrt_connect(&problem, &engine, &RrtConnectOptions::default(), &mut rng, &Watch::NONE)?;

@@ -50,7 +50,7 @@ impl Default for RrtStarOptions {
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.constraints());
+/// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
 /// let outcome = rrt_star(&problem, &engine, &RrtStarOptions::default(), &mut rng, &Watch::NONE)?;
@@ -166,7 +166,7 @@ mod tests {
         max_nodes: usize,
     ) -> (Outcome<crate::geometry::Point>, Tree<TranslationSpace>) {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
-        let space = TranslationSpace::of(engine.constraints());
+        let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let limits = Limits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
         let options = RrtStarOptions { near_radius: Some(0.3), limits, ..RrtStarOptions::default() };

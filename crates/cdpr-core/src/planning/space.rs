@@ -2,7 +2,7 @@
 
 use rand::{Rng, RngExt};
 
-use crate::collision::Constraints;
+use crate::collision::Conditions;
 use crate::geometry::{Point, Vector};
 use crate::numerics::FLAT;
 
@@ -64,8 +64,8 @@ pub struct TranslationSpace {
 
 impl TranslationSpace {
     /// The positions at which the platform is inside the workspace.
-    pub fn of(constraints: &Constraints) -> Self {
-        let (min, max) = constraints.position_box();
+    pub fn of(conditions: &Conditions) -> Self {
+        let (min, max) = conditions.position_box();
         TranslationSpace { min, max }
     }
 }

@@ -40,7 +40,7 @@ impl Default for TwoTreesOptions {
 /// use rand::SeedableRng;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.constraints());
+/// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
 /// let outcome = two_trees(&problem, &engine, &TwoTreesOptions::default(), &mut rng, &Watch::NONE)?;

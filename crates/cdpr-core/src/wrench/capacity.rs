@@ -1,7 +1,7 @@
 //! The capacity margin of many positions.
 
 use super::kernel::{FourMargins, KernelRobot};
-use super::margins::{Limit, Required, capacity_limit};
+use super::margins::{BindingFacet, Required, capacity_limit};
 use super::statics::Statics;
 use crate::error::Error;
 use crate::geometry::Point;
@@ -92,7 +92,7 @@ impl CapacityMargin {
     }
 
     /// The nearest facet, by definition rather than by the kernel; `None` if a cable has no direction.
-    pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
+    pub fn limit(&self, position: &Point) -> Option<BindingFacet<6>> {
         capacity_limit(&self.statics, &self.required, position)
     }
 

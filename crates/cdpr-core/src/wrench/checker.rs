@@ -1,7 +1,7 @@
 //! An engine that also checks wrench feasibility, after all cheaper checks.
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Constraints, Interference, Piece, Polyhedra, Validity, Violation};
+use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
@@ -20,8 +20,8 @@ impl WrenchChecker {
 }
 
 impl Checker for WrenchChecker {
-    fn constraints(&self) -> &Constraints {
-        self.geometry.constraints()
+    fn conditions(&self) -> &Conditions {
+        self.geometry.conditions()
     }
 
     fn interference(&self) -> Interference {
@@ -32,16 +32,20 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
         self.geometry.polyhedra(watch)
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Polyhedra, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
         self.geometry.certain_polyhedra(watch)
     }
 
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
         self.geometry.pieces(watch)
+    }
+
+    fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
+        self.geometry.first_contact(from, to)
     }
 }
 

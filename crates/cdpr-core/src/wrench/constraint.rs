@@ -5,7 +5,7 @@ use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use super::statics::{Loads, Statics};
 use super::{CapacityMargin, Required};
-use crate::collision::{Constraints, Kind, Violation, WrenchLimit};
+use crate::collision::{Conditions, Kind, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
@@ -95,18 +95,18 @@ pub fn required_of(scene: &Scene, force: Option<f64>, moment: Option<f64>) -> Re
 }
 
 impl WrenchConstraint {
-    /// The constraint of a scene, whose geometric constraints are `constraints`; `None` if the scene does not require one.
+    /// The constraint of a scene, whose geometric conditions are `conditions`; `None` if the scene does not require one.
     ///
     /// # Errors
     /// As [`measures`]; a grid with too many cells.
-    pub fn of(scene: &Scene, constraints: &Constraints) -> Result<Option<Self>, Error> {
+    pub fn of(scene: &Scene, conditions: &Conditions) -> Result<Option<Self>, Error> {
         let measures = measures(scene)?;
         let Some(spec) = scene.wrench() else { return Ok(None) };
         let rule = match spec.rule.unwrap_or(RuleSpec::Certified) {
             RuleSpec::Certified => Rule::Certified,
             RuleSpec::Grid => {
                 let (size, membership) = (spec.grid.unwrap_or(GRID), spec.membership.unwrap_or_default());
-                Rule::Grid(FeasibleCells::new(&measures, constraints.position_box(), size, membership)?)
+                Rule::Grid(FeasibleCells::new(&measures, conditions.position_box(), size, membership)?)
             }
         };
         Ok(Some(WrenchConstraint { measures, rule }))

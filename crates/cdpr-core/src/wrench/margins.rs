@@ -65,7 +65,7 @@ impl Required {
 
 /// A margin, and the direction in which it is attained.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit<const N: usize> {
+pub struct BindingFacet<const N: usize> {
     /// Slack in the direction `normal`, N (N·m for moments); negative if a required wrench is not available.
     pub margin: f64,
     /// Outward unit normal of the nearest facet; for [`force_limit`] and [`moment_limit`] outside the set, the direction from its
@@ -82,12 +82,12 @@ fn nearest_facet<const N: usize>(
     statics: &Statics,
     center: &SVector<f64, N>,
     reach: impl Fn(&SVector<f64, N>) -> f64,
-) -> Limit<N> {
+) -> BindingFacet<N> {
     let span = Span::of(generators);
-    let mut nearest = Limit { margin: f64::INFINITY, normal: SVector::zeros() };
+    let mut nearest = BindingFacet { margin: f64::INFINITY, normal: SVector::zeros() };
     let mut consider = |margin: f64, normal: SVector<f64, N>| {
         if margin < nearest.margin {
-            nearest = Limit { margin, normal };
+            nearest = BindingFacet { margin, normal };
         }
     };
     let mut any = false;
@@ -125,14 +125,14 @@ fn nearest_facet<const N: usize>(
 /// # Source
 /// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances in
 /// Mechanisms, Transmissions and Applications, 2014, doi:10.1007/978-94-007-7485-8_47.
-pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) -> Option<Limit<6>> {
+pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) -> Option<BindingFacet<6>> {
     let columns = statics.columns(position)?;
     let length = statics.characteristic_length();
     if statics.point_mass() {
         let forces: Vec<Vector3<f64>> = columns.iter().map(force_part).collect();
         let reach = |c: &Vector3<f64>| required.reach(&Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0), length);
-        let Limit { margin, normal } = nearest_facet(&forces, statics, &force_part(statics.balance()), reach);
-        return Some(Limit { margin, normal: Vector6::new(normal.x, normal.y, normal.z, 0.0, 0.0, 0.0) });
+        let BindingFacet { margin, normal } = nearest_facet(&forces, statics, &force_part(statics.balance()), reach);
+        return Some(BindingFacet { margin, normal: Vector6::new(normal.x, normal.y, normal.z, 0.0, 0.0, 0.0) });
     }
     Some(nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length)))
 }
@@ -143,14 +143,14 @@ pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) 
 ///
 /// It is the smallest slack h(c) − c·f over *all* unit directions c, where h is the set's support function and f the balancing
 /// force: inside the set the worst direction is a facet's normal, outside it is the direction from the set's nearest point.
-pub fn force_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
+pub fn force_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<3>> {
     let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
     Some(signed_distance(&forces, statics, &force_part(statics.balance())))
 }
 
 /// Moment margin: like [`force_limit`], for moments about the platform's origin, N·m, regardless of the force. `None` if a
 /// cable has no direction, and for a point mass, which has no moments.
-pub fn moment_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
+pub fn moment_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<3>> {
     if statics.point_mass() {
         return None;
     }
@@ -161,7 +161,7 @@ pub fn moment_limit(statics: &Statics, position: &Point) -> Option<Limit<3>> {
 }
 
 /// Signed distance of a point to the boundary of {Σ tᵢ gᵢ : t in the limits}, negative outside.
-fn signed_distance(generators: &[Vector3<f64>], statics: &Statics, point: &Vector3<f64>) -> Limit<3> {
+fn signed_distance(generators: &[Vector3<f64>], statics: &Statics, point: &Vector3<f64>) -> BindingFacet<3> {
     let facet = nearest_facet(generators, statics, point, |_| 0.0);
     if facet.margin >= 0.0 {
         return facet;
@@ -172,7 +172,7 @@ fn signed_distance(generators: &[Vector3<f64>], statics: &Statics, point: &Vecto
     let found = proximity(&set, &Point::from(point / set.unit), f64::INFINITY, -1.0);
     let margin = -found.lower * set.unit;
     // Because of rounding, GJK may find a smaller distance than the facet proves.
-    if margin < facet.margin { Limit { margin, normal: found.axis } } else { facet }
+    if margin < facet.margin { BindingFacet { margin, normal: found.axis } } else { facet }
 }
 
 /// {Σ tᵢ gᵢ : t in the limits}, scaled to about unit size so that GJK's tolerances are small in comparison.

@@ -4,7 +4,7 @@
 use nalgebra::Vector6;
 
 use super::capacity::CapacityMargin;
-use super::margins::{Limit, force_limit, moment_limit};
+use super::margins::{BindingFacet, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
 use crate::geometry::Point;
 use crate::numerics::SLACK_RELATIVE;
@@ -49,16 +49,16 @@ impl Measure {
     }
 
     /// The nearest facet and its slack; `None` if a cable has no direction.
-    pub fn limit(&self, position: &Point) -> Option<Limit<6>> {
+    pub fn limit(&self, position: &Point) -> Option<BindingFacet<6>> {
         match self {
             Measure::Capacity(margin) => margin.limit(position),
             Measure::Force(statics, radius) => {
-                let Limit { margin, normal: c } = force_limit(statics, position)?;
-                Some(Limit { margin: margin - radius, normal: Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0) })
+                let BindingFacet { margin, normal: c } = force_limit(statics, position)?;
+                Some(BindingFacet { margin: margin - radius, normal: Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0) })
             }
             Measure::Moment(statics, radius) => {
-                let Limit { margin, normal: c } = moment_limit(statics, position)?;
-                Some(Limit { margin: margin - radius, normal: Vector6::new(0.0, 0.0, 0.0, c.x, c.y, c.z) })
+                let BindingFacet { margin, normal: c } = moment_limit(statics, position)?;
+                Some(BindingFacet { margin: margin - radius, normal: Vector6::new(0.0, 0.0, 0.0, c.x, c.y, c.z) })
             }
         }
     }

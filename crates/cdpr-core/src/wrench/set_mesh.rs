@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::margins::{Limit, force_limit, moment_limit};
+use super::margins::{BindingFacet, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
 use super::zonotope::Span;
 use crate::error::Error;
@@ -99,7 +99,7 @@ fn available_set(
     statics: &Statics,
     generators: &[Vector],
     balance: Vector,
-    limit: &Limit<3>,
+    limit: &BindingFacet<3>,
 ) -> Result<AvailableSet, Error> {
     let limits: Vec<[f64; 2]> = statics.cables().iter().map(|cable| cable.tension).collect();
     let set = Zonotope::new(generators, &limits)?;

@@ -134,7 +134,7 @@ pub fn wrench_at(
             format!("has no direction at this position, expected a length of at least {MIN_CABLE_LENGTH:e} m");
         return Err(Error::invalid(name, problem));
     };
-    let margin = |limit: Option<super::Limit<3>>| limit.map(|limit| limit.margin);
+    let margin = |limit: Option<super::BindingFacet<3>>| limit.map(|limit| limit.margin);
     let tensions = statics.tensions(&mut TensionQp::default(), position, None)?;
     Ok(WrenchReport {
         feasible: measures.iter().all(|measure| certified(measure, position, position)),

@@ -1,8 +1,8 @@
 //! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
 //! cells it passes.
 
-use super::clip::{CoarseGroup, CoarsePlace, CoarsePlane};
-use super::region::{Inner, Region};
+use super::segment_clip::{CoarseGroup, CoarsePlace, CoarsePlane};
+use crate::conditions::{Inner, Region};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::CELL_ROUNDING;

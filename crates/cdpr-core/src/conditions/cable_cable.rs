@@ -1,19 +1,26 @@
-//! Two cables of one platform, during a translation.
+//! Cables keep from each other, during a translation of the platform.
 //!
 //! With u = p + arm_i - B_i (cable i as a vector), w = B_j - B_i and q = arm_j - arm_i, both constant, cable i runs from
 //! B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and q: a
 //! plane of positions, which a straight motion passes at one instant. There u = α w + β q, and the cables cross iff
 //! (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
 
-use super::constraint::CableAt;
-use super::exempt::kept;
+use super::bodies::{Bodies, CableAt};
+use super::exempt::{Remarks, kept};
+use super::fattened::Fattened;
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::region::{Region, Scale, widened};
+use crate::error::Error;
+use crate::geometry::gjk::{nearer_than, shape_distance};
 use crate::geometry::segment_segment::{self, SegmentPair};
-use crate::geometry::{HalfSpace, Point, Vector};
+use crate::geometry::{Aabb, HalfSpace, Point, Triangle, TriangleMesh, Vector, wedge_mesh};
+use crate::model::{Member, Scene};
 use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::watch::Watch;
 
-/// Two cables that share neither outlet nor attachment.
+/// Two cables, which share neither outlet nor attachment, keep from each other.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CablePair {
+pub struct CableCable {
     /// Index of cable i.
     pub first: usize,
     /// Index of cable j.
@@ -42,7 +49,7 @@ enum Plane {
     Opposite,
 }
 
-impl CablePair {
+impl CableCable {
     /// The pair, or none if the cables share an outlet or an attachment and so touch by construction. It is held to as
     /// much of `clearance`, m, as it [can keep](super::exempt).
     pub fn new(cables: &[CableAt], first: usize, second: usize, clearance: f64) -> Option<Self> {
@@ -65,7 +72,7 @@ impl CablePair {
         let radii = i.radius + j.radius;
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        Some(CablePair { first, second, gap, radii, best_gap, offset, w, q, plane })
+        Some(CableCable { first, second, gap, radii, best_gap, offset, w, q, plane })
     }
 
     /// Whether the cables cross wherever the platform is.
@@ -230,6 +237,127 @@ impl CablePair {
             }
         }
         best
+    }
+}
+
+impl CableCable {
+    /// The triangles that both cables sweep during a motion.
+    #[inline]
+    fn sweeps(&self, bodies: &Bodies, from: &Point, to: &Point) -> (Triangle, Triangle) {
+        (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
+    }
+
+    /// The distance of lines from which on the swept rule allows a motion, m.
+    #[inline]
+    fn swept_gap(&self) -> f64 {
+        self.gap.max(2.0 * TOUCH_DEPTH)
+    }
+}
+
+impl PhysicalCondition for CableCable {
+    fn all(scene: &Scene, bodies: &Bodies, first: usize, remarks: &mut Remarks, _: &Watch) -> Result<Vec<Self>, Error> {
+        let mut all = Vec::new();
+        for i in 0..bodies.cables.len() {
+            for j in i + 1..bodies.cables.len() {
+                let members = [Member::Cable(i), Member::Cable(j)];
+                if scene.pairs().ignores(members[0], members[1]) {
+                    continue;
+                }
+                let clearance = scene.pairs().clearance(members[0], members[1]);
+                let Some(pair) = CableCable::new(&bodies.cables, i, j, clearance) else { continue };
+                if pair.always_crossing() {
+                    let [i, j] = members.map(|cable| bodies.name(cable));
+                    remarks.notes.push(format!("{i} and {j} cross at every position"));
+                } else {
+                    let index = first + all.len();
+                    remarks.exempt_if_unattainable(bodies, (index, members), [clearance, pair.radii, pair.best_gap]);
+                }
+                all.push(pair);
+            }
+        }
+        Ok(all)
+    }
+
+    fn sentence(found: &Broken) -> String {
+        found.meets(found.name(0), found.name(1))
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::CableCable
+    }
+
+    fn members(&self, _: &Bodies) -> Vec<Member> {
+        vec![Member::Cable(self.first), Member::Cable(self.second)]
+    }
+
+    fn within_robot(&self) -> bool {
+        true
+    }
+
+    fn required(&self, _: &Bodies) -> f64 {
+        self.gap - self.radii
+    }
+
+    fn is_about_gap(&self, _: &Bodies) -> bool {
+        true
+    }
+
+    fn distance(&self, _: &Bodies, from: &Point, to: &Point) -> f64 {
+        self.least_distance(from, to).0 - self.radii
+    }
+
+    fn worst_distance(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> Option<f64> {
+        Some(match interference {
+            Interference::Exact => self.distance(bodies, from, to),
+            Interference::Swept => {
+                // The triangles meet, maybe at different times: that is the gap this rule is about.
+                let (first, second) = self.sweeps(bodies, from, to);
+                shape_distance(&first, &second).distance - self.radii
+            }
+        })
+    }
+
+    #[inline]
+    fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool {
+        let swept = || {
+            let (first, second) = self.sweeps(bodies, from, to);
+            nearer_than(&first, &second, self.swept_gap())
+        };
+        self.crosses(from, to)
+            || (interference == Interference::Swept && swept())
+            || (interference == Interference::Exact && self.gap > 0.0 && self.nearer_than_gap(from, to))
+    }
+
+    /// The triangles may meet although no position in between is forbidden.
+    fn exceeds_regions(&self, interference: Interference) -> bool {
+        interference == Interference::Swept
+    }
+
+    #[inline]
+    fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
+        self.sweeps_apart(from, to, self.swept_gap())
+    }
+
+    fn regions(&self, _: &Bodies, scale: &Scale, _: &Fattened) -> Vec<Region> {
+        match self.wedges() {
+            Some(wedges) => wedges.map(|wedge| Region::within(Some(widened(&wedge, scale.rounding)))).into(),
+            None => vec![Region::within(None)],
+        }
+    }
+
+    /// What is known to hold all crossings of two cables at a distance holds much else.
+    fn regions_are_loose(&self) -> bool {
+        self.gap > 0.0
+    }
+
+    /// Positions where the cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from
+    /// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. Flat, and nothing with area where w and q are parallel.
+    fn surfaces(&self, bodies: &Bodies, by: &Vector, within: &Aabb) -> Option<Vec<TriangleMesh>> {
+        let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
+        let origin = i.outlet - i.arm + by;
+        let wedges = [(origin + w, [w, q]), (origin - q, [-w, -q])];
+        Some(wedges.iter().filter_map(|(apex, sides)| wedge_mesh(apex, *sides, within)).collect())
     }
 }
 

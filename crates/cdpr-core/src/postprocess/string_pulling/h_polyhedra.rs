@@ -5,15 +5,15 @@ use std::sync::OnceLock;
 
 use rand::{Rng, RngExt};
 
-use super::hull::{Hull, Overlap, Piece};
+use super::h_polyhedron::{HPolyhedron, Overlap, Piece};
 use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
 
-/// Hulls with a spatial index.
+/// HPolyhedra with a spatial index.
 #[derive(Debug)]
-pub struct Hulls {
-    list: Vec<Hull>,
+pub struct HPolyhedra {
+    list: Vec<HPolyhedron>,
     low: Point,
     high: Point,
     root: Node,
@@ -51,13 +51,14 @@ const NEARBY: f64 = 1.0 / 16.0;
 /// Maximum number of edges drawn before one has a free and promising piece.
 const DRAWS: usize = 8;
 
-impl Hulls {
+impl HPolyhedra {
     /// The hulls that reach into the box from `low` to `high`.
-    pub fn new(hulls: impl Iterator<Item = Hull>, low: Point, high: Point) -> Self {
+    pub fn new(hulls: impl Iterator<Item = HPolyhedron>, low: Point, high: Point) -> Self {
         let root = Node::new(nalgebra::center(&low, &high), (high - low) * 0.5 + Vector::repeat(MARGIN));
-        let list: Vec<Hull> = hulls.filter(|hull| hull.overlap(&root.center, &root.half) != Overlap::None).collect();
+        let list: Vec<HPolyhedron> =
+            hulls.filter(|hull| hull.overlap(&root.center, &root.half) != Overlap::None).collect();
         let root_members = (0..list.len() as u32).collect();
-        Hulls { list, low, high, root, root_members }
+        HPolyhedra { list, low, high, root, root_members }
     }
 
     /// Number of hulls.
@@ -70,7 +71,7 @@ impl Hulls {
         &'h self,
         corners: &[Point],
         near: &'n mut Near,
-    ) -> impl Iterator<Item = &'h Hull> + use<'h, 'n> {
+    ) -> impl Iterator<Item = &'h HPolyhedron> + use<'h, 'n> {
         near.begin(self.list.len());
         let query = Query::new(corners);
         self.root.search(&self.root_members, &self.list, &query, 0, near);
@@ -102,7 +103,7 @@ impl Hulls {
     }
 }
 
-impl Hulls {
+impl HPolyhedra {
     /// Whether the box is practically flat along some axis.
     fn is_flat(&self) -> bool {
         (self.high - self.low).min() <= FLAT
@@ -110,7 +111,7 @@ impl Hulls {
 
     /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and rounding leaves nothing of the face
     /// itself; in this case the face is first cut by a thicker box.
-    fn edges(&self, hull: &Hull, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
+    fn edges(&self, hull: &HPolyhedron, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         if !self.is_flat() {
             return hull.face_edges(face, &self.low, &self.high, polygon, edges);
         }
@@ -153,7 +154,7 @@ impl Node {
         Node { center, half, members: OnceLock::new(), children: OnceLock::new() }
     }
 
-    fn search(&self, members: &[u32], hulls: &[Hull], query: &Query, level: usize, near: &mut Near) {
+    fn search(&self, members: &[u32], hulls: &[HPolyhedron], query: &Query, level: usize, near: &mut Near) {
         if members.is_empty() || query.apart(&self.center, &self.half) {
             return;
         }
@@ -175,7 +176,7 @@ impl Node {
     }
 
     /// The hulls, out of some, that reach into the box; if one of them contains all of the box, the others are omitted.
-    fn reached_by(&self, members: &[u32], hulls: &[Hull]) -> Vec<u32> {
+    fn reached_by(&self, members: &[u32], hulls: &[HPolyhedron]) -> Vec<u32> {
         let mut own = Vec::new();
         for &member in members {
             match hulls[member as usize].overlap(&self.center, &self.half) {
@@ -241,18 +242,18 @@ mod tests {
     use crate::geometry::{Polytope, Rotation};
     use rand::SeedableRng;
 
-    fn hall(count: usize, seed: u64) -> (Vec<Hull>, Hulls) {
+    fn hall(count: usize, seed: u64) -> (Vec<HPolyhedron>, HPolyhedra) {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
-        let list: Vec<Hull> = (0..count)
+        let list: Vec<HPolyhedron> = (0..count)
             .map(|_| {
                 let body = Polytope::cuboid([0; 3].map(|_| rng.random_range(0.01..0.6))).unwrap();
                 let at = Vector::from_fn(|_, _| rng.random_range(-0.2..2.2));
-                Hull::around(
+                HPolyhedron::around(
                     body.transformed(&Rotation::new(Vector::new(rng.random(), rng.random(), 0.3)), &at).half_spaces(),
                 )
             })
             .collect();
-        let hulls = Hulls::new(list.iter().cloned(), Point::origin(), Point::new(2.0, 2.0, 2.0));
+        let hulls = HPolyhedra::new(list.iter().cloned(), Point::origin(), Point::new(2.0, 2.0, 2.0));
         (list, hulls)
     }
 
@@ -262,7 +263,7 @@ mod tests {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2);
         let mut near = Near::default();
         let (mut met, mut asked) = (0, 0);
-        let every: Vec<&Hull> = list.iter().collect();
+        let every: Vec<&HPolyhedron> = list.iter().collect();
         for _ in 0..3000 {
             let from = Point::from(Vector::from_fn(|_, _| rng.random_range(0.0..2.0)));
             let size = [0.02, 0.3, 3.0][rng.random_range(0..3)];
@@ -270,9 +271,9 @@ mod tests {
                 .sup(&Point::origin())
                 .inf(&Point::new(2.0, 2.0, 2.0));
             let along = to - from;
-            let cut = |hull: &Hull| hull.inside(&from, &along).is_some_and(|[a, b]| a < 1.0 && b > 0.0);
-            let found: Vec<&Hull> = hulls.near(&[from, to], &mut near).collect();
-            let covered = |t: f64, hulls: &[&Hull]| {
+            let cut = |hull: &HPolyhedron| hull.inside(&from, &along).is_some_and(|[a, b]| a < 1.0 && b > 0.0);
+            let found: Vec<&HPolyhedron> = hulls.near(&[from, to], &mut near).collect();
+            let covered = |t: f64, hulls: &[&HPolyhedron]| {
                 hulls.iter().any(|hull| hull.inside(&from, &along).is_some_and(|[a, b]| a < t && t < b))
             };
             for k in 0..=20 {

@@ -6,8 +6,8 @@
 //! are corners of polygons, which lie on edges of polyhedra.
 
 use super::Bend;
-use super::hull::{Hull, edge_direction};
-use super::hulls::{Hulls, Near};
+use super::h_polyhedra::{HPolyhedra, Near};
+use super::h_polyhedron::{HPolyhedron, edge_direction};
 use super::polygon::{Frame, Place, Polygon};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{GRAZING, SAME_POINT};
@@ -22,12 +22,13 @@ pub struct Pull {
 
 impl Pull {
     /// Replaces `chain` by the corners of the tightened string u → v → w; empty if v is not needed at all.
-    pub fn over(&mut self, hulls: &Hulls, u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
+    pub fn over(&mut self, hulls: &HPolyhedra, u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
         chain.clear();
         let Some((frame, top, length)) = framed(u, v, w) else { return };
         self.found.clear();
         // A hull that contains a valid waypoint is too large there, and useless for finding a path around it.
-        let in_the_way = |hull: &&Hull| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
+        let in_the_way =
+            |hull: &&HPolyhedron| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
         let mut near = std::mem::take(&mut self.near);
         for hull in hulls.near(&[*u, *v, *w], &mut near).filter(in_the_way) {
             self.cut(hull, &frame, [[0.0, 0.0], [length, 0.0], top]);
@@ -38,7 +39,7 @@ impl Pull {
     }
 
     /// The polygon that a hull cuts out of the triangle.
-    fn cut(&mut self, hull: &Hull, frame: &Frame, triangle: [Place; 3]) {
+    fn cut(&mut self, hull: &HPolyhedron, frame: &Frame, triangle: [Place; 3]) {
         self.polygon.begin(triangle);
         for (index, plane) in hull.planes().iter().enumerate() {
             self.polygon.clip(frame.height(plane), Some(index));
@@ -49,7 +50,7 @@ impl Pull {
     }
 
     /// The corners of the polygon with the edges of the hull on which they lie.
-    fn collect(&mut self, hull: &Hull) {
+    fn collect(&mut self, hull: &HPolyhedron) {
         for [before, corner] in self.polygon.with_previous() {
             let edge = match (before.line, corner.line) {
                 (Some(i), Some(j)) if i != j => edge_direction(&hull.planes()[i], &hull.planes()[j]),

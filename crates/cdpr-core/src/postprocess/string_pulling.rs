@@ -13,8 +13,8 @@
 //! longer, even if the polyhedra cover too much (sets fattened by a clearance) or too little (wrenches).
 
 pub mod bound;
-pub mod hull;
-pub mod hulls;
+pub mod h_polyhedra;
+pub mod h_polyhedron;
 mod polygon;
 pub mod pull;
 pub mod slide;
@@ -30,10 +30,10 @@ use crate::decomposition::{Decomposition, Taste, Way};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
-use crate::planning::Guide;
+use crate::planning::PathOptimizer;
 use crate::watch::Watch;
-use hull::{Hull, in_box};
-use hulls::{Hulls, Near, Room};
+use h_polyhedra::{HPolyhedra, Near, Room};
+use h_polyhedron::{HPolyhedron, in_box};
 use pull::Pull;
 
 /// A waypoint; if it bends around a polyhedron, with the direction of the edge along which it can slide.
@@ -55,13 +55,13 @@ impl Bend {
 }
 
 /// The string puller of a scene: everything needed to pull paths in it.
-pub struct Taut<'a> {
+pub struct StringPuller<'a> {
     engine: &'a dyn Checker,
-    hulls: OnceLock<Hulls>,
+    hulls: OnceLock<HPolyhedra>,
     low: Point,
     high: Point,
     /// Whether the engine ever rejected a change that the polyhedra allow.
-    hindered: AtomicBool,
+    blocked: AtomicBool,
     /// Scratch memory for sampling.
     room: Mutex<Room>,
     ways: Mutex<Option<Ways>>,
@@ -100,16 +100,16 @@ const SIZES: usize = 6;
 /// Halvings of a slide that is not possible in full.
 const HALVINGS: usize = 12;
 
-impl<'a> Taut<'a> {
+impl<'a> StringPuller<'a> {
     /// A string puller for the polyhedra that an engine avoids.
     pub fn new(engine: &'a dyn Checker) -> Self {
-        let (low, high) = engine.constraints().position_box();
-        let (hindered, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
-        Taut { engine, hulls: OnceLock::new(), low, high, hindered, room, ways }
+        let (low, high) = engine.conditions().position_box();
+        let (blocked, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
+        StringPuller { engine, hulls: OnceLock::new(), low, high, blocked, room, ways }
     }
 }
 
-impl Guide<Point> for Taut<'_> {
+impl PathOptimizer<Point> for StringPuller<'_> {
     fn shortened(&self, path: &[Point], worth: f64, watch: &Watch) -> Result<Vec<Point>, Error> {
         let Some(mut string) = Strand::new(self, path, watch)? else { return Ok(path.to_vec()) };
         string.pull_roughly(worth, watch)?;
@@ -134,16 +134,17 @@ impl Guide<Point> for Taut<'_> {
 
     fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
         let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
-        let hulls = Hulls::new(polyhedra.into_iter().map(Hull::exact), self.low, self.high);
+        let hulls =
+            HPolyhedra::new(polyhedra.into_iter().map(|p| HPolyhedron::exact(p.half_spaces)), self.low, self.high);
         bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
     }
 
     fn complexity(&self) -> usize {
-        self.hulls.get().map_or(0, Hulls::count)
+        self.hulls.get().map_or(0, HPolyhedra::count)
     }
 
-    fn hindered(&self) -> bool {
-        self.hindered.load(Ordering::Relaxed)
+    fn blocked(&self) -> bool {
+        self.blocked.load(Ordering::Relaxed)
     }
 
     fn polished(&self, path: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
@@ -165,12 +166,13 @@ impl Guide<Point> for Taut<'_> {
     }
 }
 
-impl Taut<'_> {
+impl StringPuller<'_> {
     /// The slightly enlarged polyhedra; `None` if time runs out before they are ready.
-    fn hulls(&self, watch: &Watch) -> Result<Option<&Hulls>, Error> {
+    fn hulls(&self, watch: &Watch) -> Result<Option<&HPolyhedra>, Error> {
         if self.hulls.get().is_none() {
             let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
-            let hulls = Hulls::new(polyhedra.into_iter().map(Hull::around), self.low, self.high);
+            let hulls =
+                HPolyhedra::new(polyhedra.into_iter().map(|p| HPolyhedron::around(p.half_spaces)), self.low, self.high);
             let _ = self.hulls.set(hulls); // another thread may have set the same value first
         }
         Ok(self.hulls.get())
@@ -187,8 +189,8 @@ fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
 
 /// A path that is being pulled.
 struct Strand<'a> {
-    taut: &'a Taut<'a>,
-    hulls: &'a Hulls,
+    taut: &'a StringPuller<'a>,
+    hulls: &'a HPolyhedra,
     path: Vec<Bend>,
     /// Whether the engine rejected a change that the polyhedra allow.
     refused: bool,
@@ -199,7 +201,7 @@ struct Strand<'a> {
 
 impl<'a> Strand<'a> {
     /// `None` if time runs out before the polyhedra are ready.
-    fn new(taut: &'a Taut<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
+    fn new(taut: &'a StringPuller<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
         let Some(hulls) = taut.hulls(watch)? else { return Ok(None) };
         let mut path: Vec<Bend> = path.iter().map(|place| Bend::new(*place, None)).collect();
         path.dedup_by(|a, b| a.place == b.place);
@@ -352,7 +354,7 @@ impl<'a> Strand<'a> {
         self.chain = chain;
         if shorter && !free {
             self.refused = true;
-            self.taut.hindered.store(true, Ordering::Relaxed);
+            self.taut.blocked.store(true, Ordering::Relaxed);
         }
         let pulled = free || (shorter && self.cut_corner(at));
         if !pulled {

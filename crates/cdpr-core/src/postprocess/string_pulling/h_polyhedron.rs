@@ -8,7 +8,7 @@ use crate::numerics::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
 
 /// A convex polyhedron of positions that a path must avoid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Hull {
+pub struct HPolyhedron {
     planes: Vec<HalfSpace>,
 }
 
@@ -30,10 +30,10 @@ pub struct Piece {
     along: Vector,
 }
 
-impl Hull {
+impl HPolyhedron {
     /// The polyhedron with its planes moved outward by [`STANDOFF`].
     pub fn around(half_spaces: Vec<HalfSpace>) -> Self {
-        Hull { planes: half_spaces.into_iter().map(|h| h.widened(STANDOFF)).collect() }
+        HPolyhedron { planes: half_spaces.into_iter().map(|h| h.widened(STANDOFF)).collect() }
     }
 
     /// Its planes.
@@ -63,7 +63,7 @@ impl Hull {
 
     /// The polyhedron without enlargement.
     pub fn exact(half_spaces: Vec<HalfSpace>) -> Self {
-        Hull { planes: half_spaces }
+        HPolyhedron { planes: half_spaces }
     }
 
     /// The interval of t for which `from + t along`, a line in one of the planes, is on the polyhedron's surface; if
@@ -169,7 +169,7 @@ impl Piece {
     }
 
     /// Its pieces outside all hulls that have at least this length, m.
-    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h Hull>, least: f64) -> Vec<Piece> {
+    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h HPolyhedron>, least: f64) -> Vec<Piece> {
         let mut covered: Vec<[f64; 2]> =
             hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));

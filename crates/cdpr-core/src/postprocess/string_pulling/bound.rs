@@ -5,8 +5,8 @@
 //! free. That function is convex, so the minimum is at the crossing of the straight line or on a side of a polygon, where
 //! it is known in closed form. Any plane gives a bound; the best of many is used.
 
-use super::hull::{Hull, edge_direction, in_box, meeting_line};
-use super::hulls::{Hulls, Near};
+use super::h_polyhedra::{HPolyhedra, Near};
+use super::h_polyhedron::{HPolyhedron, edge_direction, in_box, meeting_line};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::SAME_POINT;
@@ -24,7 +24,7 @@ const ROUNDS: usize = 4;
 /// # Errors
 /// [`Error::interrupted`].
 pub fn lower_bound(
-    hulls: &Hulls,
+    hulls: &HPolyhedra,
     low: &Point,
     high: &Point,
     start: &Point,
@@ -74,7 +74,7 @@ pub fn lower_bound(
 
 /// The planes that the hulls cut, one after another.
 struct Section<'a> {
-    hulls: &'a Hulls,
+    hulls: &'a HPolyhedra,
     low: &'a Point,
     high: &'a Point,
     start: &'a Point,
@@ -84,7 +84,7 @@ struct Section<'a> {
 
 /// A side of a polygon that a hull cuts out of a plane, and how short a path through it could be.
 struct Side<'a> {
-    hull: &'a Hull,
+    hull: &'a HPolyhedron,
     point: Point,
     along: Vector,
     range: [f64; 2],
@@ -104,7 +104,7 @@ impl<'a> Section<'a> {
         let (below, above) = (plane.height(self.start), plane.height(self.goal));
         let way = self.goal - self.start;
         let crossing = self.start + way * (below / (below - above));
-        let hidden = |hull: &Hull| hull.planes().iter().all(|h| h.height(&crossing) < 0.0);
+        let hidden = |hull: &HPolyhedron| hull.planes().iter().all(|h| h.height(&crossing) < 0.0);
         if !(below < 0.0 && above > 0.0 && self.hulls.near(&[crossing], &mut self.near).any(hidden)) {
             return Ok(None);
         }
@@ -161,7 +161,7 @@ impl<'a> Section<'a> {
         let corner = |x: f64, y: f64| center + (across * x + up * y) * radius;
         let corners = [corner(0.0, 2.0), corner(-3f64.sqrt(), -1.0), corner(3f64.sqrt(), -1.0)];
         let mut sides = Vec::new();
-        let hulls: Vec<&Hull> = self.hulls.near(&corners, &mut self.near).collect();
+        let hulls: Vec<&HPolyhedron> = self.hulls.near(&corners, &mut self.near).collect();
         for hull in hulls {
             for own in hull.planes() {
                 edge_direction(plane, own)?; // the position of a side along the plane would be uncertain
@@ -216,7 +216,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
 
     /// The shortest path through free points of a plane, found on a fine grid.
-    fn sampled(plane: &HalfSpace, hulls: &[Hull], low: &Point, high: &Point, ends: [&Point; 2]) -> f64 {
+    fn sampled(plane: &HalfSpace, hulls: &[HPolyhedron], low: &Point, high: &Point, ends: [&Point; 2]) -> f64 {
         const STEPS: i32 = 150;
         let across = plane.normal.cross(&Vector::ith(plane.normal.iamin(), 1.0)).normalize();
         let up = plane.normal.cross(&across);
@@ -237,21 +237,21 @@ mod tests {
         let (start, goal) = (Point::new(0.2, 1.0, 1.0), Point::new(1.8, 1.0, 1.0));
         let mut told = 0;
         for round in 0..120 {
-            let mut hulls: Vec<Hull> = (0..6)
+            let mut hulls: Vec<HPolyhedron> = (0..6)
                 .map(|_| {
                     let body = Polytope::cuboid([0; 3].map(|_| rng.random_range(0.1..1.2))).unwrap();
                     let axis = Vector::new(rng.random(), rng.random(), rng.random());
                     let at = Vector::new(1.0, rng.random_range(0.2..1.8), rng.random_range(0.2..1.8));
-                    Hull::exact(body.transformed(&Rotation::new(axis), &at).half_spaces())
+                    HPolyhedron::exact(body.transformed(&Rotation::new(axis), &at).half_spaces())
                 })
                 .collect();
             // Planes that are equal up to rounding, and a hull twice.
             let twins: Vec<HalfSpace> = hulls[0].planes().iter().flat_map(|h| [*h, h.widened(1e-13)]).collect();
-            hulls.extend([Hull::exact(twins), hulls[1].clone()]);
+            hulls.extend([HPolyhedron::exact(twins), hulls[1].clone()]);
             hulls.remove(0);
             let tilt = Vector::new(1.0, rng.random_range(-0.5..0.5), rng.random_range(-0.5..0.5)).normalize();
             let plane = HalfSpace::through(&Point::new(1.0, 1.0, 1.0), tilt);
-            let placed = Hulls::new(hulls.iter().cloned(), low, high);
+            let placed = HPolyhedra::new(hulls.iter().cloned(), low, high);
             let (near, hulls_at) = (Near::default(), &placed);
             let mut section = Section { hulls: hulls_at, low: &low, high: &high, start: &start, goal: &goal, near };
             let known = (goal - start).norm();

@@ -1,0 +1,127 @@
+//! How near a motion comes to breaking conditions: from the conditions alone, the same for all engines.
+
+use serde::Serialize;
+
+use super::along::{at, first_true};
+use crate::conditions::{Condition, Conditions};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::numerics::TOUCH_DEPTH;
+use crate::watch::Watch;
+
+/// The nearest approach of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Clearance {
+    /// Gap in the world, m.
+    pub value: f64,
+    /// Fraction of the motion at which it is first reached, 0 to 1.
+    pub at: f64,
+    /// The names of the members.
+    pub culprits: Vec<String>,
+    /// The clearance that the pair is held to, m; 0 where it must only not touch.
+    pub required: f64,
+}
+
+/// The nearest approach of a motion, over all conditions that are about a gap.
+pub fn clearance(conditions: &Conditions, from: &Point, to: &Point) -> Option<Clearance> {
+    nearest(conditions, from, to).map(|nearest| reached(conditions, nearest, from, to))
+}
+
+/// Where a motion first comes as near as it ever does, from the least gap and the condition it is about.
+fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
+    let nearest = &conditions.list[index];
+    let until = |t: f64| gap(conditions, nearest, from, &at(from, to, t));
+    let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
+    let required = conditions.required(nearest).map_or(0.0, |gap| gap.max(0.0));
+    Clearance { value, at: first_true(reached), culprits: conditions.culprits(nearest), required }
+}
+
+/// Conditions measured between two polls of the watch.
+const AT_A_TIME: usize = 256;
+
+/// The nearest approach of a path, and its segment, for the conditions with these indices. A gap changes by at most the
+/// distance travelled, so a wide one is not measured again until the path could have used it up.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn path_clearance(
+    conditions: &Conditions,
+    indices: &[usize],
+    waypoints: &[Point],
+    watch: &Watch,
+) -> Result<Option<(usize, Clearance)>, Error> {
+    let mut best: Option<(usize, f64, usize)> = None;
+    // For each condition: after s metres of path its gap is at least this less s.
+    let mut wide_until = vec![f64::NEG_INFINITY; indices.len()];
+    let mut way = 0.0;
+    for (segment, pair) in waypoints.windows(2).enumerate() {
+        let (from, to) = (&pair[0], &pair[1]);
+        way += (to - from).norm();
+        for (block, ways) in wide_until.chunks_mut(AT_A_TIME).enumerate() {
+            watch.check()?;
+            for (k, wide_until) in ways.iter_mut().enumerate() {
+                let least = best.map_or(f64::INFINITY, |(_, least, _)| least);
+                if *wide_until - way > least + TOUCH_DEPTH {
+                    continue;
+                }
+                let index = indices[block * AT_A_TIME + k];
+                let condition = &conditions.list[index];
+                let apart = condition.details().boxes_apart(&conditions.bodies, from, to);
+                let gap = if apart >= least { None } else { gap(conditions, condition, from, to) };
+                if let Some(gap) = gap.filter(|gap| *gap < least) {
+                    best = Some((segment, gap, index));
+                }
+                // A condition that is about no gap is not measured again.
+                *wide_until = way + if apart >= least { apart } else { gap.unwrap_or(f64::INFINITY) };
+            }
+        }
+    }
+    Ok(best.map(|(segment, value, index)| {
+        (segment, reached(conditions, (value, index), &waypoints[segment], &waypoints[segment + 1]))
+    }))
+}
+
+/// The pair with the least room at a position: its gap exceeds the required one by least, or falls short of it by most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
+pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> {
+    let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
+    let (room, index) = least(conditions, position, position, required)?;
+    let condition = &conditions.list[index];
+    let required = required(condition);
+    Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
+}
+
+/// The least gap of a motion, m, and the index of the condition it is about.
+pub fn nearest(conditions: &Conditions, from: &Point, to: &Point) -> Option<(f64, usize)> {
+    least(conditions, from, to, |_| 0.0)
+}
+
+/// The least gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose bounding
+/// boxes are further apart than the least gap found so far are skipped.
+fn least(
+    conditions: &Conditions,
+    from: &Point,
+    to: &Point,
+    deducted: impl Fn(&Condition) -> f64,
+) -> Option<(f64, usize)> {
+    let mut best: Option<(f64, usize)> = None;
+    for (index, condition) in conditions.list.iter().enumerate() {
+        let deducted = deducted(condition);
+        if best
+            .is_some_and(|(least, _)| condition.details().boxes_apart(&conditions.bodies, from, to) - deducted >= least)
+        {
+            continue;
+        }
+        let room = gap(conditions, condition, from, to).map(|gap| gap - deducted);
+        if let Some(room) = room.filter(|room| best.is_none_or(|(least, _)| *room < least)) {
+            best = Some((room, index));
+        }
+    }
+    best
+}
+
+/// The least gap over a motion that a condition is about, m, whether or not it is demanded. None where it is not about a gap;
+/// see [`Conditions::required`].
+fn gap(conditions: &Conditions, condition: &Condition, from: &Point, to: &Point) -> Option<f64> {
+    let (condition, bodies) = (condition.details(), &conditions.bodies);
+    condition.is_about_gap(bodies).then(|| condition.distance(bodies, from, to))
+}

@@ -1,0 +1,117 @@
+//! The bodies of a scene at one orientation: what does not depend on the platform's position.
+
+use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
+use crate::model::scene::PLATFORM;
+use crate::model::{Member, Scene};
+
+/// A cable at fixed orientation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CableAt {
+    /// Outlet, world, m.
+    pub outlet: Point,
+    /// From the platform's origin to the attachment, world axes, m.
+    pub arm: Vector,
+    /// Half the diameter, m.
+    pub radius: f64,
+    /// Name.
+    pub name: String,
+}
+
+impl CableAt {
+    /// The triangle swept in the world while the platform's origin goes from one position to another.
+    #[inline]
+    pub fn sweep(&self, from: &Point, to: &Point) -> Triangle {
+        Triangle::new(self.outlet, from + self.arm, to + self.arm)
+    }
+
+    /// The triangle swept as seen from the platform, which then stands still at the origin.
+    #[inline]
+    pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> Triangle {
+        Triangle::new(Point::from(self.arm), self.outlet - from.coords, self.outlet - to.coords)
+    }
+}
+
+/// A convex obstacle body with the obstacle it belongs to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObstacleBody {
+    /// Convex body, world, m.
+    pub body: Polytope,
+    /// Index into [`Scene::obstacles`]; two, maybe equal, for the seam between parts.
+    pub between: [usize; 2],
+    /// For a body that closes a seam: its inside is forbidden, deeper than this, m, but distances are those of the parts
+    /// around it.
+    pub seam: Option<f64>,
+    /// Name of the obstacle.
+    pub name: String,
+}
+
+impl ObstacleBody {
+    /// Whether the scene ignores contact of this obstacle with a member.
+    pub(super) fn ignored(&self, scene: &Scene, member: Member) -> bool {
+        self.between.iter().any(|j| scene.pairs().ignores(member, Member::Obstacle(*j)))
+    }
+
+    /// The obstacle; for a seam the first of those it lies between.
+    pub fn member(&self) -> Member {
+        Member::Obstacle(self.between[0])
+    }
+}
+
+/// The bodies of a scene at one orientation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bodies {
+    /// Cables.
+    pub cables: Vec<CableAt>,
+    /// Platform parts, then the seams between them, world axes, platform's origin at zero.
+    pub platform: Vec<Polytope>,
+    /// How many of [`Bodies::platform`] are parts; the rest close seams.
+    pub platform_parts: usize,
+    /// Obstacle parts and seams.
+    pub obstacles: Vec<ObstacleBody>,
+}
+
+impl Bodies {
+    /// The bodies of a scene at its orientation.
+    pub fn of(scene: &Scene) -> Self {
+        let rotation = scene.orientation();
+        let robot = scene.robot();
+        let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
+        Bodies {
+            cables: cables_at(scene, rotation),
+            platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
+            platform_parts: robot.parts().len(),
+            obstacles: obstacle_bodies(scene),
+        }
+    }
+
+    /// The name of a member.
+    pub fn name(&self, member: Member) -> &str {
+        match member {
+            Member::Cable(i) => &self.cables[i].name,
+            Member::Platform => PLATFORM,
+            Member::Obstacle(_) => {
+                &self.obstacles.iter().find(|o| o.member() == member).expect("every obstacle has a part").name
+            }
+        }
+    }
+}
+
+fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
+    let at = |cable: &crate::model::Cable| CableAt {
+        outlet: cable.outlet,
+        arm: rotation * cable.attachment.coords,
+        radius: 0.5 * cable.diameter,
+        name: cable.name.clone(),
+    };
+    scene.robot().cables().iter().map(at).collect()
+}
+
+fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {
+    let body = |body: &Polytope, between: [usize; 2], seam| {
+        let name = scene.obstacles()[between[0]].name.clone();
+        ObstacleBody { body: body.clone(), between, seam, name }
+    };
+    let parts = scene.obstacles().iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part)));
+    let parts = parts.map(|(j, part)| body(part, [j, j], None));
+    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between, Some(s.touch)))).collect()
+}

@@ -1,0 +1,86 @@
+//! A cable is neither shorter nor longer than it can be.
+
+use super::bodies::Bodies;
+use super::exempt::Remarks;
+use super::fattened::Fattened;
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::region::{Region, Scale};
+use crate::error::Error;
+use crate::geometry::{HalfSpace, Point, Vector, segment_segment};
+use crate::model::{Member, Scene};
+use crate::numerics::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
+use crate::watch::Watch;
+
+/// The cable's length stays in an interval.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CableLength {
+    /// Which cable.
+    pub cable: usize,
+    /// Shortest, m.
+    pub min: f64,
+    /// Longest, m.
+    pub max: f64,
+}
+
+impl CableLength {
+    /// Room left in the length over a motion, m.
+    #[inline]
+    fn room(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        let (p, q) = (from + cable.arm, to + cable.arm);
+        let longest = (p - cable.outlet).norm().max((q - cable.outlet).norm());
+        let shortest = segment_segment::closest(&p, &q, &cable.outlet, &cable.outlet).distance;
+        (shortest - self.min).min(self.max - longest)
+    }
+}
+
+impl PhysicalCondition for CableLength {
+    fn all(scene: &Scene, _: &Bodies, _: usize, _: &mut Remarks, _: &Watch) -> Result<Vec<Self>, Error> {
+        let limits = |(cable, model): (usize, &crate::model::Cable)| {
+            let [min, max] = model.length.unwrap_or([0.0, f64::INFINITY]);
+            CableLength { cable, min: min.max(MIN_CABLE_LENGTH), max }
+        };
+        Ok(scene.robot().cables().iter().enumerate().map(limits).collect())
+    }
+
+    fn sentence(found: &Broken) -> String {
+        format!("{} breaks its length limits{}", found.name(0), found.lacking())
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::CableLength
+    }
+
+    fn members(&self, _: &Bodies) -> Vec<Member> {
+        vec![Member::Cable(self.cable)]
+    }
+
+    fn required(&self, _: &Bodies) -> f64 {
+        0.0
+    }
+
+    fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        self.room(bodies, from, to)
+    }
+
+    fn worst_distance(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> Option<f64> {
+        Some(self.room(bodies, from, to))
+    }
+
+    #[inline]
+    fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
+        self.room(bodies, from, to) < -TOUCH_DEPTH
+    }
+
+    /// Too short: inside a ball, which a cube holds. Too long: outside of another, which no polyhedron does.
+    fn regions(&self, bodies: &Bodies, scale: &Scale, _: &Fattened) -> Vec<Region> {
+        let cable = &bodies.cables[self.cable];
+        let center = cable.outlet - cable.arm;
+        let faces = (0..6).map(|k| Vector::ith(k / 2, if k % 2 == 0 { 1.0 } else { -1.0 }));
+        let reach = self.min.max(MIN_CABLE_LENGTH) + scale.rounding;
+        let cube = faces.map(|n| HalfSpace::through(&center, n).widened(reach));
+        let short = Region::within(Some(cube.collect()));
+        let long = self.max.is_finite().then_some(Region::within(None));
+        std::iter::once(short).chain(long).collect()
+    }
+}

@@ -1,0 +1,170 @@
+//! Cables keep away from obstacles.
+//!
+//! The forbidden positions are the shadow of the obstacle seen from the outlet B, moved by minus the arm R a; where the outlet
+//! is on the obstacle, the cone of directions below all facets that are active there.
+
+use super::bodies::{Bodies, CableAt, ObstacleBody};
+use super::cable_and_body::{Demand, rounded_shadow};
+use super::exempt::Remarks;
+use super::fattened::Fattened;
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::region::{Forbidden, Region, Scale};
+use crate::error::Error;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{Aabb, HalfSpace, Point, Triangle, Vector};
+use crate::model::{Member, Scene};
+use crate::watch::Watch;
+
+/// A cable keeps out of an obstacle body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CableObstacle {
+    /// Which cable.
+    pub cable: usize,
+    /// Index into [`Bodies::obstacles`].
+    pub body: usize,
+    /// How.
+    pub demand: Demand,
+}
+
+impl CableObstacle {
+    /// The condition on a cable and an obstacle body that stands at `index` in the list.
+    fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
+        let CableAt { outlet, radius, ref name, .. } = bodies.cables[cable];
+        let obstacle = &bodies.obstacles[body];
+        let with = |demand: Demand| CableObstacle { cable, body, demand };
+        let normals = obstacle.body.active_normals(&outlet);
+        if !normals.is_empty() {
+            return with(Demand::Leave { normals });
+        }
+        if let Some(touch) = obstacle.seam {
+            return with(Demand::Outside { touch });
+        }
+        let (gap, distance) =
+            (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
+        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
+        // A neighbouring part of the body that the winch is bolted to can be as near as it is.
+        if distance >= gap || bodies.obstacles.iter().any(carries) {
+            let pair = (index, [Member::Cable(cable), obstacle.member()]);
+            return with(Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });
+        }
+        remarks.notes.push(format!(
+            "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
+             is refused; give the pair a smaller clearance in [[clearances.pairs]], or let it touch: \
+             touch = [[\"{name}\", \"{other}\"]]",
+            other = obstacle.name
+        ));
+        with(Demand::Apart { gap })
+    }
+}
+
+impl PhysicalCondition for CableObstacle {
+    fn all(
+        scene: &Scene,
+        bodies: &Bodies,
+        first: usize,
+        remarks: &mut Remarks,
+        watch: &Watch,
+    ) -> Result<Vec<Self>, Error> {
+        let mut all = Vec::new();
+        for cable in 0..bodies.cables.len() {
+            watch.check()?;
+            for (body, obstacle) in bodies.obstacles.iter().enumerate() {
+                if !obstacle.ignored(scene, Member::Cable(cable)) {
+                    let clearance = scene.pairs().clearance(Member::Cable(cable), obstacle.member());
+                    all.push(CableObstacle::of([first + all.len(), cable, body], bodies, clearance, remarks));
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    fn sentence(found: &Broken) -> String {
+        found.meets(found.name(0), found.name(1))
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::CableObstacle
+    }
+
+    fn members(&self, bodies: &Bodies) -> Vec<Member> {
+        vec![Member::Cable(self.cable), bodies.obstacles[self.body].member()]
+    }
+
+    fn obstacle_mut(&mut self) -> Option<&mut usize> {
+        Some(&mut self.body)
+    }
+
+    fn closes_seam(&self, bodies: &Bodies) -> bool {
+        bodies.obstacles[self.body].seam.is_some()
+    }
+
+    fn is_seam_beside(&self, other: &dyn PhysicalCondition, bodies: &Bodies) -> bool {
+        let beside = bodies.obstacles[self.body].between.map(Member::Obstacle);
+        self.closes_seam(bodies)
+            && other.kind() == self.kind()
+            && !other.closes_seam(bodies)
+            && matches!(other.members(bodies)[..], [cable, part]
+                if cable == Member::Cable(self.cable) && beside.contains(&part))
+    }
+
+    fn required(&self, bodies: &Bodies) -> f64 {
+        self.demand.required(bodies.cables[self.cable].radius)
+    }
+
+    fn is_about_gap(&self, _: &Bodies) -> bool {
+        self.demand.is_about_gap()
+    }
+
+    fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        shape_distance(&cable.sweep(from, to), &bodies.obstacles[self.body].body).signed() - cable.radius
+    }
+
+    fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        let swept = Aabb::around(&cable.sweep(from, to).corners);
+        let apart = swept.distance(bodies.obstacles[self.body].body.aabb());
+        if apart > 0.0 { apart - cable.radius } else { f64::NEG_INFINITY }
+    }
+
+    fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
+        if self.demand.ends_on_body() {
+            return f64::NEG_INFINITY;
+        }
+        self.distance(bodies, position, position) - self.required(bodies)
+    }
+
+    #[inline]
+    fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
+        let cable = &bodies.cables[self.cable];
+        let along = |p: &Point| p + cable.arm - cable.outlet;
+        let sweep = || cable.sweep(from, to);
+        self.demand.broken_by(sweep, [along(from), along(to)], &bodies.obstacles[self.body].body)
+    }
+
+    fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<Forbidden> {
+        let cable = &bodies.cables[self.cable];
+        let found = self.demand.behind(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet)?;
+        Some(found.placed(|h| h.moved(&-cable.arm)))
+    }
+
+    fn rounded(&self, bodies: &Bodies, fat: &Fattened) -> Option<Vec<HalfSpace>> {
+        let gap = self.demand.distance()?;
+        let (cable, obstacle) = (&bodies.cables[self.cable], &bodies.obstacles[self.body].body);
+        let planes = rounded_shadow(obstacle, &cable.outlet, gap, &fat.directions(bodies, self.body))?;
+        Some(planes.iter().map(|h| h.moved(&-cable.arm)).collect())
+    }
+
+    fn fattens(&self) -> Option<(usize, f64)> {
+        self.demand.distance().map(|gap| (self.body, gap))
+    }
+
+    fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {
+        let set = |gap: f64| self.forbidden(bodies, gap, fat);
+        vec![Region::bracketed(set, self.demand.gap_and_touch(), scale)]
+    }
+
+    fn attachment(&self, bodies: &Bodies) -> Vector {
+        bodies.cables[self.cable].arm
+    }
+}

@@ -1,0 +1,151 @@
+//! Cables keep out of the platform.
+//!
+//! With a part K of the platform standing still, a cable runs from its attachment R a to B - p. Where it is not attached to K,
+//! the forbidden positions are the shadow of K seen from R a, mirrored: p ∈ B - (RK ⊕ cone(RK - R a)). On a part that it is
+//! attached to, they are the cone of directions below all facets that are active there.
+
+use super::bodies::{Bodies, CableAt};
+use super::cable_and_body::{Demand, rounded_shadow};
+use super::exempt::Remarks;
+use super::fattened::{Fattened, directions, fattened};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::region::{Forbidden, Region, Scale};
+use crate::error::Error;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{HalfSpace, Point, Triangle};
+use crate::model::{Member, Scene};
+use crate::numerics::ON_SURFACE;
+use crate::watch::Watch;
+
+/// A cable keeps out of a platform body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CablePlatform {
+    /// Which cable.
+    pub cable: usize,
+    /// Index into [`Bodies::platform`].
+    pub body: usize,
+    /// How.
+    pub demand: Demand,
+}
+
+impl CablePlatform {
+    /// The condition on a cable and a body of the platform that stands at `index` in the list; none if the cable cannot break
+    /// it. `seam` is the depth that counts as touching, m, for bodies that close a seam.
+    fn of(
+        [index, cable, body]: [usize; 3],
+        bodies: &Bodies,
+        seam: Option<f64>,
+        clearance: f64,
+        remarks: &mut Remarks,
+    ) -> Option<Self> {
+        let CableAt { arm, radius, .. } = bodies.cables[cable];
+        let attachment = Point::from(arm);
+        let part = &bodies.platform[body];
+        let distance = shape_distance(&Triangle::new(attachment, attachment, attachment), part).distance;
+        let demand = match seam {
+            // A plate, a segment or a point has no interior that the cable could enter.
+            _ if distance <= ON_SURFACE && !part.has_volume() => return None,
+            _ if distance <= ON_SURFACE => Demand::Leave { normals: part.active_normals(&attachment) },
+            Some(touch) => Demand::Outside { touch },
+            None => {
+                let pair = (index, [Member::Cable(cable), Member::Platform]);
+                Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) }
+            }
+        };
+        Some(CablePlatform { cable, body, demand })
+    }
+
+    /// The attachment, where the cable's shadows begin, seen from the platform.
+    fn apex(&self, bodies: &Bodies) -> Point {
+        Point::from(bodies.cables[self.cable].arm)
+    }
+}
+
+impl PhysicalCondition for CablePlatform {
+    fn all(
+        scene: &Scene,
+        bodies: &Bodies,
+        first: usize,
+        remarks: &mut Remarks,
+        watch: &Watch,
+    ) -> Result<Vec<Self>, Error> {
+        let mut all = Vec::new();
+        for cable in 0..bodies.cables.len() {
+            watch.check()?;
+            if scene.pairs().ignores(Member::Cable(cable), Member::Platform) {
+                continue;
+            }
+            let clearance = scene.pairs().clearance(Member::Cable(cable), Member::Platform);
+            for body in 0..bodies.platform.len() {
+                let seam = body.checked_sub(bodies.platform_parts).map(|k| scene.robot().seams()[k].touch);
+                all.extend(CablePlatform::of([first + all.len(), cable, body], bodies, seam, clearance, remarks));
+            }
+        }
+        Ok(all)
+    }
+
+    fn sentence(found: &Broken) -> String {
+        found.meets(found.name(0), "the platform")
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::CablePlatform
+    }
+
+    fn members(&self, _: &Bodies) -> Vec<Member> {
+        vec![Member::Cable(self.cable), Member::Platform]
+    }
+
+    fn within_robot(&self) -> bool {
+        true
+    }
+
+    fn closes_seam(&self, bodies: &Bodies) -> bool {
+        self.body >= bodies.platform_parts
+    }
+
+    fn required(&self, bodies: &Bodies) -> f64 {
+        self.demand.required(bodies.cables[self.cable].radius)
+    }
+
+    fn is_about_gap(&self, _: &Bodies) -> bool {
+        self.demand.is_about_gap()
+    }
+
+    fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        shape_distance(&cable.sweep_seen_from_platform(from, to), &bodies.platform[self.body]).signed() - cable.radius
+    }
+
+    fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
+        if self.demand.ends_on_body() {
+            return f64::NEG_INFINITY;
+        }
+        self.distance(bodies, position, position) - self.required(bodies)
+    }
+
+    #[inline]
+    fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
+        let cable = &bodies.cables[self.cable];
+        let along = |p: &Point| cable.outlet - (p + cable.arm);
+        let sweep = || cable.sweep_seen_from_platform(from, to);
+        self.demand.broken_by(sweep, [along(from), along(to)], &bodies.platform[self.body])
+    }
+
+    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {
+        let found = self.demand.behind(&*fattened(&bodies.platform[self.body], gap)?, &self.apex(bodies))?;
+        Some(found.placed(|h| h.reflected(&bodies.cables[self.cable].outlet.coords)))
+    }
+
+    fn rounded(&self, bodies: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {
+        let gap = self.demand.distance()?;
+        let part = &bodies.platform[self.body];
+        let planes = rounded_shadow(part, &self.apex(bodies), gap, &directions(part))?;
+        Some(planes.iter().map(|h| h.reflected(&bodies.cables[self.cable].outlet.coords)).collect())
+    }
+
+    fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {
+        let set = |gap: f64| self.forbidden(bodies, gap, fat);
+        vec![Region::bracketed(set, self.demand.gap_and_touch(), scale)]
+    }
+}

@@ -1,0 +1,161 @@
+//! Pairs that are not held to the clearance that the scene demands of their kind: listed beside every answer, so that no
+//! "valid" hides them.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::bodies::Bodies;
+use crate::choices;
+use crate::model::{Member, PairRule, Scene};
+use crate::words::small_length;
+
+/// Why a pair is exempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// At no position can the pair keep the distance. It must still not touch, if it can keep from that.
+    Unattainable,
+    /// The scene lets the pair touch, but not enter each other.
+    Touch,
+    /// The scene has the pair unchecked.
+    Ignore,
+}
+
+choices!(Reason, "reason", [
+    Unattainable = "unattainable": "The pair can keep the distance at no position; it must still not touch",
+    Touch = "touch": "The scene lets the pair touch, but not enter each other",
+    Ignore = "ignore": "The scene has the pair unchecked",
+]);
+
+/// A pair that is not held to the clearance demanded of its kind.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Exemption {
+    /// Who.
+    pub pair: [String; 2],
+    /// Why.
+    pub reason: Reason,
+    /// The clearance that would have to be kept otherwise, m.
+    pub demanded: f64,
+    /// For unattainable distances the largest gap of their surfaces at any position, m; negative where thick cables
+    /// overlap everywhere.
+    pub attainable: Option<f64>,
+    /// Who, by number.
+    #[serde(skip)]
+    pub members: [Member; 2],
+    /// Indices of the conditions that are about the pair's distance.
+    #[serde(skip)]
+    pub conditions: Vec<usize>,
+}
+
+impl Exemption {
+    /// In plain words: "cable 2 and cable 4 can be 100.000 mm apart at most, 200.000 mm are demanded; they must still not
+    /// touch".
+    pub fn sentence(&self) -> String {
+        let names = self.pair.join(" and ");
+        let Some(attainable) = self.attainable else {
+            return match self.reason {
+                Reason::Ignore => format!("{names} are not checked against each other"),
+                _ => format!("{names} may touch, but not enter each other"),
+            };
+        };
+        let (most, still) = if attainable >= 0.0 {
+            (format!("can be {} apart at most", small_length(attainable)), "they must still not touch")
+        } else {
+            (format!("overlap by {} at best", small_length(-attainable)), "only the axes of cables are kept clear")
+        };
+        let demanded = match self.demanded {
+            0.0 => String::new(),
+            demanded => format!(", {} are demanded", small_length(demanded)),
+        };
+        format!("{names} {most}{demanded}; {still}")
+    }
+}
+
+/// What is found besides the conditions themselves while those of a scene are listed.
+#[derive(Debug, Default)]
+pub struct Remarks {
+    /// Pairs that are not held to the clearance of their kind.
+    pub exempt: Vec<Exemption>,
+    /// What else the user should know about how the scene is taken.
+    pub notes: Vec<String>,
+}
+
+impl Remarks {
+    /// The distance of lines or bodies, m, that a pair is held to by the condition at `index`: the clearance and the radii
+    /// as far as that is attainable. What cannot be kept is noted.
+    pub fn kept(
+        &mut self,
+        bodies: &Bodies,
+        (index, members): (usize, [Member; 2]),
+        [clearance, radii, attainable]: [f64; 3],
+    ) -> f64 {
+        self.exempt_if_unattainable(bodies, (index, members), [clearance, radii, attainable]);
+        kept(clearance, radii, attainable)
+    }
+
+    /// Notes that the condition at `index`, which is about this pair, demands less than the scene does, if so.
+    pub(super) fn exempt_if_unattainable(
+        &mut self,
+        bodies: &Bodies,
+        (index, members): (usize, [Member; 2]),
+        [clearance, radii, attainable]: [f64; 3],
+    ) {
+        if clearance + radii <= attainable {
+            return;
+        }
+        let attainable = attainable - radii;
+        // Conditions come in the order of their first members.
+        let mut latest = self.exempt.iter_mut().rev().take_while(|known| known.members[0] == members[0]);
+        if let Some(known) = latest.find(|known| known.members == members) {
+            known.attainable = known.attainable.map(|best| best.min(attainable));
+            known.conditions.push(index);
+            return;
+        }
+        self.exempt.push(Exemption {
+            pair: members.map(|member| bodies.name(member).to_string()),
+            reason: Reason::Unattainable,
+            demanded: clearance,
+            attainable: Some(attainable),
+            members,
+            conditions: vec![index],
+        });
+    }
+
+    /// Lists the pairs that the scene lets touch, or has unchecked. `held_apart(index)` gives the pair that the condition at
+    /// an index keeps apart, if it is about a distance; there are `count` conditions.
+    pub fn exempt_by_name(&mut self, scene: &Scene, count: usize, held_apart: impl Fn(usize) -> Option<[Member; 2]>) {
+        let mut listed: BTreeMap<[Member; 2], Exemption> = BTreeMap::new();
+        for (members, rule) in scene.pairs().named() {
+            let reason = match rule {
+                PairRule::Apart(_) => continue,
+                PairRule::Touch => Reason::Touch,
+                PairRule::Ignore => Reason::Ignore,
+            };
+            let exemption = Exemption {
+                pair: members.map(|member| scene.member_name(member).to_string()),
+                reason,
+                demanded: scene.pairs().of_kind(members[0], members[1]),
+                attainable: None,
+                members,
+                conditions: Vec::new(),
+            };
+            listed.insert(members, exemption);
+        }
+        if listed.values().any(|exemption| exemption.reason == Reason::Touch) {
+            for index in 0..count {
+                if let Some([a, b]) = held_apart(index)
+                    && let Some(exemption) = listed.get_mut(&[a.min(b), a.max(b)])
+                {
+                    exemption.conditions.push(index);
+                }
+            }
+        }
+        self.exempt.extend(listed.into_values());
+    }
+}
+
+/// The distance of the lines or bodies that a pair is held to, m: clearance and radii if some position gives as much,
+/// otherwise the radii alone, so that surfaces do not touch; nothing where even that is impossible.
+pub(super) fn kept(clearance: f64, radii: f64, attainable: f64) -> f64 {
+    [clearance + radii, radii].into_iter().find(|gap| *gap <= attainable).unwrap_or(0.0)
+}

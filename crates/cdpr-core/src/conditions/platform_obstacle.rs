@@ -1,0 +1,139 @@
+//! The platform keeps away from obstacles.
+//!
+//! For an obstacle O and a part P of the platform the forbidden positions are O ⊕ (-P).
+
+use super::bodies::Bodies;
+use super::cable_and_body::too_close;
+use super::exempt::Remarks;
+use super::fattened::{Fattened, around, directions, fattened};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition, surface};
+use super::region::{Forbidden, Region, Scale};
+use crate::error::Error;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{Aabb, HalfSpace, Point, Polytope, Swept, TriangleMesh, Vector};
+use crate::model::{Member, Scene};
+use crate::numerics::TOUCH_DEPTH;
+use crate::watch::Watch;
+
+/// A platform part keeps `gap` away from an obstacle body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlatformObstacle {
+    /// Index into [`Bodies::platform`].
+    pub part: usize,
+    /// Index into [`Bodies::obstacles`].
+    pub body: usize,
+    /// Least distance, m.
+    pub gap: f64,
+}
+
+impl PlatformObstacle {
+    /// Obstacle ⊕ (-platform part); none if it has no hull.
+    fn difference(&self, bodies: &Bodies) -> Option<Polytope> {
+        bodies.obstacles[self.body].body.sum(&bodies.platform[self.part].reflected()).ok()
+    }
+
+    /// The depth that still counts as touching, m.
+    #[inline]
+    fn touch(&self, bodies: &Bodies) -> f64 {
+        bodies.obstacles[self.body].seam.unwrap_or(TOUCH_DEPTH)
+    }
+}
+
+impl PhysicalCondition for PlatformObstacle {
+    fn all(scene: &Scene, bodies: &Bodies, _: usize, _: &mut Remarks, _: &Watch) -> Result<Vec<Self>, Error> {
+        let mut all = Vec::new();
+        for (body, obstacle) in bodies.obstacles.iter().enumerate() {
+            if obstacle.ignored(scene, Member::Platform) {
+                continue;
+            }
+            for part in 0..bodies.platform_parts {
+                // A part with volume that reaches into a seam reaches into the parts on both sides of it.
+                if obstacle.seam.is_some() && bodies.platform[part].has_volume() {
+                    continue;
+                }
+                let gap = match obstacle.seam {
+                    Some(_) => 0.0,
+                    None => scene.pairs().clearance(Member::Platform, obstacle.member()),
+                };
+                all.push(PlatformObstacle { part, body, gap });
+            }
+        }
+        Ok(all)
+    }
+
+    fn sentence(found: &Broken) -> String {
+        found.meets("the platform", found.name(1))
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::PlatformObstacle
+    }
+
+    fn members(&self, bodies: &Bodies) -> Vec<Member> {
+        vec![Member::Platform, bodies.obstacles[self.body].member()]
+    }
+
+    fn obstacle_mut(&mut self) -> Option<&mut usize> {
+        Some(&mut self.body)
+    }
+
+    fn closes_seam(&self, bodies: &Bodies) -> bool {
+        bodies.obstacles[self.body].seam.is_some()
+    }
+
+    fn required(&self, _: &Bodies) -> f64 {
+        self.gap
+    }
+
+    fn is_about_gap(&self, bodies: &Bodies) -> bool {
+        !self.closes_seam(bodies)
+    }
+
+    fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let swept = Swept::new(&bodies.platform[self.part], from.coords, to - from);
+        shape_distance(&swept, &bodies.obstacles[self.body].body).signed()
+    }
+
+    fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let swept = bodies.platform[self.part].aabb().swept(&from.coords, &to.coords);
+        let apart = swept.distance(bodies.obstacles[self.body].body.aabb());
+        if apart > 0.0 { apart } else { f64::NEG_INFINITY }
+    }
+
+    #[inline]
+    fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
+        let (part, obstacle) = (&bodies.platform[self.part], &bodies.obstacles[self.body]);
+        let bounds = part.aabb().swept(&from.coords, &to.coords);
+        let swept = Swept::new(part, from.coords, to - from);
+        !bounds.apart_by(obstacle.body.aabb(), self.gap)
+            && too_close(&swept, &obstacle.body, self.gap, self.touch(bodies))
+    }
+
+    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {
+        let sum = self.difference(bodies)?;
+        if sum.has_volume() {
+            return Some(Forbidden::exact(around(&sum, gap)));
+        }
+        let fat = fattened(&sum, gap)?;
+        fat.has_volume().then(|| Forbidden::exact(fat.half_spaces()))
+    }
+
+    fn rounded(&self, bodies: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {
+        if self.gap <= 0.0 {
+            return None;
+        }
+        let sum = self.difference(bodies).filter(Polytope::has_volume)?;
+        let plane = |n: Vector| HalfSpace::around(sum.vertices(), n).widened(self.gap);
+        Some(directions(&sum).into_iter().map(plane).collect())
+    }
+
+    fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {
+        let set = |gap: f64| self.forbidden(bodies, gap, fat);
+        vec![Region::bracketed(set, [self.gap, self.touch(bodies)], scale)]
+    }
+
+    fn surfaces(&self, bodies: &Bodies, by: &Vector, within: &Aabb) -> Option<Vec<TriangleMesh>> {
+        let found = self.forbidden(bodies, 0.0, &Fattened::default())?;
+        Some(surface(&found, by, within).into_iter().collect())
+    }
+}

@@ -1,0 +1,89 @@
+//! The platform stays inside the workspace.
+
+use super::bodies::Bodies;
+use super::exempt::Remarks;
+use super::fattened::Fattened;
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::region::{Region, Scale};
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::model::{Member, Scene};
+use crate::numerics::TOUCH_DEPTH;
+use crate::watch::Watch;
+
+/// The platform's origin stays in this box, so that every vertex stays in the workspace.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Workspace {
+    /// Smallest position, m.
+    pub min: Point,
+    /// Largest position, m.
+    pub max: Point,
+}
+
+impl Workspace {
+    /// The positions where the platform is inside the workspace of a scene; none of them may be (min > max).
+    fn of(scene: &Scene, bodies: &Bodies) -> Self {
+        let vertices = || bodies.platform.iter().flat_map(|part| part.vertices());
+        let low = vertices().fold(Vector::repeat(f64::INFINITY), |low, v| low.inf(&v.coords));
+        let high = vertices().fold(Vector::repeat(f64::NEG_INFINITY), |high, v| high.sup(&v.coords));
+        let (mut min, mut max) = (scene.workspace().min - low, scene.workspace().max - high);
+        for axis in 0..3 {
+            // A platform as large as the workspace has one place there; rounding must not take it away.
+            if max[axis] < min[axis] && min[axis] - max[axis] <= TOUCH_DEPTH {
+                let middle = 0.5 * (min[axis] + max[axis]);
+                (min[axis], max[axis]) = (middle, middle);
+            }
+        }
+        Workspace { min, max }
+    }
+
+    /// Room left in the workspace over a motion, m.
+    #[inline]
+    fn room(&self, from: &Point, to: &Point) -> f64 {
+        if !from.iter().chain(to.iter()).all(|x| x.is_finite()) {
+            return f64::NEG_INFINITY;
+        }
+        let room = |p: &Point| (p - self.min).inf(&(self.max - p)).min();
+        room(from).min(room(to))
+    }
+}
+
+impl PhysicalCondition for Workspace {
+    fn all(scene: &Scene, bodies: &Bodies, _: usize, _: &mut Remarks, _: &Watch) -> Result<Vec<Self>, Error> {
+        Ok(vec![Workspace::of(scene, bodies)])
+    }
+
+    fn sentence(found: &Broken) -> String {
+        format!("the platform leaves the workspace{}", found.lacking())
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Workspace
+    }
+
+    fn members(&self, _: &Bodies) -> Vec<Member> {
+        vec![Member::Platform]
+    }
+
+    fn required(&self, _: &Bodies) -> f64 {
+        0.0
+    }
+
+    fn distance(&self, _: &Bodies, from: &Point, to: &Point) -> f64 {
+        self.room(from, to)
+    }
+
+    fn worst_distance(&self, _: &Bodies, _: Interference, from: &Point, to: &Point) -> Option<f64> {
+        Some(self.room(from, to))
+    }
+
+    #[inline]
+    fn breaks(&self, _: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
+        self.room(from, to) < -TOUCH_DEPTH
+    }
+
+    /// What it forbids is outside of the box of positions.
+    fn regions(&self, _: &Bodies, _: &Scale, _: &Fattened) -> Vec<Region> {
+        Vec::new()
+    }
+}
