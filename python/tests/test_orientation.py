@@ -17,7 +17,7 @@ ACROSS = [np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
 
 @pytest.fixture
 def plank() -> cdpr.Scene:
-    with pytest.warns(cdpr.CdprWarning, match='but for planning it is taken at "across"'):
+    with pytest.warns(cdpr.CdprWarning, match='selects none; using "across", the first'):
         return cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
 
 

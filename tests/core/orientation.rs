@@ -170,7 +170,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
     assert!(refused.contains("selects none of across, along, askew; select one"), "{refused}");
     assert!(scene_of_path(&across, &bare, true).is_ok() && Conditions::new(&across).unwrap().notes.is_empty());
-    assert!(Conditions::new(&scene).unwrap().notes[0].contains("it is taken at \"across\""));
+    assert!(Conditions::new(&scene).unwrap().notes[0].contains("selects none; using \"across\", the first"));
     // An edited scene gives a result and a warning, or an error.
     let mut other = plank();
     other.obstacles[0].position = Some([1.0, 0.3, 1.0]);

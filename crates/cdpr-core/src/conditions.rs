@@ -150,7 +150,7 @@ pub struct Conditions {
 fn open_orientation(scene: &Scene) -> Option<String> {
     let name = scene.orientation_name().filter(|_| scene.orientation_is_open())?;
     Some(format!(
-        "the scene names several orientations and says none: but for planning it is taken at \"{name}\", the first"
+        "the scene lists several orientations but selects none; using \"{name}\", the first (planning tries all of them)"
     ))
 }
 

@@ -12,7 +12,7 @@ use crate::watch::Watch;
 /// The collision engines.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// Polyhedra in the space of positions: exact and fast.
+    /// Convex polyhedra in configuration space: exact and fast.
     #[default]
     Cspace,
     /// GJK on swept bodies, the paper's way.
@@ -20,8 +20,8 @@ pub enum Engine {
 }
 
 choices!(Engine, "engine", [
-    Cspace = "cspace": "Polyhedra in the space of positions: exact and fast",
-    Gjk = "gjk": "GJK on swept bodies: the paper's way, the reference",
+    Cspace = "cspace": "Convex polyhedra in configuration space: exact and fast",
+    Gjk = "gjk": "GJK on swept bodies: the paper's method, and the reference",
 ]);
 
 /// Whether a robot may be somewhere, or go somewhere in a straight line.

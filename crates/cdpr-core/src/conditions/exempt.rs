@@ -15,16 +15,16 @@ use crate::words::small_length;
 pub enum Reason {
     /// At no position can the pair keep the distance. It must still not touch, if it can keep from that.
     Unattainable,
-    /// The scene lets the pair touch, but not enter each other.
+    /// The scene lets the pair touch, but not overlap.
     Touch,
-    /// The scene has the pair unchecked.
+    /// The scene excludes the pair from checking.
     Ignore,
 }
 
 choices!(Reason, "reason", [
-    Unattainable = "unattainable": "The pair can keep the distance at no position; it must still not touch",
-    Touch = "touch": "The scene lets the pair touch, but not enter each other",
-    Ignore = "ignore": "The scene has the pair unchecked",
+    Unattainable = "unattainable": "The pair cannot keep the distance at any position; it must still not touch",
+    Touch = "touch": "The scene lets the pair touch, but not overlap",
+    Ignore = "ignore": "The scene excludes the pair from checking",
 ]);
 
 /// A pair that is not held to the clearance demanded of its kind.

@@ -46,7 +46,7 @@ pub enum Interference {
 
 choices!(Interference, "interference", [
     Exact = "exact": "Cables must not meet at any instant",
-    Swept = "swept": "The triangles they sweep must be disjoint: the paper's rule, stricter",
+    Swept = "swept": "The triangles that they sweep must be disjoint: the paper's rule, which is stricter",
 ]);
 
 /// A physical condition on where the platform may be and how it may move, at fixed orientation.
