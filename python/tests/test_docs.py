@@ -13,6 +13,7 @@ What cannot run here stands behind `<!-- skip: next "why" -->`; SKIPPED counts t
 """
 
 import contextlib
+import functools
 import importlib
 import importlib.util
 import io
@@ -138,6 +139,7 @@ def test_no_block_of_a_page_is_left_out(name):
     assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive, either: GitHub would show it as it is
 
 
+@functools.cache
 def reference_maker():
     spec = importlib.util.spec_from_file_location("make_reference", ROOT / "docs/reference/make.py")
     module = importlib.util.module_from_spec(spec)
@@ -174,5 +176,10 @@ def test_links_lead_somewhere(name):
         file = (page.parent / target).resolve() if target else page
         assert file.exists(), target
         if anchor and file.suffix == ".md":
-            headings = re.findall(r"^#+ (.*)$", FENCE.sub("", file.read_text(encoding="utf-8")), re.MULTILINE)
-            assert anchor[1:] in {reference_maker().anchor(heading) for heading in headings}, target + anchor
+            assert anchor[1:] in anchors(file), target + anchor
+
+
+@functools.cache
+def anchors(file):
+    headings = re.findall(r"^#+ (.*)$", FENCE.sub("", file.read_text(encoding="utf-8")), re.MULTILINE)
+    return {reference_maker().anchor(heading) for heading in headings}
