@@ -11,6 +11,7 @@ mod inner_hull;
 mod merge;
 pub mod mesh;
 pub mod minkowski;
+mod part;
 pub mod polytope;
 mod reach;
 pub mod seam;
