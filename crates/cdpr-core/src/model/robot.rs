@@ -1,7 +1,7 @@
 //! A robot that has been checked: platform parts, cables, and what follows from them alone.
 
 use super::body;
-use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
+use super::spec::{CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
@@ -139,7 +139,7 @@ fn unique_names(cables: &[Cable]) -> Result<(), Error> {
             let problem = format!("found \"{}\", which cables[{first}] has already; expected unique names", cable.name);
             return Err(Error::invalid(format!("cables[{k}].name"), problem));
         }
-        if cable.name == super::scene::PLATFORM {
+        if cable.name == PLATFORM {
             return Err(Error::invalid(
                 format!("cables[{k}].name"),
                 "found \"platform\", which means the platform itself",
