@@ -2,7 +2,8 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
+use cdpr_core::batch::BatchOptions;
+use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::MarginSpec;

@@ -1,6 +1,6 @@
 //! Wrenches of a robot on arrays of positions.
 
-use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
+use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{self, Robot, RobotSpec};
 use cdpr_core::wrench::{

@@ -5,7 +5,7 @@
 
 use super::margins::{force_limit, moment_limit};
 use super::{CapacityMargin, MapIdentity, Required, Statics};
-use crate::collision::batch::{BatchOptions, Pace, answer_all};
+use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::{Aabb, Point, Vector};
 use crate::model::body;
@@ -98,7 +98,7 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 /// # Example
 /// ```
 /// use cdpr_core::{geometry::{Aabb, Point}, wrench::{Loads, MapOptions, Required, Statics, WrenchMap}};
-/// # use cdpr_core::collision::batch::BatchOptions;
+/// # use cdpr_core::batch::BatchOptions;
 /// # let cogiro = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/robots/cogiro.toml");
 /// let robot = cdpr_files::load_robot(cogiro.as_ref())?;
 /// let statics = Statics::new(&robot, &Loads::default())?;
