@@ -1,7 +1,9 @@
 //! Robots of other programs, by the kind of their file, and robot files to write them to.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+pub use super::import_source::ImportOptions;
+use super::import_source::Source;
 use super::loader::Loader;
 use super::mesh_bodies::{self, Told};
 use super::output::write_atomically;
@@ -11,17 +13,6 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, Polytope, PolytopeError};
 use cdpr_core::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
 use cdpr_core::words::small_length;
-
-/// What an import may be told.
-#[derive(Debug, Clone, Default)]
-pub struct ImportOptions {
-    /// CASPR: the bodies file, where it does not stand beside the cables file under the same name.
-    pub bodies: Option<PathBuf>,
-    /// CASPR: the cable set; default the one that the file names.
-    pub cable_set: Option<String>,
-    /// A mesh of the platform in its frame, and its unit, instead of what the source says.
-    pub platform: Option<(PathBuf, Unit)>,
-}
 
 /// A robot of another program.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,13 +24,6 @@ pub struct Imported {
     /// Where it is from, in words.
     pub origin: String,
     /// What was not carried over, or otherwise than it stood.
-    pub notes: Vec<String>,
-}
-
-/// A robot as a reader found it, where it is from, and what was not carried over.
-pub(super) struct Source {
-    pub robot: RobotSpec,
-    pub origin: String,
     pub notes: Vec<String>,
 }
 
@@ -85,11 +69,6 @@ fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {
     let whole = std::path::absolute(mesh).map_err(|e| Error::system(mesh, "cannot be found", e))?;
     let source = MeshSource::File(whole.to_string_lossy().into_owned());
     Ok(BodySpec { mesh: Some(source), units: Some(unit), ..BodySpec::default() })
-}
-
-/// The hull of the attachments.
-pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
-    vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
 }
 
 /// Refuses an attachment inside the hull of the others: the platform must have another shape.
