@@ -12,7 +12,7 @@ use cdpr_core::{Error, Scene};
 
 pub use cdpr_core::words::count;
 
-use crate::progress::writing;
+use crate::interruption::writing;
 
 /// What stands for standard input or output in the place of a file.
 pub const STANDARD: &str = "-";
