@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 
-use crate::forked::with_living_threads;
+use crate::forked::{STACK, with_living_threads};
 
 static INPUT_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -36,8 +36,6 @@ pub fn raised(error: Error) -> PyErr {
 
 /// Time between two looks at whether a signal has come.
 const PERIOD: Duration = Duration::from_millis(20);
-/// Stack of the thread that works, bytes: as large as that of a main thread usually is.
-pub const STACK: usize = 8 << 20;
 
 /// Runs short work. A panic within it comes out as an `InternalError`: PyO3 would raise a `PanicException`, which no
 /// `except Exception` catches.
