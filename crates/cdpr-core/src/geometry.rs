@@ -39,3 +39,8 @@ pub type Point = nalgebra::Point3<f64>;
 pub type Vector = nalgebra::Vector3<f64>;
 /// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;
+
+/// Length of a path of straight segments, m.
+pub fn path_length(waypoints: &[Point]) -> f64 {
+    waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+}

@@ -365,7 +365,7 @@ pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> 
 }
 
 fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
-    let length = crate::collision::path_check::path_length(waypoints);
+    let length = crate::geometry::path_length(waypoints);
     let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
     places.extend(waypoints.iter().enumerate().map(|(k, position)| {
         let segment = k.min(waypoints.len().saturating_sub(2));
