@@ -4,14 +4,14 @@
 //! motions against that list; planners know only the trait [`Validity`].
 
 mod along;
-pub mod clearance;
-pub mod cspace;
+pub(crate) mod clearance;
+pub(crate) mod cspace;
 mod explain;
-pub mod gjk_engine;
+pub(crate) mod gjk_engine;
 pub mod many;
 pub mod path_check;
-pub mod validity;
-pub mod violation;
+pub(crate) mod validity;
+pub(crate) mod violation;
 
 pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
 pub use clearance::{Clearance, tightest};

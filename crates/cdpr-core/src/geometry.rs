@@ -1,26 +1,26 @@
 //! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact.
 
 mod cell;
-pub mod clip;
-pub mod convex_parts;
+pub(crate) mod clip;
+pub(crate) mod convex_parts;
 pub mod features;
 pub mod gjk;
-pub mod half_space;
+pub(crate) mod half_space;
 mod hull;
 mod inner_hull;
 mod merge;
-pub mod mesh;
-pub mod minkowski;
+pub(crate) mod mesh;
+pub(crate) mod minkowski;
 mod part;
-pub mod polytope;
+pub(crate) mod polytope;
 mod reach;
 pub mod seam;
 pub mod segment_segment;
 pub mod separating_axes;
-pub mod shadow;
-pub mod shape;
+pub(crate) mod shadow;
+pub(crate) mod shape;
 pub mod solid;
-pub mod surface;
+pub(crate) mod surface;
 mod wrap;
 
 pub use clip::{convex_mesh, wedge_mesh};

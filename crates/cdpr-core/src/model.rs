@@ -1,9 +1,9 @@
 //! Robots, obstacles and scenes: what files say (`spec`), and what holds once it has been checked (`robot`, `scene`).
 
 pub mod body;
-pub mod obstacle;
-pub mod pairs;
-pub mod robot;
+pub(crate) mod obstacle;
+pub(crate) mod pairs;
+pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
 
