@@ -12,7 +12,7 @@ pub mod cable_length;
 pub mod cable_obstacle;
 pub mod cable_platform;
 pub mod exempt;
-pub(crate) mod fattened;
+pub mod fattened;
 pub mod physical;
 pub mod platform_obstacle;
 pub mod region;

@@ -9,7 +9,7 @@ pub(crate) mod neighbours;
 pub(crate) mod outcome;
 pub(crate) mod planner;
 pub(crate) mod rrt;
-pub(crate) mod rrt_connect;
+pub mod rrt_connect;
 pub(crate) mod rrt_star;
 pub mod search;
 pub(crate) mod space;
