@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point, Vector};
 use cdpr_core::model::Robot;
 use cdpr_core::plan::{PlanOptions, plan};

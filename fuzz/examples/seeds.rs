@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::plan::{PlanOptions, plan};

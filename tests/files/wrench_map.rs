@@ -5,7 +5,7 @@ use std::io::{Cursor, Read, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicI32, Ordering};
 
-use cdpr_core::collision::batch::BatchOptions;
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::error::ErrorClass;
 use cdpr_core::geometry::{Aabb, Point, Vector};
 use cdpr_core::model::Robot;

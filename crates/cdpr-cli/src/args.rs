@@ -13,10 +13,11 @@ use cdpr_core::Error;
 use clap::{Args, Parser, Subcommand};
 
 pub use analysis::{ShadowsArgs, WrenchArgs};
-pub use experiments::{BatchArgs, MergeArgs, ReportArgs, Trials};
+pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{Format, PathArgs, SceneArgs, Strict};
+pub use values::Trials;
 
 use crate::output::{Talk, is_standard_output};
 

@@ -13,8 +13,8 @@ use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
 use crate::args::{PathArgs, SceneArgs, Strict};
+use crate::interruption::interrupted;
 use crate::output::{Console, count, is_dash};
-use crate::progress::interrupted;
 
 /// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";

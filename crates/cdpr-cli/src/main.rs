@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod input;
+mod interruption;
 mod output;
 mod progress;
 mod signals;
@@ -14,8 +15,8 @@ use args::{Cli, Command, Target};
 use cdpr_core::error::{caught, printable};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
+use interruption::INTERRUPTED_STATUS;
 use output::Console;
-use progress::INTERRUPTED_STATUS;
 
 /// Exit status for bad input.
 const BAD_INPUT_STATUS: u8 = 2;
@@ -41,11 +42,11 @@ fn main() -> ExitCode {
         }
     };
     say_where_panics_are();
-    signals::on_request_to_stop(progress::interrupt);
+    signals::on_request_to_stop(interruption::interrupt);
     let out = Console::new(cli.talk.level());
     cli.color.write_global();
     match caught(|| run(cli.command, &out)) {
-        Ok(_) if progress::interrupted() => ExitCode::from(INTERRUPTED_STATUS),
+        Ok(_) if interruption::interrupted() => ExitCode::from(INTERRUPTED_STATUS),
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {

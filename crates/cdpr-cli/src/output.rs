@@ -12,7 +12,7 @@ use cdpr_core::{Error, Scene};
 
 pub use cdpr_core::words::count;
 
-use crate::progress::writing;
+use crate::interruption::writing;
 
 /// The file name that means standard input or output.
 pub const STANDARD: &str = "-";

@@ -1,47 +1,12 @@
-//! Long work: progress on a terminal, and Ctrl-C.
+//! Long work: progress on a terminal.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::interruption::interrupted;
 use crate::output::{Console, Talk};
 use cdpr_core::watch::Interrupt;
-
-/// Set by Ctrl-C; polled by long work.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
-/// Held while a file is written, so that no partial file is left.
-static WRITING: Mutex<()> = Mutex::new(());
-
-/// Time that work has to end by itself, with its best result, after an interruption.
-const GRACE: Duration = Duration::from_millis(70);
-
-/// Exit status of a command that was interrupted.
-pub const INTERRUPTED_STATUS: u8 = 130;
-
-/// Requests long work to stop, and ends the program soon after if it does not; on the second call, immediately.
-pub fn interrupt() {
-    if INTERRUPTED.swap(true, Ordering::Relaxed) {
-        std::process::exit(INTERRUPTED_STATUS.into());
-    }
-    std::thread::spawn(|| {
-        std::thread::sleep(GRACE);
-        let _writing = writing();
-        std::process::exit(INTERRUPTED_STATUS.into());
-    });
-}
-
-/// While this is held, an interruption does not end the program.
-pub fn writing() -> MutexGuard<'static, ()> {
-    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Whether Ctrl-C was pressed.
-pub fn interrupted() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
-}
 
 /// A progress bar on standard error, if that is a terminal. The trials are evenly mixed, so the estimate of the
 /// remaining time is reliable.

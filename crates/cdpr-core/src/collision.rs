@@ -4,19 +4,20 @@
 //! motions against that list; planners know only the trait [`Validity`].
 
 mod along;
-pub mod batch;
-pub mod clearance;
-pub mod cspace;
+pub(crate) mod clearance;
+pub(crate) mod cspace;
 mod explain;
-pub mod gjk_engine;
+pub(crate) mod gjk_engine;
+pub mod many;
 pub mod path_check;
-pub mod validity;
-pub mod violation;
+pub(crate) mod validity;
+pub(crate) mod violation;
 
 pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
 pub use clearance::{Clearance, tightest};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
+pub use many::{clearances, motions_valid, states_valid};
 pub use path_check::{PathReport, check_path};
 pub use validity::{Checker, Engine, Validity};
 pub use violation::{Violation, WrenchLimit};

@@ -1,25 +1,26 @@
 //! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact.
 
 mod cell;
-pub mod clip;
-pub mod convex_parts;
+pub(crate) mod clip;
+pub(crate) mod convex_parts;
 pub mod features;
 pub mod gjk;
-pub mod half_space;
+pub(crate) mod half_space;
 mod hull;
 mod inner_hull;
 mod merge;
-pub mod mesh;
-pub mod minkowski;
-pub mod polytope;
+pub(crate) mod mesh;
+pub(crate) mod minkowski;
+mod part;
+pub(crate) mod polytope;
 mod reach;
 pub mod seam;
 pub mod segment_segment;
 pub mod separating_axes;
-pub mod shadow;
-pub mod shape;
+pub(crate) mod shadow;
+pub(crate) mod shape;
 pub mod solid;
-pub mod surface;
+pub(crate) mod surface;
 mod wrap;
 
 pub use clip::{convex_mesh, wedge_mesh};
@@ -38,3 +39,8 @@ pub type Point = nalgebra::Point3<f64>;
 pub type Vector = nalgebra::Vector3<f64>;
 /// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;
+
+/// Length of a path of straight segments, m.
+pub fn path_length(waypoints: &[Point]) -> f64 {
+    waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+}

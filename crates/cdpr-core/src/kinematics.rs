@@ -1,5 +1,7 @@
 //! Cable directions and the wrench matrix.
 
+pub mod freedom;
+
 use nalgebra::{DMatrix, Matrix6xX, Vector6};
 
 use crate::error::Error;

@@ -7,9 +7,10 @@
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
 //! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
-//! [`regions`]. [`error`], [`choice`], [`words`] and [`watch`] are used by all, [`testing`] by examples and tests. Nothing here
+//! [`regions`]. [`error`], [`choice`], [`words`], [`watch`] and [`batch`] are used by all, [`testing`] by examples and tests. Nothing here
 //! opens a file: scenes and paths are read and written by the crate `cdpr-files`.
 
+pub mod batch;
 pub mod choice;
 pub mod collision;
 pub mod conditions;

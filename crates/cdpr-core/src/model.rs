@@ -1,14 +1,16 @@
 //! Robots, obstacles and scenes: what files say (`spec`), and what holds once it has been checked (`robot`, `scene`).
 
 pub mod body;
-pub mod pairs;
-pub mod robot;
+pub(crate) mod obstacle;
+pub(crate) mod pairs;
+pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
 
+pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
-pub use scene::{GRAVITY, Obstacle, Scene};
+pub use scene::{GRAVITY, Scene};
 pub use spec::{
     BodySpec, CableSpec, ClearancesSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec, OrientationSource,
     OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit,

@@ -4,17 +4,17 @@
 
 pub mod anytime;
 mod bidirectional;
-pub mod modified_rrt;
-pub mod neighbours;
-pub mod outcome;
-pub mod planner;
-pub mod rrt;
+pub(crate) mod modified_rrt;
+pub(crate) mod neighbours;
+pub(crate) mod outcome;
+pub(crate) mod planner;
+pub(crate) mod rrt;
 pub mod rrt_connect;
-pub mod rrt_star;
+pub(crate) mod rrt_star;
 pub mod search;
-pub mod space;
-pub mod tree;
-pub mod two_trees;
+pub(crate) mod space;
+pub(crate) mod tree;
+pub(crate) mod two_trees;
 
 pub use anytime::{AnytimeOptions, Improved, PathOptimizer, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};

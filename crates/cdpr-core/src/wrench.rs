@@ -2,10 +2,10 @@
 //! between them (the paper, section 3.3).
 
 mod active_set;
-pub mod capacity;
+pub(crate) mod capacity;
 mod cells;
-pub mod certify;
-pub mod checker;
+pub(crate) mod certify;
+pub(crate) mod checker;
 pub mod constraint;
 mod facets;
 pub mod hold;
@@ -16,9 +16,9 @@ pub mod map;
 pub mod map_identity;
 pub mod margins;
 pub mod measure;
-pub mod set_mesh;
+pub(crate) mod set_mesh;
 mod slice;
-pub mod statics;
+pub(crate) mod statics;
 pub mod tension_qp;
 pub mod tensions;
 pub mod zonotope;

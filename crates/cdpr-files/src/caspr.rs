@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use roxmltree::Node;
 
-use super::import_file::{ImportOptions, Source, platform_of};
+use super::import_source::{ImportOptions, Source, platform_of};
 use super::text::extension;
 use super::xml::{at, attribute, child, children, numbers, parse, read};
 use cdpr_core::error::{Error, nearest_name};

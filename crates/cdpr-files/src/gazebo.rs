@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::import_file::{Source, platform_of};
+use super::import_source::{Source, platform_of};
 use super::text;
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::fixed_length::FixedLength;

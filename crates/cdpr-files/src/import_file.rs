@@ -1,7 +1,9 @@
 //! Import of robots from other programs, by file type, and writing of robot files.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+pub use super::import_source::ImportOptions;
+use super::import_source::Source;
 use super::loader::Loader;
 use super::mesh_bodies::{self, Told};
 use super::output::write_atomically;
@@ -11,17 +13,6 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, Polytope, PolytopeError};
 use cdpr_core::model::{BodySpec, MeshSource, Robot, RobotSpec, Unit};
 use cdpr_core::words::small_length;
-
-/// Options of an import.
-#[derive(Debug, Clone, Default)]
-pub struct ImportOptions {
-    /// CASPR: the bodies file, if it is not beside the cables file under the same name.
-    pub bodies: Option<PathBuf>,
-    /// CASPR: the cable set; default: the file's own default.
-    pub cable_set: Option<String>,
-    /// A mesh of the platform in the platform frame, and its unit, instead of the shape in the source.
-    pub platform: Option<(PathBuf, Unit)>,
-}
 
 /// A robot imported from another program.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,13 +24,6 @@ pub struct Imported {
     /// Description of the source.
     pub origin: String,
     /// What was not carried over or was changed.
-    pub notes: Vec<String>,
-}
-
-/// A robot as read, its source, and what was not carried over.
-pub(super) struct Source {
-    pub robot: RobotSpec,
-    pub origin: String,
     pub notes: Vec<String>,
 }
 
@@ -86,11 +70,6 @@ fn mesh_body(mesh: &Path, unit: Unit) -> Result<BodySpec, Error> {
     let whole = std::path::absolute(mesh).map_err(|e| Error::system(mesh, "cannot be found", e))?;
     let source = MeshSource::File(whole.to_string_lossy().into_owned());
     Ok(BodySpec { mesh: Some(source), units: Some(unit), ..BodySpec::default() })
-}
-
-/// The hull of the attachments.
-pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
-    vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
 }
 
 /// Rejects an attachment inside the hull of the others: the hull is then not the platform's shape.

@@ -4,6 +4,7 @@ mod caspr;
 pub mod csv_cell;
 mod gazebo;
 pub mod import_file;
+mod import_source;
 mod loader;
 mod mesh_bodies;
 pub mod mesh_file;

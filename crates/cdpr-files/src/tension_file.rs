@@ -13,7 +13,8 @@ use cdpr_core::wrench::{LengthRow, TensionRow};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, io::tensions_csv, testing};
+/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_files::tensions_csv;
 /// use cdpr_core::wrench::{Loads, Required, Statics, tensions_along};
 /// let robot = testing::empty().robot().clone();
 /// let statics = Statics::new(&robot, &Loads::default())?;

@@ -248,12 +248,13 @@ pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{io, testing};
+/// use cdpr_core::testing;
+/// use cdpr_files::{load_scene, save_table};
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("scene.toml");
 /// let scene = testing::empty();
-/// io::save_table(&path, scene.spec())?;
-/// assert_eq!(io::load_scene(&path)?.spec(), scene.spec());
+/// save_table(&path, scene.spec())?;
+/// assert_eq!(load_scene(&path)?.spec(), scene.spec());
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn save_table(path: &Path, table: &impl Serialize) -> Result<(), Error> {

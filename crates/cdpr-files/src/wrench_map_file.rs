@@ -77,9 +77,10 @@ pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, io, testing};
+/// use cdpr_core::{geometry::{Aabb, Point}, testing};
+/// use cdpr_files as io;
 /// use cdpr_core::wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap};
-/// # use cdpr_core::collision::batch::BatchOptions;
+/// # use cdpr_core::batch::BatchOptions;
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("map.npz");
 /// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
@@ -104,9 +105,10 @@ pub fn load_wrench_map(path: &Path, expected: Option<&MapIdentity>) -> Result<Wr
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, io, testing};
+/// use cdpr_core::{geometry::{Aabb, Point}, testing};
+/// use cdpr_files as io;
 /// use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
-/// # use cdpr_core::collision::batch::BatchOptions;
+/// # use cdpr_core::batch::BatchOptions;
 /// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
 /// let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.5, 1.5) };
 /// let batch = BatchOptions { threads: None, interrupted: &|| false };

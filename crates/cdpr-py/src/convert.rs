@@ -1,12 +1,13 @@
 //! Conversions: rows of C-contiguous (n, 3) arrays as points, without copying the array; numbers as such arrays; names
 //! and results.
 
-use cdpr_core::Choice;
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::{Point, Rotation};
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use cdpr_core::{Choice, Error};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::errors::answered;
+use crate::errors::{answered, interruptible};
 
 /// The k-th row.
 #[inline]
@@ -43,4 +44,16 @@ pub fn serialized(value: &impl serde::Serialize) -> String {
 /// A rotation as w x y z.
 pub fn quaternion(turn: &Rotation) -> [f64; 4] {
     [turn.w, turn.i, turn.j, turn.k]
+}
+
+/// The answers to a number of questions as an array; `answer` fills them in with the interpreter released.
+pub fn answer_array<T: Element + Clone + Default + Send>(
+    py: Python<'_>,
+    count: usize,
+    threads: Option<usize>,
+    answer: impl FnOnce(&mut [T], &BatchOptions) -> Result<(), Error> + Send,
+) -> PyResult<Bound<'_, PyArray1<T>>> {
+    let mut answers = vec![T::default(); count];
+    interruptible(py, |interrupted| answer(&mut answers, &BatchOptions { threads, interrupted }))?;
+    Ok(PyArray1::from_vec(py, answers))
 }

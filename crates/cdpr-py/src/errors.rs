@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 
-use crate::forked::with_living_threads;
+use crate::forked::{STACK, with_living_threads};
 
 static INPUT_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -36,8 +36,6 @@ pub fn raised(error: Error) -> PyErr {
 
 /// Time between two checks for signals.
 const PERIOD: Duration = Duration::from_millis(20);
-/// Stack size of the working thread, bytes: the usual size for a main thread.
-pub const STACK: usize = 8 << 20;
 
 /// Runs short work. A panic in it raises an `InternalError`; PyO3 would raise a `PanicException`, which `except
 /// Exception` does not catch.

@@ -5,7 +5,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::errors::STACK;
+/// Stack of a thread that works, bytes: as large as that of a main thread usually is.
+pub const STACK: usize = 8 << 20;
 
 /// The process that loaded this module.
 static LOADED_BY: OnceLock<u32> = OnceLock::new();

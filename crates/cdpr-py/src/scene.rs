@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cdpr_core::collision::batch::{BatchOptions, clearances, motions_valid, states_valid};
+use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::MarginSpec;
@@ -20,7 +20,7 @@ use cdpr_view::{ShownPath, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::{named, point, points, quaternion, row, serialized, triples};
+use crate::convert::{answer_array, named, point, points, quaternion, row, serialized, triples};
 use crate::drawing::drawn;
 use crate::errors::{answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
@@ -134,12 +134,9 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let engine = engine_of(py, self, engine, interference)?;
         let rows = positions.as_slice()?;
-        let mut answers = vec![false; rows.len() / 3];
-        interruptible(py, |interrupted| {
-            let options = BatchOptions { threads, interrupted };
-            states_valid(&*engine, |k| row(rows, k), &mut answers, &options)
-        })?;
-        Ok(PyArray1::from_vec(py, answers))
+        answer_array(py, rows.len() / 3, threads, |answers, options| {
+            states_valid(&*engine, |k| row(rows, k), answers, options)
+        })
     }
 
     /// Whether each straight motion between rows of two (n, 3) arrays is valid.
@@ -154,12 +151,9 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let engine = engine_of(py, self, engine, interference)?;
         let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
-        let mut answers = vec![false; starts.len() / 3];
-        interruptible(py, |interrupted| {
-            let options = BatchOptions { threads, interrupted };
-            motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), &mut answers, &options)
-        })?;
-        Ok(PyArray1::from_vec(py, answers))
+        answer_array(py, starts.len() / 3, threads, |answers, options| {
+            motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), answers, options)
+        })
     }
 
     /// Whether one straight motion is valid.
@@ -195,12 +189,9 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
         let rows = positions.as_slice()?;
-        let mut answers = vec![0.0; rows.len() / 3];
-        interruptible(py, |interrupted| {
-            let options = BatchOptions { threads, interrupted };
-            clearances(&*engine, |k| row(rows, k), &mut answers, &options)
-        })?;
-        Ok(PyArray1::from_vec(py, answers))
+        answer_array(py, rows.len() / 3, threads, |answers, options| {
+            clearances(&*engine, |k| row(rows, k), answers, options)
+        })
     }
 
     /// The violations of a motion as JSON, in the order in which they begin.

@@ -1,6 +1,6 @@
 //! Wrenches of a robot on arrays of positions.
 
-use cdpr_core::collision::batch::{BatchOptions, Pace, answer_all};
+use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{self, Robot, RobotSpec};
 use cdpr_core::wrench::{
@@ -11,7 +11,7 @@ use cdpr_files::text::Notation;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::{point, points, row, triples};
+use crate::convert::{answer_array, point, points, row, triples};
 use crate::errors::{answered, interruptible, raised};
 
 /// A robot with the loads that its cables must balance.
@@ -188,11 +188,9 @@ impl Statics {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let statics = self.core()?;
         let rows = positions.as_slice()?;
-        let mut margins = vec![0.0; rows.len() / 3];
         let question = |k: usize| limit(&statics, &row(rows, k)).map_or(f64::NAN, |limit| limit.margin);
-        interruptible(py, |interrupted| {
-            answer_all(&mut margins, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
-        })?;
-        Ok(PyArray1::from_vec(py, margins))
+        answer_array(py, rows.len() / 3, threads, |margins, options| {
+            answer_all(margins, question, Pace::WRENCHES, options)
+        })
     }
 }

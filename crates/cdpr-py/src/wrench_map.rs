@@ -1,8 +1,8 @@
 //! Maps of margins.
 
 use cdpr_core::Error;
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
-use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::Aabb;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{MapIdentity, MapOptions, Statics, WrenchMap, constraint};

@@ -2,6 +2,7 @@
 //! statistics; and a report of a finished run as a page.
 
 pub mod batch_folder;
+pub mod batch_rows;
 pub mod batch_tables;
 pub mod experiment;
 pub mod experiment_file;
@@ -16,7 +17,7 @@ pub mod statistics;
 pub mod summary;
 
 pub use batch_folder::{BatchFolder, merge};
-pub use batch_tables::{BatchRows, Tables};
+pub use batch_rows::{BatchRows, Tables};
 pub use experiment::{Experiment, Layout, Rules, Swept};
 pub use experiment_file::{experiment_from_text, load_experiment};
 pub use experiment_spec::{ExperimentSpec, SceneSource};

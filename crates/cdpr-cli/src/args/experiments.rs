@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 
 use super::shared::Format;
-use super::values::{threads, trials};
+use super::values::{Trials, threads, trials};
 
 #[derive(Debug, Args)]
 pub struct BatchArgs {
@@ -28,10 +28,6 @@ pub struct BatchArgs {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
-
-/// A range of trials; a separate type, since clap treats ranges as lists.
-#[derive(Debug, Clone)]
-pub struct Trials(pub std::ops::Range<usize>);
 
 #[derive(Debug, Args)]
 pub struct MergeArgs {

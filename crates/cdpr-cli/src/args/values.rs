@@ -8,8 +8,6 @@ use cdpr_core::plan::Post;
 use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use super::experiments::Trials;
-
 /// Four numbers are a quaternion, anything else is a name.
 pub fn orientation(text: &str) -> Result<OrientationSource, String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
@@ -23,6 +21,10 @@ pub fn threads(text: &str) -> Result<usize, String> {
     let number = text.parse().map_err(|_| "expected a whole number")?;
     thread_count(number).map_err(|e| e.to_string())
 }
+
+/// A range of trials; a type of its own, since clap takes ranges for lists.
+#[derive(Debug, Clone)]
+pub struct Trials(pub std::ops::Range<usize>);
 
 pub fn trials(text: &str) -> Result<Trials, String> {
     let number =

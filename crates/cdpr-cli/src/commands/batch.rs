@@ -10,8 +10,9 @@ use serde_json::Value;
 use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
 use crate::input;
+use crate::interruption::{interrupted, writing};
 use crate::output::{Console, count};
-use crate::progress::{bar, interrupted, writing};
+use crate::progress::bar;
 
 pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
     let experiment = input::experiment(&args.experiment)?;

@@ -11,8 +11,8 @@ use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 use crate::Answer;
 use crate::args::{Format, PathArgs};
 use crate::input;
+use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, scene_line, short, thousandths};
-use crate::progress::interrupted;
 
 pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, path) = input::scene_and_path(args, out)?;

@@ -8,8 +8,8 @@ use super::check::exempt_lines;
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
 use crate::input;
+use crate::interruption::interrupted;
 use crate::output::{Console, count, scene_line, short};
-use crate::progress::interrupted;
 
 pub fn run(args: &SceneArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(args, out)?;

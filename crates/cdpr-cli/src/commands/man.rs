@@ -15,7 +15,7 @@ pub fn run(args: &ManArgs, out: &Console) -> Result<Answer, Error> {
         out.result(String::from_utf8_lossy(&page(&program)).trim_end());
         return Ok(Answer::Yes);
     };
-    let _writing = crate::progress::writing();
+    let _writing = crate::interruption::writing();
     std::fs::create_dir_all(folder).map_err(|e| Error::system(folder, "cannot be created", e))?;
     let shown = |command: &&Command| !command.is_hide_set() && command.get_name() != "help";
     let commands: Vec<&Command> = std::iter::once(&program).chain(program.get_subcommands().filter(shown)).collect();

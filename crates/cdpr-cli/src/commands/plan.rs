@@ -15,8 +15,9 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
+use crate::interruption::interrupted;
 use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, position, scene_line, short};
-use crate::progress::{interrupted, with_sign_of_life};
+use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;

@@ -10,8 +10,9 @@ use cdpr_core::watch::{Interrupt, Watch};
 use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
+use crate::interruption::{interrupted, writing};
 use crate::output::{Console, count, is_stream, scene_line, short};
-use crate::progress::{interrupted, with_sign_of_life, writing};
+use crate::progress::with_sign_of_life;
 
 /// Checks that a path can be written under this name, before any work is done.
 pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {

@@ -15,7 +15,7 @@ pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(Some(&output));
     out.write(&output, page(&study).as_bytes(), IN_BROWSER)?;
     if let Some(folder) = &args.plots {
-        let _writing = crate::progress::writing();
+        let _writing = crate::interruption::writing();
         cdpr_study::save_plots(folder, &plots(&study))?;
     }
     if args.format == Format::Json {

@@ -11,8 +11,8 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
 use crate::input;
+use crate::interruption::{interrupted, writing};
 use crate::output::{Console, count, lossy, scene_line};
-use crate::progress::{interrupted, writing};
 
 pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;

@@ -12,8 +12,8 @@ use cdpr_view::{ShownPath, page_within};
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input;
+use crate::interruption::interrupted;
 use crate::output::{Console, is_stream, lossy};
-use crate::progress::interrupted;
 
 /// What the user can do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";

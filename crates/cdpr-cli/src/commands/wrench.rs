@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
-use cdpr_core::collision::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::watch::Watch;
@@ -17,8 +17,9 @@ use cdpr_core::{Error, Scene};
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::input;
+use crate::interruption::{interrupted, writing};
 use crate::output::{Console, count, is_stream, position, scene_line, thousandths};
-use crate::progress::{interrupted, with_sign_of_life, writing};
+use crate::progress::with_sign_of_life;
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;

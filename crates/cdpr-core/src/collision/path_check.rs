@@ -8,6 +8,7 @@ use super::violation::Violation;
 use crate::conditions::{Conditions, Exemption};
 use crate::error::Error;
 use crate::geometry::Point;
+pub use crate::geometry::path_length;
 use crate::watch::Watch;
 
 /// A broken condition on a path.
@@ -77,11 +78,6 @@ pub struct PathReport {
     pub nearest: Nearest,
     /// Everything that is wrong with it, in order along the path.
     pub violations: Vec<PathViolation>,
-}
-
-/// Length of a path, m.
-pub fn path_length(waypoints: &[Point]) -> f64 {
-    waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
 }
 
 /// The first segment of a path that is not valid.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::conditions::{Broken, Kind};
-use crate::wrench::Hold;
+use crate::kinematics::freedom::Hold;
 
 /// One broken condition of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]

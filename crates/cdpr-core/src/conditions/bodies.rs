@@ -1,7 +1,7 @@
 //! The bodies of a scene at one orientation: what does not depend on the platform's position.
 
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
-use crate::model::scene::PLATFORM;
+use crate::model::spec::PLATFORM;
 use crate::model::{Member, Scene};
 
 /// A cable at fixed orientation.

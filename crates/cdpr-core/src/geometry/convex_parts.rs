@@ -14,15 +14,15 @@ use rayon::prelude::*;
 use super::cell::{Cell, mean_and_axes};
 use super::inner_hull::InnerHull;
 use super::merge::merged;
+use super::part::{Part, Task};
 use super::reach::{Reach, Until, reach};
 use super::surface::Piece;
-use super::wrap::{Wrap, is_sound, thickened, wrap};
+use super::wrap::{Wrap, is_sound, thickened};
 use super::{Aabb, HalfSpace, Point, Polytope, Vector, convex_mesh};
 use crate::error::Error;
 use crate::numerics::{
     CELLS_PER_PART, CLOSE, EXACT_VOLUME, FACE_SHARE, MEASURE_STEPS, MEASURE_STEPS_IN_ALL, MOST_CONVEX_CORNERS,
     MOST_REACH_STEPS, MUCH_SMALLER, ON_SURFACE, POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE, REACH_STEPS_PER_PART, SHEET,
-    TIGHT_WRAP,
 };
 use crate::watch::Watch;
 
@@ -74,15 +74,6 @@ fn convex(piece: &Piece, watch: &Watch) -> Result<Option<Polytope>, Error> {
     }
     watch.check()?;
     Ok(Polytope::hull_of(&inner.corners()).ok().filter(|body| is_sound(body, &inner.candidates())))
-}
-
-/// A part of the body that may still be merged.
-#[derive(Clone)]
-pub(super) struct Part {
-    pub wrap: Wrap,
-    /// How far it extends beyond the piece, if this is proved to be within the tolerance, m; zero if it equals the body
-    /// there.
-    pub reach: Option<f64>,
 }
 
 /// Result of examining a cell.
@@ -143,10 +134,8 @@ fn undo(nodes: &mut [Node], most: usize) {
     }
 }
 
-pub(super) struct Cutter<'a> {
-    pub piece: &'a Piece,
-    pub tolerance: f64,
-    pub watch: &'a Watch<'a>,
+struct Cutter<'a> {
+    task: Task<'a>,
     aabb: Aabb,
     /// Planes of the triangles, without duplicates.
     planes: Vec<HalfSpace>,
@@ -181,50 +170,50 @@ impl<'a> Cutter<'a> {
                 planes.len() as u32 - 1
             }));
         }
-        Ok(Cutter { piece, tolerance, watch, aabb, planes, plane_of, on_plane: 1e-9 * extent })
+        Ok(Cutter { task: Task { piece, tolerance, watch }, aabb, planes, plane_of, on_plane: 1e-9 * extent })
     }
 
     /// At most `most` parts. If that many can be close enough, they are used; otherwise more cells, which reach as far as
     /// allowed, are merged. If merging leaves too many, the cuts that gain least are undone.
     fn few(&self, most: usize) -> Result<Vec<Part>, Error> {
-        let close = CLOSE * self.tolerance;
+        let close = CLOSE * self.task.tolerance;
         let standing = |nodes: &[Node]| nodes.iter().filter(|node| node.stands).map(|node| node.part.clone()).collect();
         let parts: Vec<Part> = standing(&self.cut_up(close, (most, most), true)?);
         if parts.iter().all(|part| part.reach.is_some()) {
-            return merged(self, parts, close);
+            return merged(&self.task, parts, close);
         }
-        let mut nodes = self.cut_up(self.tolerance, (most.saturating_mul(CELLS_PER_PART), most), false)?;
+        let mut nodes = self.cut_up(self.task.tolerance, (most.saturating_mul(CELLS_PER_PART), most), false)?;
         let parts: Vec<Part> = standing(&nodes);
         if parts.len() <= most {
-            return merged(self, parts, close);
+            return merged(&self.task, parts, close);
         }
         if parts.iter().filter(|part| part.reach.is_none()).count() <= most {
             let mut parts = parts;
             for share in MERGE_SHARES {
-                parts = merged(self, parts, share * self.tolerance)?;
+                parts = merged(&self.task, parts, share * self.task.tolerance)?;
                 if parts.len() <= most {
                     return Ok(parts);
                 }
             }
         }
         undo(&mut nodes, most);
-        merged(self, standing(&nodes), self.tolerance)
+        merged(&self.task, standing(&nodes), self.task.tolerance)
     }
 
     /// Cuts cells until their parts are good enough, round by round, so that the result does not depend on the order in
     /// which threads finish. If there is not enough room for all, those that extend farthest are cut; or none, if only all are
     /// useful. A piece that one part encloses within the tolerance is not cut.
     fn cut_up(&self, within: f64, (cells, most): (usize, usize), all: bool) -> Result<Vec<Node>, Error> {
-        let mut open = vec![(Cell::whole(&self.piece.triangles, &self.plane_of, self.watch)?, None)];
+        let mut open = vec![(Cell::whole(&self.task.piece.triangles, &self.plane_of, self.task.watch)?, None)];
         let mut nodes: Vec<Node> = Vec::new();
         let mut standing = 0;
         let mut steps = most.saturating_mul(REACH_STEPS_PER_PART);
-        let mut polygons = POLYGONS_BESIDES + POLYGONS_PER_TRIANGLE * self.piece.triangles.len();
+        let mut polygons = POLYGONS_BESIDES + POLYGONS_PER_TRIANGLE * self.task.piece.triangles.len();
         while !open.is_empty() {
             polygons = polygons.saturating_sub(open.iter().map(|(cell, _)| cell.count()).sum());
             let share = (steps / open.len()).clamp(LEAST_STEPS, MOST_REACH_STEPS);
             let judge = |(cell, parent): Open| {
-                let within = if parent.is_some() { within } else { self.tolerance };
+                let within = if parent.is_some() { within } else { self.task.tolerance };
                 Ok(self.judged(cell, within, share)?.map(|judged| (judged, parent)))
             };
             let judged: Vec<Option<(Judged, Option<usize>)>> =
@@ -260,42 +249,30 @@ impl<'a> Cutter<'a> {
     /// The part of a cell, and whether it is good enough; `None` if the cell is empty.
     fn judged(&self, cell: Cell, within: f64, steps: usize) -> Result<Option<Judged>, Error> {
         let mut points = cell.points.clone();
-        if self.piece.volume.is_some() && !cell.sides.is_empty() {
+        if self.task.piece.volume.is_some() && !cell.sides.is_empty() {
             let corners = convex_mesh(&cell.sides, &self.aabb).map(|mesh| mesh.vertices).unwrap_or_default();
-            points.extend(corners.into_iter().filter(|v| self.piece.distance.at(v).0 < -self.on_plane));
+            points.extend(corners.into_iter().filter(|v| self.task.piece.distance.at(v).0 < -self.on_plane));
         }
         if points.is_empty() {
             return Ok(None);
         }
         let wrap = self.wrapped(points)?;
-        if self.piece.volume.is_some() && self.fills(&cell, &wrap) {
+        if self.task.piece.volume.is_some() && self.fills(&cell, &wrap) {
             let reach = Reach { bound: 0.0, worst: None, steps: 0 };
             return Ok(Some(Judged { cell, part: Part { wrap, reach: Some(0.0) }, reach }));
         }
-        let reach = self.proved(&wrap, within, steps)?;
+        let reach = self.task.proved(&wrap, within, steps)?;
         let within = (reach.bound <= within).then_some(reach.bound);
         Ok(Some(Judged { cell, part: Part { wrap, reach: within }, reach }))
     }
 
     /// A convex body with volume around points.
     fn wrapped(&self, points: Vec<Point>) -> Result<Wrap, Error> {
-        if self.piece.volume.is_some() { self.enclosing(points) } else { self.enclosing(thickened(&points)) }
-    }
-
-    /// The same around points that may already have been thickened.
-    pub fn enclosing(&self, points: Vec<Point>) -> Result<Wrap, Error> {
-        let room = TIGHT_WRAP * self.tolerance;
-        match wrap(&points, room, self.watch)? {
-            Some(wrap) => Ok(wrap),
-            None => Ok(wrap(&thickened(&points), room, self.watch)?.expect("thick points")),
+        if self.task.piece.volume.is_some() {
+            self.task.enclosing(points)
+        } else {
+            self.task.enclosing(thickened(&points))
         }
-    }
-
-    /// How far a body extends beyond the piece, computed until it is clear whether that is too far.
-    pub fn proved(&self, wrap: &Wrap, within: f64, steps: usize) -> Result<Reach, Error> {
-        let until = Until { enough: within, or_beyond: true, steps };
-        let (planes, aabb) = wrap.widened();
-        reach(&self.piece.distance, &planes, &aabb, &until, self.watch)
     }
 
     /// The body of a part, and how far it extends beyond the piece.
@@ -307,7 +284,7 @@ impl<'a> Cutter<'a> {
         }
         // The proof ended as soon as the bound was low enough; most parts extend less.
         let until = Until { enough: 0.0, or_beyond: false, steps };
-        let found = reach(&self.piece.distance, &body.half_spaces(), body.aabb(), &until, self.watch)?;
+        let found = reach(&self.task.piece.distance, &body.half_spaces(), body.aabb(), &until, self.task.watch)?;
         Ok((body, proved.map_or(found.bound, |reach| reach.min(found.bound))))
     }
 
@@ -318,21 +295,23 @@ impl<'a> Cutter<'a> {
             ring.iter().all(|i| side.height(&cell.points[*i as usize]).abs() <= ON_SURFACE)
         };
         let outside = |ring: &[u32]| wrap.planes.iter().any(|side| on(side, ring));
-        wrap.exact && self.piece.distance.at(&wrap.middle).0 < 0.0 && cell.polygons().all(|(_, ring)| outside(ring))
+        wrap.exact
+            && self.task.piece.distance.at(&wrap.middle).0 < 0.0
+            && cell.polygons().all(|(_, ring)| outside(ring))
     }
 
     /// Both halves of a cell, cut where its part extends too far: along a large face on that side, or else where the halves become
     /// smallest. `None` if no cut leaves something on both sides.
     fn cut(&self, cell: &Cell, reach: &Reach) -> Result<Option<[Cell; 2]>, Error> {
         let Some((_, void)) = reach.worst else { return Ok(None) };
-        let (distance, nearest) = self.piece.distance.at(&void);
+        let (distance, nearest) = self.task.piece.distance.at(&void);
         if let Some(plane) = self.face_toward(cell, &void, distance)
             && let Some(halves) = self.halves(cell, &plane)?
         {
             return Ok(Some(halves));
         }
         // The body behind the nearest point can be cut off; a sheet has only surface that bends around the void.
-        let place = if self.piece.volume.is_some() { nearest } else { void };
+        let place = if self.task.piece.volume.is_some() { nearest } else { void };
         let toward = (void - nearest).try_normalize(0.0).unwrap_or(Vector::x());
         let (_, axes) = mean_and_axes(cell);
         let sides = cell.aabb();
@@ -355,8 +334,8 @@ impl<'a> Cutter<'a> {
     }
 
     fn halves(&self, cell: &Cell, plane: &HalfSpace) -> Result<Option<[Cell; 2]>, Error> {
-        let normals = self.piece.volume.is_some().then_some(&self.planes[..]);
-        let halves = cell.halves(plane, normals, self.on_plane, self.watch)?;
+        let normals = self.task.piece.volume.is_some().then_some(&self.planes[..]);
+        let halves = cell.halves(plane, normals, self.on_plane, self.task.watch)?;
         Ok(halves.iter().all(|half| half.count() > 0).then_some(halves))
     }
 
@@ -364,12 +343,12 @@ impl<'a> Cutter<'a> {
     fn volume_of_halves(&self, cell: &Cell, plane: &HalfSpace) -> Result<Option<f64>, Error> {
         let mut sum = 0.0;
         for side in cell.points_beside(plane, self.on_plane) {
-            self.watch.check()?;
+            self.task.watch.check()?;
             if side.is_empty() {
                 return Ok(None);
             }
             if let Some(mut inner) = InnerHull::new(&side) {
-                inner.grow(ON_SURFACE, ROUGH_CORNERS, self.watch)?;
+                inner.grow(ON_SURFACE, ROUGH_CORNERS, self.task.watch)?;
                 sum += inner.volume();
             }
         }
@@ -388,7 +367,7 @@ impl<'a> Cutter<'a> {
         let facing = |plane: &HalfSpace| {
             let height = plane.height(place);
             let turned = HalfSpace { normal: -plane.normal, offset: -plane.offset };
-            let facing = if self.piece.volume.is_none() && height < 0.0 { turned } else { *plane };
+            let facing = if self.task.piece.volume.is_none() && height < 0.0 { turned } else { *plane };
             (facing.height(place) >= 0.5 * distance).then_some(facing)
         };
         let candidates = areas.into_iter().filter_map(|(k, area)| Some((area, k, facing(&self.planes[k as usize])?)));

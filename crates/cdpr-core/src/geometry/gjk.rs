@@ -12,8 +12,8 @@ use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::query::gjk::{CsoPoint, VoronoiSimplex};
 
 use super::separating_axes::separation;
-use super::{ConvexShape, Point, Polytope, SupportMap, Vector, features};
-use crate::numerics::{GJK_DISTANCE, GJK_ITERATIONS, TOUCH_DEPTH};
+use super::{ConvexShape, Point, Polytope, SupportMap, Triangle, Vector, features};
+use crate::numerics::{GJK_DISTANCE, GJK_ITERATIONS, ON_SURFACE, TOUCH_DEPTH};
 
 /// Two-sided bounds on the distance of two sets, m, with their certificates.
 #[derive(Debug, Clone, Copy)]
@@ -205,4 +205,17 @@ pub fn nearer_than(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64) -> bool
 /// ```
 pub fn distance(a: &Polytope, b: &Polytope) -> Distance {
     shape_distance(a, b)
+}
+
+impl Polytope {
+    /// Outward normals of the facets that `point` lies on; empty if it does not lie on the surface (within
+    /// [`ON_SURFACE`]) of a body with volume.
+    pub fn active_normals(&self, point: &Point) -> Vec<Vector> {
+        // Low over all planes does not imply close: beyond a sharp edge the planes continue together.
+        let here = Triangle::new(*point, *point, *point);
+        if !(self.depth_of(point).abs() <= ON_SURFACE && shape_distance(&here, self).distance <= ON_SURFACE) {
+            return Vec::new();
+        }
+        self.facets().iter().filter(|f| f.height(point).abs() <= ON_SURFACE).map(|f| f.normal).collect()
+    }
 }

@@ -6,9 +6,43 @@
 use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::transformation::try_convex_hull;
 
-use super::polytope::Facet;
 use super::{Point, Vector};
 use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT, STANDS_OUT};
+
+/// A flat face: all points x of the body satisfy `normal · x <= offset`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facet {
+    /// Unit outward normal.
+    pub normal: Vector,
+    /// Distance of the face's plane from the origin along the normal, m.
+    pub offset: f64,
+    /// Corners in counter-clockwise order seen from outside, as indices into the body's vertices.
+    pub corners: Vec<usize>,
+}
+
+impl Facet {
+    /// The facet with these corners in counter-clockwise order; the normal is Newell's.
+    pub(super) fn through(vertices: &[Point], corners: Vec<usize>) -> Self {
+        let anchor = vertices[corners[0]];
+        let spoke = |i: usize| vertices[corners[i]] - anchor;
+        let area: Vector = (1..corners.len() - 1).map(|i| spoke(i).cross(&spoke(i + 1))).sum();
+        let normal = area.normalize();
+        let offset = corners.iter().map(|&i| normal.dot(&vertices[i].coords)).fold(f64::NEG_INFINITY, f64::max);
+        Facet { normal, offset, corners }
+    }
+
+    /// Height of a point above the face's plane, m; negative inside the body.
+    #[inline]
+    pub fn height(&self, point: &Point) -> f64 {
+        self.normal.dot(&point.coords) - self.offset
+    }
+
+    /// Directed edges around the facet.
+    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let n = self.corners.len();
+        (0..n).map(move |k| [self.corners[k], self.corners[(k + 1) % n]])
+    }
+}
 
 /// Corners of a hull, and its facets.
 pub(super) struct Hull {

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use rayon::prelude::*;
 
 use super::Point;
-use super::convex_parts::{Cutter, Part};
 use super::inner_hull::InnerHull;
+use super::part::{Part, Task};
 use crate::error::Error;
 use crate::numerics::{EXACT_VOLUME, MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
 
@@ -23,7 +23,7 @@ const LEAST_STEPS: usize = 500;
 /// merges as many disjoint pairs as possible.
 ///
 /// Parts that fill the body exactly are merged only into parts that do so, too.
-pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<Vec<Part>, Error> {
+pub(super) fn merged(task: &Task, parts: Vec<Part>, within: f64) -> Result<Vec<Part>, Error> {
     let exactly = parts.iter().all(|part| part.reach == Some(0.0));
     let mut left = PAIRS_PER_PART * parts.len();
     let mut steps = MERGE_STEPS_PER_PART * parts.len();
@@ -47,7 +47,7 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
         pairs.truncate(left);
         left -= pairs.len();
         let ends = |[i, j]: [usize; 2]| [i, j].map(|k| parts[k].as_ref().expect("pairs are of parts that are left"));
-        let may = |pair: &[usize; 2]| Ok(may_be_one(cutter, ends(*pair), within)?.map(|loss| (loss, *pair)));
+        let may = |pair: &[usize; 2]| Ok(may_be_one(task, ends(*pair), within)?.map(|loss| (loss, *pair)));
         let looked: Vec<Option<(f64, [usize; 2])>> = pairs.par_iter().map(may).collect::<Result<_, Error>>()?;
         waiting.extend(looked.into_iter().flatten());
         waiting.retain(|(_, [i, j])| parts[*i].is_some() && parts[*j].is_some());
@@ -64,10 +64,8 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
             !free
         });
         let share = (steps / likely.len().max(1)).clamp(LEAST_STEPS, MERGE_STEPS);
-        let tried: Vec<(usize, Option<Part>)> = likely
-            .par_iter()
-            .map(|pair| joint(cutter, ends(*pair), exactly, within, share))
-            .collect::<Result<_, _>>()?;
+        let tried: Vec<(usize, Option<Part>)> =
+            likely.par_iter().map(|pair| joint(task, ends(*pair), exactly, within, share)).collect::<Result<_, _>>()?;
         for ([i, j], (took, joint)) in likely.into_iter().zip(tried) {
             steps = steps.saturating_sub(took);
             if let Some(joint) = joint {
@@ -83,7 +81,7 @@ pub(super) fn merged(cutter: &Cutter, parts: Vec<Part>, within: f64) -> Result<V
 
 /// Points farther than a limit from the piece.
 struct Outskirts<'a> {
-    cutter: &'a Cutter<'a>,
+    task: &'a Task<'a>,
     /// m.
     limit: f64,
     /// Balls inside the body: centres and squared radii. Most points are in a known one.
@@ -95,7 +93,7 @@ impl Outskirts<'_> {
         if self.balls.iter().any(|(middle, squared)| (place - middle).norm_squared() < *squared) {
             return false;
         }
-        let surface = &self.cutter.piece.distance;
+        let surface = &self.task.piece.distance;
         if surface.within(&place, self.limit, &mut 0) {
             return false;
         }
@@ -112,13 +110,13 @@ fn both([a, b]: [&Part; 2]) -> Vec<Point> {
 }
 
 /// The approximate volume added by merging two parts; `None` if a point of their hull is too far from the piece.
-fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f64>, Error> {
-    cutter.watch.check()?;
+fn may_be_one(task: &Task, pair: [&Part; 2], within: f64) -> Result<Option<f64>, Error> {
+    task.watch.check()?;
     let points = both(pair);
     let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
-    inner.grow(ON_SURFACE, ROUGH_CORNERS, cutter.watch)?;
+    inner.grow(ON_SURFACE, ROUGH_CORNERS, task.watch)?;
     // The proof would fail at such points, too.
-    let mut outskirts = Outskirts { cutter, limit: UNDECIDED * within, balls: Vec::new() };
+    let mut outskirts = Outskirts { task, limit: UNDECIDED * within, balls: Vec::new() };
     // Each edge belongs to two triangles, which run along it in opposite directions.
     let mut far_along = |a: Point, b: Point| {
         let order = a.iter().partial_cmp(b.iter());
@@ -131,13 +129,13 @@ fn may_be_one(cutter: &Cutter, pair: [&Part; 2], within: f64) -> Result<Option<f
 
 /// Two parts merged, unless the result extends too far; also the number of steps used.
 fn joint(
-    cutter: &Cutter,
+    task: &Task,
     [a, b]: [&Part; 2],
     exactly: bool,
     within: f64,
     steps: usize,
 ) -> Result<(usize, Option<Part>), Error> {
-    let wrap = cutter.enclosing(both([a, b]))?;
+    let wrap = task.enclosing(both([a, b]))?;
     let apart = a.wrap.volume + b.wrap.volume;
     let loss = wrap.volume - apart;
     let fill = a.reach == Some(0.0) && b.reach == Some(0.0);
@@ -147,7 +145,7 @@ fn joint(
     if exactly {
         return Ok((0, None));
     }
-    let found = cutter.proved(&wrap, within, steps)?;
+    let found = task.proved(&wrap, within, steps)?;
     let part = (found.bound <= within).then_some(Part { wrap, reach: Some(found.bound) });
     Ok((found.steps, part))
 }

@@ -2,48 +2,11 @@
 
 use std::fmt;
 
-use super::gjk::shape_distance;
+pub use super::hull::Facet;
 use super::hull::{self, Extent, Hull};
-use super::separating_axes::unit_cross;
-use super::shape::Triangle;
 use super::{Point, Rotation, Vector};
-use crate::numerics::{ON_SURFACE, SAME_POINT};
+use crate::numerics::{ON_SURFACE, PARALLEL, SAME_POINT};
 use crate::words::small_length;
-
-/// A flat face: all points x of the body satisfy `normal · x <= offset`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Facet {
-    /// Unit outward normal.
-    pub normal: Vector,
-    /// Distance of the face's plane from the origin along the normal, m.
-    pub offset: f64,
-    /// Corners in counter-clockwise order seen from outside, as indices into the body's vertices.
-    pub corners: Vec<usize>,
-}
-
-impl Facet {
-    /// The facet with these corners in counter-clockwise order; the normal is Newell's.
-    pub(super) fn through(vertices: &[Point], corners: Vec<usize>) -> Self {
-        let anchor = vertices[corners[0]];
-        let spoke = |i: usize| vertices[corners[i]] - anchor;
-        let area: Vector = (1..corners.len() - 1).map(|i| spoke(i).cross(&spoke(i + 1))).sum();
-        let normal = area.normalize();
-        let offset = corners.iter().map(|&i| normal.dot(&vertices[i].coords)).fold(f64::NEG_INFINITY, f64::max);
-        Facet { normal, offset, corners }
-    }
-
-    /// Height of a point above the face's plane, m; negative inside the body.
-    #[inline]
-    pub fn height(&self, point: &Point) -> f64 {
-        self.normal.dot(&point.coords) - self.offset
-    }
-
-    /// Directed edges around the facet.
-    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        let n = self.corners.len();
-        (0..n).map(move |k| [self.corners[k], self.corners[(k + 1) % n]])
-    }
-}
 
 /// An axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -277,17 +240,6 @@ impl Polytope {
         -self.facets.iter().map(|f| f.height(point)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Outward normals of the facets that `point` lies on; empty if it does not lie on the surface (within
-    /// [`ON_SURFACE`]) of a body with volume.
-    pub fn active_normals(&self, point: &Point) -> Vec<Vector> {
-        // Low over all planes does not imply close: beyond a sharp edge the planes continue together.
-        let here = Triangle::new(*point, *point, *point);
-        if !(self.depth_of(point).abs() <= ON_SURFACE && shape_distance(&here, self).distance <= ON_SURFACE) {
-            return Vec::new();
-        }
-        self.facets.iter().filter(|f| f.height(point).abs() <= ON_SURFACE).map(|f| f.normal).collect()
-    }
-
     /// Volume, m³; zero for flat bodies.
     pub fn volume(&self) -> f64 {
         if !self.has_volume() {
@@ -321,6 +273,13 @@ fn distinct_axes(directions: impl Iterator<Item = Vector>) -> Vec<Vector> {
         }
     }
     axes
+}
+
+/// Unit cross product of two unit directions; `None` if they are parallel.
+pub(super) fn unit_cross(a: &Vector, b: &Vector) -> Option<Vector> {
+    let cross = a.cross(b);
+    let norm = cross.norm();
+    (norm > PARALLEL).then(|| cross / norm)
 }
 
 #[cfg(test)]

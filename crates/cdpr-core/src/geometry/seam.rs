@@ -5,7 +5,7 @@
 //! "inside the union" agree. Limitation: an edge line where three or more parts meet, no two of which share a face
 //! around it, is not covered; this affects only a cable exactly along that line. Parts without volume have no seams.
 
-use super::polytope::Facet;
+use super::hull::Facet;
 use super::{Point, Polytope, Vector};
 use crate::numerics::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
 

@@ -5,8 +5,8 @@
 //! Trying all of them is exact for any shape, including needles and slivers. Source: Gottschalk, Lin, Manocha, OBBTree,
 //! SIGGRAPH 1996, for the theorem; Ericson, Real-Time Collision Detection, section 5.2.1.
 
+use super::polytope::unit_cross;
 use super::{ConvexShape, Vector};
-use crate::numerics::PARALLEL;
 
 /// Signed separation of two shapes, m, and the unit axis from `a` to `b` on which it was found.
 ///
@@ -59,11 +59,4 @@ fn visit_axes(a: &impl ConvexShape, b: &impl ConvexShape, mut stop: impl FnMut(f
 #[inline]
 pub fn gap_along(a: &impl ConvexShape, b: &impl ConvexShape, axis: &Vector) -> f64 {
     (b.support(&-axis) - a.support(axis)).dot(axis)
-}
-
-/// Unit cross product of two unit directions; `None` if they are parallel.
-pub fn unit_cross(a: &Vector, b: &Vector) -> Option<Vector> {
-    let cross = a.cross(b);
-    let norm = cross.norm();
-    (norm > PARALLEL).then(|| cross / norm)
 }

@@ -2,6 +2,7 @@
 //! platform. None is stored as a hull: GJK needs support points, separating axes need directions.
 
 use super::features::Boundary;
+use super::polytope::unit_cross;
 use super::{Point, Polytope, Vector};
 use crate::numerics::{NO_MOTION, NO_WIDTH};
 
@@ -167,9 +168,10 @@ impl SupportMap for Swept<'_> {
 
 impl ConvexShape for Swept<'_> {
     fn normals(&self) -> impl Iterator<Item = Vector> {
-        let sides = self.direction().into_iter().flat_map(|along| {
-            self.body.edge_axes().iter().filter_map(move |edge| super::separating_axes::unit_cross(edge, &along))
-        });
+        let sides = self
+            .direction()
+            .into_iter()
+            .flat_map(|along| self.body.edge_axes().iter().filter_map(move |edge| unit_cross(edge, &along)));
         self.body.normal_axes().iter().copied().chain(sides)
     }
 

@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 
 use super::body;
+use super::obstacle::Obstacle;
 use super::robot::Robot;
-use super::scene::{Obstacle, PLATFORM};
-use super::spec::SceneSpec;
+use super::spec::{PLATFORM, SceneSpec};
 use crate::error::{Error, nearest_name};
 
 /// A body or cable that can be in contact; named in pairs and in messages.

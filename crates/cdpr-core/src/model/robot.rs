@@ -1,7 +1,7 @@
 //! A checked robot: platform parts, cables, and values derived from them.
 
 use super::body;
-use super::spec::{CableSpec, FORMAT_VERSION, RobotSpec};
+use super::spec::{CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
@@ -142,7 +142,7 @@ fn unique_names(cables: &[Cable]) -> Result<(), Error> {
             );
             return Err(Error::invalid(format!("cables[{k}].name"), problem));
         }
-        if cable.name == super::scene::PLATFORM {
+        if cable.name == PLATFORM {
             return Err(Error::invalid(
                 format!("cables[{k}].name"),
                 "found \"platform\", which is reserved for the platform itself",

@@ -1,32 +1,22 @@
 //! A checked scene: robot, obstacles, workspace and planning query.
 
 use super::body::{self, Turn};
+use super::obstacle::{Obstacle, obstacle_seams, obstacles};
 use super::pairs::{Member, PairRules};
 use super::robot::Robot;
 use super::spec::{
-    BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, QuerySpec, RobotSource, SceneSpec, WrenchSpec,
+    BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, PLATFORM, QuerySpec, RobotSource, SceneSpec,
+    WrenchSpec,
 };
 use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
-use crate::geometry::seam::{Seam, seams};
-use crate::geometry::{Aabb, Point, Polytope, Rotation, Vector};
-use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
+use crate::geometry::seam::Seam;
+use crate::geometry::{Aabb, Point, Rotation, Vector};
+use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
-
-/// The name of the platform in messages and in pairs such as those of `ignore`.
-pub const PLATFORM: &str = "platform";
 
 /// Default gravity, world axes, m/s².
 pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
-
-/// An obstacle: convex parts under one name, m, world.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Obstacle {
-    /// Name used in messages.
-    pub name: String,
-    /// Convex parts.
-    pub parts: Vec<Polytope>,
-}
 
 /// A checked scene. Immutable; made by [`Scene::new`].
 #[derive(Debug, Clone, PartialEq)]
@@ -363,47 +353,6 @@ fn workspace(spec: &SceneSpec) -> Result<Aabb, Error> {
     }
     body::large_enough("workspace", "a workspace", [&min, &max], LEAST_EXTENT)?;
     Ok(Aabb { min, max })
-}
-
-fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> {
-    let (mut obstacles, mut places): (Vec<Obstacle>, Vec<String>) = (Vec::new(), Vec::new());
-    for (k, spec) in specs.iter().enumerate() {
-        let place = format!("obstacles[{k}]");
-        body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
-        let part = body::build(&place, spec)?;
-        if !part.has_volume() {
-            return Err(Error::invalid(
-                place,
-                "found a body without volume (flat within 1e-7 m), expected one with volume",
-            ));
-        }
-        let name = spec.name.clone().unwrap_or_else(|| format!("obstacle {k}"));
-        if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
-            return Err(Error::invalid(
-                format!("{place}.name"),
-                format!("found \"{name}\", which is already the name of something else"),
-            ));
-        }
-        match obstacles.iter_mut().find(|o| o.name == name) {
-            Some(body) => body.parts.push(part),
-            None => {
-                places.push(place);
-                obstacles.push(Obstacle { name, parts: vec![part] });
-            }
-        }
-    }
-    for (place, obstacle) in places.iter().zip(&obstacles) {
-        body::large_enough(place, "an obstacle", obstacle.parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
-    }
-    Ok(obstacles)
-}
-
-fn obstacle_seams(obstacles: &[Obstacle]) -> Vec<Seam> {
-    let parts: Vec<(usize, &Polytope)> =
-        obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();
-    let mut seams = seams(&parts.iter().map(|(_, part)| *part).collect::<Vec<_>>());
-    seams.iter_mut().for_each(|seam| seam.between = seam.between.map(|k| parts[k].0));
-    seams
 }
 
 fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Result<(), Error> {

@@ -40,6 +40,9 @@ macro_rules! file_or_inline {
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
 
+/// The name of the platform in messages and in pairs such as those of `ignore`.
+pub const PLATFORM: &str = "platform";
+
 /// A scene: robot, obstacles, workspace and planning query. Lengths in m, world axes, z up by convention.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]

@@ -10,7 +10,7 @@ use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
 use super::outcome::{Outcome, Status};
-use super::search::{Limits, Search, Until, path_length};
+use super::search::{Limits, Search, Until};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
 use crate::collision::Validity;
@@ -322,11 +322,11 @@ impl<S: StateSpace> Run<'_, S> {
             && self.search.collision_free(&way[at - 1], &way[at + 1])?
         {
             way.remove(at);
-            if path_length(space, &way) >= self.cost {
+            if space.length(&way) >= self.cost {
                 return Ok(());
             }
         }
-        if path_length(space, &way) > DETOUR * self.cost {
+        if space.length(&way) > DETOUR * self.cost {
             return Ok(());
         }
         if let Some(patience) = &mut self.patience {
@@ -356,7 +356,7 @@ impl<S: StateSpace> Run<'_, S> {
 
     /// Keeps a path if it is the shortest so far.
     fn take(&mut self, path: Vec<S::State>) {
-        let cost = path_length(&self.search.problem.space, &path);
+        let cost = self.search.problem.space.length(&path);
         if cost < self.cost {
             (self.best, self.cost) = (path, cost);
             self.halves.keep(&self.best);

@@ -5,7 +5,7 @@ use rand::Rng;
 
 use super::bidirectional::{Half, into_search_tree, path_through};
 use super::outcome::{Outcome, Status};
-use super::search::{Limits, Search, path_length};
+use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace, steer};
 use crate::collision::Validity;
 use crate::error::Error;
@@ -75,7 +75,7 @@ pub fn rrt_connect<S: StateSpace>(
     let step = options.step.unwrap_or(STEP_SHARE * space.largest_distance());
     let mut search = Search::new(problem, validity, &options.limits, watch);
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
-    let mut best = path_length(space, &path);
+    let mut best = space.length(&path);
     let mut trees = Half::of_both_ends(problem);
     let mut turn = 0;
     while !search.over(nodes(&trees), best)? {
@@ -86,7 +86,7 @@ pub fn rrt_connect<S: StateSpace>(
             if let Step::Reached(x_met) = connect(&mut search, &mut trees, other, &target, step)? {
                 let met = if turn == 0 { [x_new, x_met] } else { [x_met, x_new] };
                 let found = path_through(&trees, met);
-                let length = path_length(space, &found);
+                let length = space.length(&found);
                 if length < best {
                     (path, best) = (found, length);
                 }

@@ -154,6 +154,7 @@ fn cheapest<S: StateSpace>(tree: &Tree<S>, space: &S, goal_parents: &[usize], go
 mod tests {
     use super::*;
     use crate::collision::{Checker, CspaceEngine, Interference};
+    use crate::geometry::path_length;
     use crate::planning::{TranslationSpace, Until};
     use crate::testing::{hard1, hard3};
     use rand::SeedableRng;
@@ -183,7 +184,7 @@ mod tests {
             assert_eq!((tree.len(), outcome.tree.states.len()), (1500, 1501)); // the last one is the goal
             for node in 0..tree.len() {
                 let path = tree.path_to(node); // ends only where there is no cycle
-                let length = path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, |sum, edge| sum + edge);
+                let length = path_length(&path);
                 assert!((tree.cost(node) - length).abs() < 1e-12 * (1.0 + length), "node {node}");
                 let parent = tree.state(tree.parent(node));
                 assert!(node == 0 || engine.motion_valid(parent, tree.state(node)), "edge to node {node}");
@@ -196,7 +197,7 @@ mod tests {
         // 2.4352 m is the best known length; a longer run with the same seed continues where the shorter one stopped.
         let costs = [1000, 4000, 16_000].map(|nodes| {
             let path = grown(&hard1(), 5, nodes).0.waypoints;
-            path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()
+            path_length(&path)
         });
         assert!(costs.is_sorted_by(|a, b| a >= b), "{costs:?}");
         assert!(costs[2] > 2.435 && costs[2] < 1.03 * 2.4352, "{costs:?}");

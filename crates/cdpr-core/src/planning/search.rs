@@ -155,9 +155,3 @@ impl<'a, S: StateSpace> Search<'a, S> {
         Outcome { status, waypoints, tree, motion_checks, samples, history }
     }
 }
-
-/// Length of a path of straight segments; infinite for an empty path.
-pub(super) fn path_length<S: StateSpace>(space: &S, path: &[S::State]) -> f64 {
-    let length = path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum();
-    if path.is_empty() { f64::INFINITY } else { length }
-}

@@ -30,6 +30,12 @@ pub trait StateSpace: Sync {
     /// Length of the straight motion between two states.
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
+    /// Length of a path of straight motions, m; infinite for an empty path, which leads nowhere.
+    fn length(&self, path: &[Self::State]) -> f64 {
+        let length = path.windows(2).map(|pair| self.distance(&pair[0], &pair[1])).sum();
+        if path.is_empty() { f64::INFINITY } else { length }
+    }
+
     /// The largest distance between two states, m; 0 where the space is empty.
     fn largest_distance(&self) -> f64;
 

@@ -5,7 +5,7 @@ use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
 use super::outcome::{Outcome, Status};
-use super::search::{Limits, Search, path_length};
+use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace};
 use crate::collision::Validity;
 use crate::error::Error;
@@ -58,11 +58,11 @@ pub fn two_trees<S: StateSpace>(
     let mut search = Search::new(problem, validity, &options.limits, watch);
     let mut halves = Halves::new(problem);
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
-    let mut best = path_length(space, &path);
+    let mut best = space.length(&path);
     while !search.over(halves.len(), best)? {
         let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
         if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
-            let length = path_length(space, &found);
+            let length = space.length(&found);
             if length < best {
                 (path, best) = (found, length);
             }

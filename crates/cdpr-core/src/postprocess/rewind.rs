@@ -78,10 +78,10 @@ pub fn rewind<S: StateSpace>(
     let run = |first: Direction, second: Direction| {
         let mut path = waypoints.to_vec();
         for _ in 0..options.repeats {
-            let before = rewinder.length(&path);
+            let before = space.length(&path);
             rewinder.rewind(&mut path, first)?;
             rewinder.rewind(&mut path, second)?;
-            if !(rewinder.length(&path) < before) {
+            if !(space.length(&path) < before) {
                 break;
             }
         }
@@ -93,7 +93,7 @@ pub fn rewind<S: StateSpace>(
         Order::Both => {
             let backward_first = run(Direction::Backward, Direction::Forward)?;
             let forward_first = run(Direction::Forward, Direction::Backward)?;
-            let shorter = rewinder.length(&forward_first) < rewinder.length(&backward_first);
+            let shorter = space.length(&forward_first) < space.length(&backward_first);
             Ok(if shorter { forward_first } else { backward_first })
         }
     }
@@ -146,10 +146,6 @@ struct Rewinder<'a, S: StateSpace> {
 }
 
 impl<S: StateSpace> Rewinder<'_, S> {
-    fn length(&self, path: &[S::State]) -> f64 {
-        path.windows(2).map(|pair| self.space.distance(&pair[0], &pair[1])).sum()
-    }
-
     fn rewind(&self, path: &mut Vec<S::State>, direction: Direction) -> Result<(), Error> {
         if direction == Direction::Forward {
             path.reverse();
@@ -185,7 +181,7 @@ impl<S: StateSpace> Rewinder<'_, S> {
     /// path.
     fn earliest_connection(&self, path: &[S::State], reference: usize) -> Result<Connection<S::State>, Error> {
         let x_i = &path[reference];
-        let mut old = self.length(&path[..=reference]); // along the path from x_j to the reference
+        let mut old = self.space.length(&path[..=reference]); // along the path from x_j to the reference
         let mut tried = 0usize;
         for j in 0..=reference - 2 {
             let (x_j, x_next) = (&path[j], &path[j + 1]);

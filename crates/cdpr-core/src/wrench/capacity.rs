@@ -11,13 +11,11 @@ use crate::numerics::simd::{Kernel, WIDTH};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, wrench::{CapacityMargin, Loads, Required, Statics}};
-/// # let cogiro = concat!(env!("CARGO_MANIFEST_DIR"), "/../../testdata/robots/cogiro.toml");
-/// let robot = cdpr_files::load_robot(cogiro.as_ref())?;
-/// let statics = Statics::new(&robot, &Loads::default())?;
-/// let margin = CapacityMargin::new(statics, Required::balls(50.0, 5.0)?)?;
-/// assert!(margin.at(&Point::new(0.0, 0.0, 2.0)) > 0.0); // in the middle
-/// assert!(margin.at(&Point::new(0.0, 0.0, 6.0)) < 0.0); // above all outlets
+/// use cdpr_core::{geometry::Point, testing, wrench::{CapacityMargin, Loads, Required, Statics}};
+/// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
+/// let margin = CapacityMargin::new(statics, Required::balls(20.0, 0.0)?)?;
+/// let (middle, above) = (Point::new(1.0, 1.0, 1.0), Point::new(1.0, 1.0, 2.5)); // above all outlets
+/// assert!(margin.at(&middle) > margin.at(&above) && margin.at(&above) < 0.0);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 #[derive(Debug, Clone)]

@@ -12,8 +12,8 @@ use super::measure::Measure;
 use super::tension_qp::TensionQp;
 use super::zonotope::Span;
 use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, least_slack, moment_limit};
+use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::collision::WrenchLimit;
-use crate::collision::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
 use crate::kinematics::cable_lengths;
@@ -365,7 +365,7 @@ pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> 
 }
 
 fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
-    let length = crate::collision::path_check::path_length(waypoints);
+    let length = crate::geometry::path_length(waypoints);
     let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
     places.extend(waypoints.iter().enumerate().map(|(k, position)| {
         let segment = k.min(waypoints.len().saturating_sub(2));

@@ -4,9 +4,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
-use super::validity::{Checker, Validity};
 use crate::error::Error;
-use crate::geometry::Point;
 use crate::watch::{Interrupt, thread_count};
 
 /// How questions are dealt out.
@@ -35,54 +33,6 @@ pub struct BatchOptions<'a> {
     pub threads: Option<usize>,
     /// Asked about every 10 ms; true ends the batch with [`Error::interrupted`].
     pub interrupted: &'a Interrupt<'a>,
-}
-
-/// Whether each position is valid; `position(k)` gives the k-th one.
-///
-/// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
-pub fn states_valid(
-    validity: &dyn Validity,
-    position: impl Fn(usize) -> Point + Sync,
-    answers: &mut [bool],
-    options: &BatchOptions,
-) -> Result<(), Error> {
-    answer_all(answers, |k| validity.state_valid(&position(k)), Pace::CHECKS, options)
-}
-
-/// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
-///
-/// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
-pub fn motions_valid(
-    validity: &dyn Validity,
-    motion: impl Fn(usize) -> (Point, Point) + Sync,
-    answers: &mut [bool],
-    options: &BatchOptions,
-) -> Result<(), Error> {
-    let question = |k| {
-        let (from, to) = motion(k);
-        validity.motion_valid(&from, &to)
-    };
-    answer_all(answers, question, Pace::CHECKS, options)
-}
-
-/// The signed clearance of each position, m: the least gap in the world, negative where bodies overlap, infinite where there
-/// is nothing to keep away from; `position(k)` gives the k-th one.
-///
-/// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
-pub fn clearances(
-    checker: &dyn Checker,
-    position: impl Fn(usize) -> Point + Sync,
-    answers: &mut [f64],
-    options: &BatchOptions,
-) -> Result<(), Error> {
-    let question = |k| {
-        let p = position(k);
-        checker.gap(&p, &p).unwrap_or(f64::INFINITY)
-    };
-    answer_all(answers, question, Pace::CHECKS, options)
 }
 
 /// Fills `answers[k]` with the answer to question k, on as many threads as asked for.

@@ -1,0 +1,54 @@
+//! Many states or motions at once.
+
+use super::validity::{Checker, Validity};
+use crate::batch::{BatchOptions, Pace, answer_all};
+use crate::error::Error;
+use crate::geometry::Point;
+
+/// Whether each position is valid; `position(k)` gives the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+pub fn states_valid(
+    validity: &dyn Validity,
+    position: impl Fn(usize) -> Point + Sync,
+    answers: &mut [bool],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    answer_all(answers, |k| validity.state_valid(&position(k)), Pace::CHECKS, options)
+}
+
+/// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+pub fn motions_valid(
+    validity: &dyn Validity,
+    motion: impl Fn(usize) -> (Point, Point) + Sync,
+    answers: &mut [bool],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let question = |k| {
+        let (from, to) = motion(k);
+        validity.motion_valid(&from, &to)
+    };
+    answer_all(answers, question, Pace::CHECKS, options)
+}
+
+/// The signed clearance of each position, m: the least gap in the world, negative where bodies overlap, infinite where there
+/// is nothing to keep away from; `position(k)` gives the k-th one.
+///
+/// # Errors
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+pub fn clearances(
+    checker: &dyn Checker,
+    position: impl Fn(usize) -> Point + Sync,
+    answers: &mut [f64],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let question = |k| {
+        let p = position(k);
+        checker.gap(&p, &p).unwrap_or(f64::INFINITY)
+    };
+    answer_all(answers, question, Pace::CHECKS, options)
+}

@@ -1,0 +1,61 @@
+//! Obstacles that have been checked: convex parts under one name.
+
+use super::body;
+use super::robot::Robot;
+use super::spec::{BodySpec, PLATFORM};
+use crate::error::Error;
+use crate::geometry::Polytope;
+use crate::geometry::seam::{Seam, seams};
+use crate::numerics::LEAST_BODY;
+
+/// An obstacle: convex parts under one name, m, world.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Obstacle {
+    /// Name used in messages.
+    pub name: String,
+    /// Convex parts.
+    pub parts: Vec<Polytope>,
+}
+
+/// Obstacles from their specs: bodies of one name are parts of one obstacle.
+pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacle>, Error> {
+    let (mut obstacles, mut places): (Vec<Obstacle>, Vec<String>) = (Vec::new(), Vec::new());
+    for (k, spec) in specs.iter().enumerate() {
+        let place = format!("obstacles[{k}]");
+        body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
+        let part = body::build(&place, spec)?;
+        if !part.has_volume() {
+            return Err(Error::invalid(
+                place,
+                "found a body without volume (flat within 1e-7 m), expected one with volume",
+            ));
+        }
+        let name = spec.name.clone().unwrap_or_else(|| format!("obstacle {k}"));
+        if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
+            return Err(Error::invalid(
+                format!("{place}.name"),
+                format!("found \"{name}\", which is already the name of something else"),
+            ));
+        }
+        match obstacles.iter_mut().find(|o| o.name == name) {
+            Some(body) => body.parts.push(part),
+            None => {
+                places.push(place);
+                obstacles.push(Obstacle { name, parts: vec![part] });
+            }
+        }
+    }
+    for (place, obstacle) in places.iter().zip(&obstacles) {
+        body::large_enough(place, "an obstacle", obstacle.parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
+    }
+    Ok(obstacles)
+}
+
+/// Bodies that close the seams between abutting parts, each between the indices of its obstacles.
+pub(super) fn obstacle_seams(obstacles: &[Obstacle]) -> Vec<Seam> {
+    let parts: Vec<(usize, &Polytope)> =
+        obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();
+    let mut seams = seams(&parts.iter().map(|(_, part)| *part).collect::<Vec<_>>());
+    seams.iter_mut().for_each(|seam| seam.between = seam.between.map(|k| parts[k].0));
+    seams
+}

@@ -1,0 +1,28 @@
+//! What the readers of other programs' robots share: the options of an import, and a robot as they found it.
+
+use std::path::PathBuf;
+
+use cdpr_core::model::{BodySpec, RobotSpec, Unit};
+
+/// Options of an import.
+#[derive(Debug, Clone, Default)]
+pub struct ImportOptions {
+    /// CASPR: the bodies file, where it does not stand beside the cables file under the same name.
+    pub bodies: Option<PathBuf>,
+    /// CASPR: the cable set; default the one that the file names.
+    pub cable_set: Option<String>,
+    /// A mesh of the platform in its frame, and its unit, instead of what the source says.
+    pub platform: Option<(PathBuf, Unit)>,
+}
+
+/// A robot as a reader found it, where it is from, and what was not carried over.
+pub(super) struct Source {
+    pub robot: RobotSpec,
+    pub origin: String,
+    pub notes: Vec<String>,
+}
+
+/// The hull of the attachments, where the source says nothing of the platform's shape.
+pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
+    vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
+}

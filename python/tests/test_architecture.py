@@ -1,0 +1,132 @@
+"""The Rust sources keep the order that ARCHITECTURE.md shows.
+
+- No circle of imports, in any crate: among the modules that one module declares, none imports itself through others. A name
+  that a module only re-exports belongs to the module that defines it. A module may use what the modules around it define, and
+  tests may use anything.
+- No two files of one name in a crate.
+- ARCHITECTURE.md names every top-level module of the core.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CRATES = sorted(path.name for path in (ROOT / "crates").iterdir())
+
+USE = r"\buse ([^;]+);"
+INLINE_PATH = r"(?<![\w:])(?:crate|super)(?:::\w+)+"
+INLINE_TESTS = re.compile(r"^#\[cfg\(test\)\]\nmod \w+ \{.*?^\}", re.MULTILINE | re.DOTALL)
+BRANCH = r"(?:[^,{}]|\{(?:[^{}]|\{[^{}]*\})*\})+"  # of a `use`: commas within braces do not end it
+
+Module = tuple[str, ...]  # ("geometry", "hull"); the crate itself is ()
+UsePath = list[str]  # ["super", "hull", "Facet"]
+
+
+def sources(crate: str) -> dict[Module, str]:
+    """The code of each module, without comments and tests."""
+    folder = ROOT / "crates" / crate / "src"
+    files = {file.relative_to(folder).with_suffix("").parts: file.read_text() for file in folder.rglob("*.rs")}
+    return {() if module in (("lib",), ("main",)) else module: code(text) for module, text in files.items()}
+
+
+def code(text: str) -> str:
+    return re.sub(r"//.*", "", INLINE_TESTS.sub("", text))
+
+
+def used(tree: str) -> Iterator[tuple[UsePath, str]]:
+    """The paths of a `use` and the names that they get: `a::{b, c as d}` gives a::b as b and a::c as d."""
+    start, brace, rest = tree.partition("{")
+    if brace:
+        for branch in re.findall(BRANCH, rest[: rest.rindex("}")]):
+            if branch.strip():
+                yield from used(start + branch.strip())
+    else:
+        path, _, name = tree.partition(" as ")
+        parts = [part for part in path.strip().split("::") if part not in ("", "self")]
+        yield parts, name.strip() or parts[-1]
+
+
+class Crate:
+    """The modules of a crate and what they import."""
+
+    def __init__(self, modules: dict[Module, str]) -> None:
+        self.modules = modules
+        self.imports = {
+            module: [import_ for tree in re.findall(USE, text) for import_ in used(tree)] for module, text in modules.items()
+        }
+
+    def needs(self, module: Module) -> set[Module]:
+        """The modules of the crate that define what a module uses."""
+        paths = [path for path, _ in self.imports[module]]
+        paths += [path.split("::") for path in re.findall(INLINE_PATH, self.modules[module])]
+        found = {self.defining(module, path) for path in paths}
+        return {other for other in found if other not in (None, module)}
+
+    def defining(self, module: Module, path: UsePath) -> Module | None:
+        """The module that defines what a path leads to, seen from a module; None outside of the crate."""
+        here, names = module, list(path)
+        while names and names[0] in ("crate", "super"):
+            here = () if names.pop(0) == "crate" else here[:-1]
+        if names == path and (*module, names[0]) not in self.modules:
+            return None
+        while names and (*here, names[0]) in self.modules:
+            here = (*here, names.pop(0))
+        imported = next((path for path, name in self.imports[here] if [name] == names[:1] != ["*"]), None)
+        if imported in (None, path):  # the same path: repeated by a module inside of the same file
+            return here
+        return self.defining(here, imported + names[1:]) or here
+
+    def circles(self) -> Iterator[str]:
+        """A circle among the modules that a module declares, for each module where there is one."""
+        arrows = sorted((module, other) for module in self.modules for other in self.needs(module))
+        for parent in self.modules:
+            depth = len(parent)
+            children: dict[str, set[str]] = {}
+            for a, b in arrows:
+                inside = a[:depth] == parent == b[:depth] and min(len(a), len(b)) > depth
+                if inside and a[depth] != b[depth]:
+                    children.setdefault(a[depth], set()).add(b[depth])
+            try:
+                TopologicalSorter(children).prepare()
+            except CycleError as error:
+                yield "::".join([*parent, " -> ".join(reversed(error.args[1]))])
+
+
+@pytest.mark.parametrize("crate", CRATES)
+def test_no_module_imports_itself_through_others(crate: str) -> None:
+    circles = list(Crate(sources(crate)).circles())
+    assert not circles, "; ".join(circles)
+
+
+def test_a_circle_is_found_through_the_name_that_a_parent_exports() -> None:
+    modules = {
+        (): "mod low; mod room;",
+        ("low",): "use crate::room::{self, b::{B}};",
+        ("room",): "mod a; mod b; pub use a::A as Renamed; pub struct Own;",
+        ("room", "a"): "use super::Own;",
+        ("room", "b"): "use super::Renamed;",
+    }
+    assert list(Crate(modules).circles()) == []
+    modules["room", "a"] += "fn f() -> super::b::B {}"
+    assert list(Crate(modules).circles()) == ["room::a -> b -> a"]
+    modules["room", "a"] = "use std::low; use crate::low::L;"
+    assert list(Crate(modules).circles()) == ["low -> room -> low"]
+
+
+@pytest.mark.parametrize("crate", CRATES)
+def test_no_two_files_of_a_crate_share_a_name(crate: str) -> None:
+    names = Counter(module[-1] for module in sources(crate) if module and module[-1] != "mod")
+    assert [name for name, times in names.items() if times > 1] == []
+
+
+def test_the_architecture_names_every_module_of_the_core() -> None:
+    text = (ROOT / "ARCHITECTURE.md").read_text()
+    core = text.partition("crates/cdpr-core/src/")[2].partition("crates/cdpr-view/src/")[0]
+    listed = re.findall(r"^  \w.*", core, re.MULTILINE)
+    rooms = {module[0] for module in sources("cdpr-core") if module}
+    assert [room for room in sorted(rooms) if not re.search(rf"\b{room}\b", "".join(listed))] == []
