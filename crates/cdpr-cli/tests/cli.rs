@@ -187,7 +187,7 @@ fn a_cable_that_ends_where_the_platform_may_touch_is_told_how_to_do_so_too() {
     let pairs: Vec<String> = [0, 2, 4, 6].map(|k| format!("[\"cable {k}\", \"conveyor\"]")).into();
     assert_eq!(status(&planned(&format!("{platform}, {}", pairs.join(", ")))), 0);
     let refused = stderr(&planned(""));
-    assert!(refused.contains("next: move it") && !refused.contains("to `touch`"), "{refused}");
+    assert!(refused.contains("next: choose another position") && !refused.contains("to `touch`"), "{refused}");
 }
 
 #[test]
