@@ -1,61 +1,80 @@
-//! The known answers of testdata/cases, by the library. Python and the command line run the same list.
-
-use std::path::PathBuf;
+//! The known answers of `testdata/cases`, by the library. Python and the command line run the same list.
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::engine_for;
+use cdpr_core::model::{MarginSpec, Scene};
+use cdpr_core::plan::{PlanOptions, Query, check, engine_for, plan};
+use cdpr_core::planning::{PlannerOptions, PlannerSettings};
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::constraint::required_of;
+use cdpr_core::wrench::{Loads, Statics, wrench_at};
 use cdpr_files::load_scene;
-use serde::Deserialize;
+use cdpr_tests::cases::{Cases, PlanCase, scene_file};
+use serde_json::{Value, json};
 
-#[derive(Deserialize)]
-struct Cases {
-    motion: Vec<Case>,
-}
-
-#[derive(Deserialize)]
-struct Case {
-    name: String,
-    scene: String,
-    from: [f64; 3],
-    to: [f64; 3],
-    interference: Option<String>,
-    valid: bool,
-    kind: Option<String>,
-    culprits: Option<Vec<String>>,
-    at: Option<f64>,
-    margin: Option<f64>,
+#[test]
+fn motions() {
+    for (case, engine) in each_engine(&Cases::load().motion) {
+        let engine = engine_for(&scene(&case.scene), engine, choice(&case.interference)).unwrap();
+        let (from, to) = (Point::from(case.from), Point::from(case.to));
+        let found = engine.explain(&from, &to);
+        let valid = case.violation.is_none();
+        assert_eq!(engine.motion_valid(&from, &to), valid, "{}", case.name);
+        assert_eq!(engine.motion_valid(&to, &from), valid, "{}, backward", case.name);
+        assert!(case.agrees(&json!(found)), "{}: {found:#?}", case.name);
+    }
 }
 
 #[test]
-fn every_known_answer() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../testdata/cases");
-    let text = std::fs::read_to_string(folder.join("cases.toml")).unwrap();
-    let cases: Cases = toml::from_str(&text).unwrap();
-    let mut failures = Vec::new();
-    for (case, (engine, name, _)) in cases.motion.iter().flat_map(|c| Engine::ALL.iter().map(move |e| (c, *e))) {
-        let interference =
-            if case.interference.as_deref() == Some("swept") { Interference::Swept } else { Interference::Exact };
-        let engine = engine_for(&load_scene(&folder.join(&case.scene)).unwrap(), engine, interference).unwrap();
-        let (from, to) = (Point::from(case.from), Point::from(case.to));
-        let found = engine.explain(&from, &to);
-        let near = |expected: Option<f64>, found: Option<f64>| {
-            expected.is_none_or(|e| found.is_some_and(|f| (e - f).abs() < 1e-6))
-        };
-        let agrees = engine.motion_valid(&from, &to) == case.valid
-            && engine.motion_valid(&to, &from) == case.valid
-            && found.is_none() == case.valid
-            && found.as_ref().is_none_or(|v| {
-                case.kind.as_deref() == serde_json::json!(v.kind).as_str()
-                    && case.culprits.as_ref() == Some(&v.culprits)
-                    && near(case.at, Some(v.at))
-                    && near(case.margin, v.margin)
-            });
-        if !agrees {
-            failures.push(format!("{name}, {}: {found:?}", case.name));
-        }
+fn plans() {
+    for case in Cases::load().plan {
+        let found = planned(&case);
+        assert!(case.agrees(&found), "{}: {found:#}", case.name);
     }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(cases.motion.len() >= 35);
+}
+
+fn planned(case: &PlanCase) -> Value {
+    let scene = scene(&case.scene);
+    let mut options = PlanOptions { seed: case.seed, ..PlanOptions::default() };
+    let settings = PlannerSettings { max_samples: case.max_samples, ..PlannerSettings::default() };
+    options.planner = PlannerOptions::new(choice(&case.planner), options.step, &settings).unwrap();
+    let query = Query { start: case.start.map(Point::from), goal: case.goal.map(Point::from), ..Query::of(&scene) };
+    let found = plan(query, &options, &()).unwrap().result;
+    json!({ "status": found.status, "cost": found.cost, "reason": found.reason })
+}
+
+#[test]
+fn checks() {
+    for (case, engine) in each_engine(&Cases::load().check) {
+        let scene = scene(&case.scene);
+        let engine = engine_for(&scene, engine, Interference::default()).unwrap();
+        let waypoints: Vec<Point> = case.waypoints.iter().map(|w| Point::from(*w)).collect();
+        let found = json!(check(&scene, engine.as_ref(), &waypoints, &Watch::NONE).unwrap());
+        assert!(case.agrees(&found), "{}: {found:#}", case.name);
+    }
+}
+
+#[test]
+fn wrenches() {
+    for case in Cases::load().wrench {
+        let scene = scene(&case.scene);
+        let statics = Statics::new(scene.robot(), &Loads::of(&scene)).unwrap();
+        let required = required_of(&scene, case.force, None).unwrap();
+        let found = json!(wrench_at(&statics, &required, MarginSpec::Capacity, &case.position.into()).unwrap());
+        assert!(case.agrees(&found), "{}: {found:#}", case.name);
+    }
+}
+
+fn scene(name: &str) -> Scene {
+    load_scene(&scene_file(name)).unwrap()
+}
+
+/// A value by its name, or the default.
+fn choice<T: Choice + Default>(name: &Option<String>) -> T {
+    name.as_ref().map_or_else(T::default, |name| T::named(name).unwrap())
+}
+
+fn each_engine<T>(cases: &[T]) -> impl Iterator<Item = (&T, Engine)> {
+    cases.iter().flat_map(|case| Engine::ALL.iter().map(move |(engine, ..)| (case, *engine)))
 }

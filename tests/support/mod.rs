@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+pub mod cases;
 pub mod meshes;
 pub mod scenes;
 
