@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cdpr_core::geometry::Point;
+use cdpr_core::model::body;
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::{Choice, Error, Scene};
@@ -137,9 +138,11 @@ impl PlanArgs {
 
 impl PlanArgs {
     /// The planning query for a scene.
-    pub fn query<'a>(&self, scene: &'a Scene) -> Query<'a> {
-        let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
-        Query { start: end(&self.start), goal: end(&self.goal), ..Query::of(scene) }
+    pub fn query<'a>(&self, scene: &'a Scene) -> Result<Query<'a>, Error> {
+        let end = |option: &str, given: &Option<Vec<f64>>| {
+            given.as_deref().map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
+        };
+        Ok(Query { start: end("--start", &self.start)?, goal: end("--goal", &self.goal)?, ..Query::of(scene) })
     }
 }
 

@@ -30,7 +30,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     let options = args.options()?;
     let in_scene = |e: Error| e.in_file(&args.scene.scene);
-    let query = args.query(&scene);
+    let query = args.query(&scene)?;
     query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
