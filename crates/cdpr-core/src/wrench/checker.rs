@@ -47,6 +47,14 @@ impl Checker for WrenchChecker {
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
         self.geometry.first_contact(from, to)
     }
+
+    fn gap(&self, from: &Point, to: &Point) -> Option<f64> {
+        self.geometry.gap(from, to)
+    }
+
+    fn free_of_interference(&self, position: &Point) -> bool {
+        self.geometry.free_of_interference(position)
+    }
 }
 
 impl Validity for WrenchChecker {
