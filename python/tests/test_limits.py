@@ -43,7 +43,7 @@ def many_cables(count: int) -> cdpr.Scene:
     })  # fmt: skip
 
 
-@pytest.mark.parametrize("planner", ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
+@pytest.mark.parametrize("planner", ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
 def test_budgets_are_kept_where_a_motion_check_takes_long(planner: cdpr._planning.Planner) -> None:
     scene, budget = many_cables(20), 0.2
     late = math.inf

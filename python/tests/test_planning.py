@@ -289,7 +289,7 @@ def test_a_budget_counts_from_the_call(budget):
         cdpr.plan(scene, planner, budget=budget)
         return time.perf_counter() - began - budget
 
-    for planner in ("anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"):
+    for planner in ("anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"):
         lateness = (late(planner) for _ in range(8))  # milliseconds are soon lost on a busy machine
         assert any(late < 0.02 for late in lateness), planner
 
@@ -310,7 +310,7 @@ def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
     assert found[0].cost < 2.44 and cdpr.check(hard1, found[0]).valid
 
 
-@pytest.mark.parametrize("planner", ["anytime", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
+@pytest.mark.parametrize("planner", ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
 def test_a_time_budget_ends_the_search(planner):
     scene = walled()
     began = time.perf_counter()
