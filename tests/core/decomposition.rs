@@ -42,6 +42,17 @@ fn a_wall_across_the_workspace_leaves_no_way() {
 }
 
 #[test]
+fn an_outlet_near_a_corner_costs_no_piece() {
+    // 10 cm of clearance; the outlet is 12.7 cm from the edge of the block, but inside the block fattened by a cube.
+    let mut spec = paper_scene("near", vec![block("block", [0.4, 0.4, 0.4], [0.29, 0.29, 0.0])]);
+    spec.clearance = Some(0.1);
+    let engine = engine(&scene(spec));
+    let [polyhedra, pieces] =
+        [engine.polyhedra(&Watch::NONE).unwrap().len(), engine.pieces(&Watch::NONE).unwrap().len()];
+    assert_eq!(polyhedra, pieces);
+}
+
+#[test]
 fn little_effort_leaves_it_open_and_more_of_it_finds_the_same_way() {
     let scene = hard3();
     let (engine, ends) = (engine(&scene), [scene.start().unwrap(), scene.goal().unwrap()]);

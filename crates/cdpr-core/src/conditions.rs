@@ -34,7 +34,7 @@ pub use region::{Forbidden, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;
 
 use crate::error::Error;
-use crate::geometry::{HalfSpace, Point};
+use crate::geometry::Point;
 use crate::model::{Member, Scene};
 use crate::watch::Watch;
 use exempt::Remarks;
@@ -265,15 +265,15 @@ impl Conditions {
         self.for_each(watch, |index| self.pieces_of(index, self.regions(index, &scale, &fat).iter(), &fat))
     }
 
-    /// The share of one condition, of which these are the regions, in [`Conditions::polyhedra`].
+    /// The polyhedra of [`Conditions::polyhedra`] that one condition contributes, given its regions.
     pub fn polyhedra_of<'r>(
         &self,
         condition: usize,
-        regions: impl Iterator<Item = &'r Region> + Clone,
+        regions: impl Iterator<Item = &'r Region>,
         fat: &Fattened,
     ) -> Vec<Polyhedron> {
-        let outer = self.outer_polyhedra(condition, regions, fat);
-        outer.into_iter().map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
+        let pieces = self.pieces_of(condition, regions, fat).into_iter();
+        pieces.map(|piece| Polyhedron { condition, half_spaces: piece.outer }).collect()
     }
 
     /// The share of one condition, of which these are the regions, in [`Conditions::certain_polyhedra`].
@@ -286,33 +286,23 @@ impl Conditions {
         certain.map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
     }
 
-    /// The share of one condition, of which these are the regions, in [`Conditions::pieces`].
+    /// The pieces of [`Conditions::pieces`] that one condition contributes, given its regions.
     pub fn pieces_of<'r>(
         &self,
         condition: usize,
-        regions: impl Iterator<Item = &'r Region> + Clone,
+        regions: impl Iterator<Item = &'r Region>,
         fat: &Fattened,
     ) -> Vec<Piece> {
-        let outer = self.outer_polyhedra(condition, regions.clone(), fat);
-        let certain = regions.filter(|region| region.outer.is_some()).map(Region::certain);
-        outer.into_iter().zip(certain).map(|(outer, certain)| Piece { condition, outer, certain }).collect()
-    }
-
-    /// Polyhedra that hold all that a condition with these regions forbids, and not much more.
-    fn outer_polyhedra<'r>(
-        &self,
-        condition: usize,
-        regions: impl Iterator<Item = &'r Region> + Clone,
-        fat: &Fattened,
-    ) -> Vec<Vec<HalfSpace>> {
-        let condition = self.list[condition].details();
-        if condition.regions_are_loose() || regions.clone().next().is_none() {
-            return Vec::new();
+        let details = self.list[condition].details();
+        let mut regions = regions.peekable();
+        let Some(first) = regions.peek().filter(|_| !details.regions_are_loose()) else { return Vec::new() };
+        // A condition with a rounded polyhedron has one region, whose own outer polyhedron may be unknown.
+        if let Some(outer) = details.rounded(&self.bodies, fat) {
+            return vec![Piece { condition, outer, certain: first.certain() }];
         }
-        match condition.rounded(&self.bodies, fat) {
-            Some(planes) => vec![planes],
-            None => regions.filter_map(|region| region.outer.clone()).collect(),
-        }
+        let piece =
+            |region: &Region| Some(Piece { condition, outer: region.outer.clone()?, certain: region.certain() });
+        regions.filter_map(piece).collect()
     }
 
     /// What there is for all conditions, by their indices, in their order.
