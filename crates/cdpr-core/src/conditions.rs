@@ -1,9 +1,9 @@
-//! The physical conditions that a motion has to keep (sections 3.1 and 3.2 of the paper), one file for each.
+//! The physical conditions on a motion (sections 3.1 and 3.2 of the paper), one file per condition.
 //!
-//! A file holds everything that is known of its condition: how it follows from a scene, whom it is about, the distance that it
-//! demands, that distance at a position and over a motion, whether a motion breaks it, which positions it forbids, and how a
-//! violation reads. All of that is the trait [`PhysicalCondition`]; engines, meshes, pictures, string pulling and bounds ask
-//! it and derive nothing themselves. The condition on wrenches stands in [`crate::wrench`].
+//! Each file implements the trait [`PhysicalCondition`]: how the condition follows from a scene, its members, the
+//! required distance, the actual distance at a position and over a motion, whether a motion breaks it, the positions it
+//! forbids, and the message for a violation. Engines, meshes, figures, string pulling and bounds use only this trait.
+//! The condition on wrenches is in [`crate::wrench`].
 
 pub mod bodies;
 pub mod cable_and_body;
@@ -39,8 +39,8 @@ use crate::model::{Member, Scene};
 use crate::watch::Watch;
 use exempt::Remarks;
 
-/// Defines [`Condition`] and what has to be done once for every condition. Each variant has the name of its type and of its
-/// [`Kind`].
+/// Defines [`Condition`] and all code that is repeated for every condition. Each variant has the same name as its type
+/// and its [`Kind`].
 macro_rules! conditions {
     ($($(#[$doc:meta])* $name:ident,)*) => {
         /// One condition on the position of the platform.
@@ -50,7 +50,7 @@ macro_rules! conditions {
         }
 
         impl Condition {
-            /// Everything that is known of it.
+            /// The condition as a trait object.
             #[inline]
             pub fn details(&self) -> &dyn PhysicalCondition {
                 match self {
@@ -64,7 +64,7 @@ macro_rules! conditions {
                 }
             }
 
-            /// As [`PhysicalCondition::breaks`], for engines: without a call through a table of functions.
+            /// As [`PhysicalCondition::breaks`], but statically dispatched, for engines.
             #[inline]
             pub fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool {
                 match self {
@@ -72,7 +72,7 @@ macro_rules! conditions {
                 }
             }
 
-            /// As [`PhysicalCondition::certainly_keeps`], likewise.
+            /// As [`PhysicalCondition::certainly_keeps`], but statically dispatched.
             #[inline]
             pub fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
                 match self {
@@ -92,7 +92,7 @@ macro_rules! conditions {
         }
 
         impl Kind {
-            /// A violation of a condition of this kind in plain words.
+            /// Describes a violation of a condition of this kind.
             pub fn sentence(self, found: &Broken) -> String {
                 match self {
                     $(Kind::$name => $name::sentence(found),)*
@@ -103,24 +103,24 @@ macro_rules! conditions {
     };
 }
 
-// In the order in which they are checked: cheap ones first.
+// In the order of checking: cheap conditions first.
 conditions! {
     /// The platform stays inside the workspace; the first condition of every list.
     Workspace,
-    /// A cable is neither shorter nor longer than it can be.
+    /// The length of a cable stays within its limits.
     CableLength,
-    /// A cable keeps out of a body of the platform.
+    /// A cable stays clear of a platform body.
     CablePlatform,
-    /// Two cables keep from each other.
+    /// Two cables stay clear of each other.
     CableCable,
-    /// A part of the platform keeps away from an obstacle body.
+    /// A platform part stays clear of an obstacle body.
     PlatformObstacle,
-    /// A cable keeps away from an obstacle body.
+    /// A cable stays clear of an obstacle body.
     CableObstacle,
 }
 
 impl Condition {
-    /// The same condition where obstacle bodies have other indices; none if its obstacle has none.
+    /// The same condition with obstacle bodies renumbered; `None` if its obstacle body has no new index.
     pub fn renumbered(&self, obstacles: &[Option<usize>]) -> Option<Self> {
         let mut condition = self.clone();
         if let Some(body) = condition.details_mut().obstacle_mut() {
@@ -132,17 +132,17 @@ impl Condition {
 
 /// All conditions of a scene at one orientation.
 ///
-/// Everything that does not depend on the position is settled here, once: rotated platform and attachments, which pairs touch
-/// by construction, which can never keep the demanded distance. Engines only evaluate the list.
+/// Everything that does not depend on the position is computed here, once: the rotated platform and attachments, which
+/// pairs touch by construction, and which pairs can never keep the required distance. Engines only evaluate the list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conditions {
-    /// What the conditions are about.
+    /// The bodies that the conditions refer to.
     pub bodies: Bodies,
     /// The conditions, cheap ones first.
     pub list: Vec<Condition>,
-    /// Pairs that are not held to the clearance of their kind.
+    /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
-    /// What else the user should know about how the scene is taken.
+    /// Further notes for the user on how the scene is interpreted.
     pub notes: Vec<String>,
 }
 
@@ -154,14 +154,14 @@ fn open_orientation(scene: &Scene) -> Option<String> {
     ))
 }
 
-/// Conditions from which on all cores work on them.
+/// Number of conditions from which they are processed in parallel.
 const IN_PARALLEL: usize = 256;
 
 impl Conditions {
     /// The conditions of a scene at its orientation.
     ///
     /// # Errors
-    /// None today.
+    /// Currently never fails.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
         Self::within(scene, &Watch::NONE)
     }
@@ -188,24 +188,24 @@ impl Conditions {
         condition.details().kind()
     }
 
-    /// Whom a condition is about: two members, or one that it limits by itself.
+    /// The members of a condition: a pair, or a single member.
     pub fn members(&self, condition: &Condition) -> Vec<Member> {
         condition.details().members(&self.bodies)
     }
 
-    /// The names of those whom a condition is about.
+    /// The names of a condition's members.
     pub fn culprits(&self, condition: &Condition) -> Vec<String> {
         self.members(condition).iter().map(|member| self.bodies.name(*member).to_string()).collect()
     }
 
-    /// The gap of surfaces that a condition demands, m: 0 or less where they must only not touch; none where it is not about
-    /// a gap, but about ends that touch by construction, seams, or room.
+    /// The gap between surfaces that a condition requires, m; 0 or less if they only have to stay apart. `None` if the
+    /// condition does not limit a gap: ends that touch by construction, seams, the workspace, cable lengths.
     pub fn required(&self, condition: &Condition) -> Option<f64> {
         let condition = condition.details();
         condition.is_about_gap(&self.bodies).then(|| condition.required(&self.bodies))
     }
 
-    /// What the user should know: the notes, and which pairs cannot keep what the scene demands.
+    /// Messages for the user: the notes, and the pairs that cannot keep their required clearance.
     pub fn remarks(&self) -> Vec<String> {
         let unattainable = self.exempt.iter().filter(|e| e.reason == Reason::Unattainable);
         self.notes.iter().cloned().chain(unattainable.map(Exemption::sentence)).collect()
@@ -219,26 +219,26 @@ impl Conditions {
         }
     }
 
-    /// What rounding is relative to.
+    /// The scale of the scene, to which rounding errors are proportional.
     pub fn scale(&self) -> Scale {
         Scale::of(&self.bodies, self.position_box())
     }
 
-    /// Room for the obstacles that conditions fatten; they share them.
+    /// A cache for the fattened obstacles, shared by all conditions.
     pub fn fattened(&self) -> Fattened {
         Fattened::of(&self.bodies, self.list.iter().filter_map(|condition| condition.details().fattens()))
     }
 
-    /// The positions that the condition at an index of the list forbids within the box of positions, as bracketed convex
-    /// pieces; empty for the workspace itself.
+    /// The positions within the box of positions that the condition at this index forbids, as bracketed convex pieces;
+    /// empty for the workspace condition.
     pub fn regions(&self, index: usize, scale: &Scale, fat: &Fattened) -> Vec<Region> {
         let (min, max) = self.position_box();
         let regions = self.list[index].details().regions(&self.bodies, scale, fat);
         regions.into_iter().map(|region| region.sorted(&min, &max)).collect()
     }
 
-    /// Convex polyhedra of positions whose union holds everything that the conditions forbid inside the workspace, except
-    /// cables that are too long or too near each other; with a clearance they hold a little more.
+    /// Convex polyhedra of positions whose union contains everything that the conditions forbid inside the workspace,
+    /// except cables that are too long or too close to each other. With a clearance, they contain slightly more.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -247,7 +247,7 @@ impl Conditions {
         self.for_each(watch, |index| self.polyhedra_of(index, self.regions(index, &scale, &fat).iter(), &fat))
     }
 
-    /// Convex polyhedra of positions that are certainly forbidden.
+    /// Convex polyhedra that contain only forbidden positions.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -256,7 +256,7 @@ impl Conditions {
         self.for_each(watch, |index| self.certain_polyhedra_of(index, self.regions(index, &scale, &fat).iter()))
     }
 
-    /// What [`Conditions::polyhedra`] gives, with what is certainly forbidden of each.
+    /// The polyhedra of [`Conditions::polyhedra`], each with its certainly forbidden part.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -265,7 +265,7 @@ impl Conditions {
         self.for_each(watch, |index| self.pieces_of(index, self.regions(index, &scale, &fat).iter(), &fat))
     }
 
-    /// The polyhedra of [`Conditions::polyhedra`] that one condition contributes, given its regions.
+    /// The part of [`Conditions::polyhedra`] due to one condition, given its regions.
     pub fn polyhedra_of<'r>(
         &self,
         condition: usize,
@@ -276,7 +276,7 @@ impl Conditions {
         pieces.map(|piece| Polyhedron { condition, half_spaces: piece.outer }).collect()
     }
 
-    /// The share of one condition, of which these are the regions, in [`Conditions::certain_polyhedra`].
+    /// The part of [`Conditions::certain_polyhedra`] due to one condition, given its regions.
     pub fn certain_polyhedra_of<'r>(
         &self,
         condition: usize,
@@ -286,7 +286,7 @@ impl Conditions {
         certain.map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
     }
 
-    /// The pieces of [`Conditions::pieces`] that one condition contributes, given its regions.
+    /// The part of [`Conditions::pieces`] due to one condition, given its regions.
     pub fn pieces_of<'r>(
         &self,
         condition: usize,
@@ -305,7 +305,7 @@ impl Conditions {
         regions.filter_map(piece).collect()
     }
 
-    /// What there is for all conditions, by their indices, in their order.
+    /// Applies a function to the index of each condition and concatenates the results in order.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -314,7 +314,7 @@ impl Conditions {
         Ok(found.into_iter().flatten().collect())
     }
 
-    /// One result for each condition, by its index, on all cores if there are many.
+    /// Applies a function to the index of each condition, in parallel if there are many.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].

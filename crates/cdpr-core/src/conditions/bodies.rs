@@ -1,4 +1,4 @@
-//! The bodies of a scene at one orientation: what does not depend on the platform's position.
+//! The bodies of a scene at one orientation, independent of the platform's position.
 
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
@@ -18,13 +18,13 @@ pub struct CableAt {
 }
 
 impl CableAt {
-    /// The triangle swept in the world while the platform's origin goes from one position to another.
+    /// The triangle that the cable sweeps in the world while the platform's origin moves between two positions.
     #[inline]
     pub fn sweep(&self, from: &Point, to: &Point) -> Triangle {
         Triangle::new(self.outlet, from + self.arm, to + self.arm)
     }
 
-    /// The triangle swept as seen from the platform, which then stands still at the origin.
+    /// The same triangle in the platform's frame, where the platform stands still at the origin.
     #[inline]
     pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> Triangle {
         Triangle::new(Point::from(self.arm), self.outlet - from.coords, self.outlet - to.coords)
@@ -36,10 +36,10 @@ impl CableAt {
 pub struct ObstacleBody {
     /// Convex body, world, m.
     pub body: Polytope,
-    /// Index into [`Scene::obstacles`]; two, maybe equal, for the seam between parts.
+    /// Index into [`Scene::obstacles`], twice; for a seam, the obstacles on both sides, which may be the same.
     pub between: [usize; 2],
-    /// For a body that closes a seam: its inside is forbidden, deeper than this, m, but distances are those of the parts
-    /// around it.
+    /// For a body that closes a seam: the penetration depth that still counts as touching, m. Clearances are measured
+    /// to the adjacent parts only.
     pub seam: Option<f64>,
     /// Name of the obstacle.
     pub name: String,
@@ -51,7 +51,7 @@ impl ObstacleBody {
         self.between.iter().any(|j| scene.pairs().ignores(member, Member::Obstacle(*j)))
     }
 
-    /// The obstacle; for a seam the first of those it lies between.
+    /// The obstacle; for a seam, the first of the two it lies between.
     pub fn member(&self) -> Member {
         Member::Obstacle(self.between[0])
     }

@@ -1,4 +1,4 @@
-//! A cable and a convex body: what the conditions on cables and obstacles, and on cables and platform, have in common.
+//! A cable and a convex body: code shared by the cable-obstacle and cable-platform conditions.
 
 use super::fattened::between;
 use super::region::Forbidden;
@@ -6,21 +6,22 @@ use crate::geometry::gjk::{nearer_than, overlap};
 use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, Triangle, Vector, shadow};
 use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
-/// How a cable must keep away from a convex body.
+/// How a cable must stay clear of a convex body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Demand {
-    /// At least `gap` metres between the cable's line and the body; 0: the body's interior is not entered.
+    /// The cable's axis keeps at least `gap` metres from the body; 0 means it must not enter the interior.
     Apart {
         /// Least distance, m.
         gap: f64,
     },
-    /// The body, which closes a seam, is not entered by more than `touch` metres; the parts around it keep the distance.
+    /// The cable enters the body, which closes a seam, by at most `touch` metres. The adjacent parts enforce the
+    /// clearance.
     Outside {
         /// Depth that still counts as touching, m.
         touch: f64,
     },
-    /// The cable ends on the body's surface. It enters the body iff its direction from there goes below *every* facet
-    /// that is active at that end.
+    /// The cable ends on the body's surface. It enters the body iff its direction points below *every* facet that is
+    /// active at that end.
     Leave {
         /// Outward unit normals of the active facets.
         normals: Vec<Vector>,
@@ -28,12 +29,12 @@ pub enum Demand {
 }
 
 impl Demand {
-    /// Whether it is about the gap between cable and body.
+    /// Whether it limits the gap between cable and body.
     pub fn is_about_gap(&self) -> bool {
         matches!(self, Demand::Apart { .. })
     }
 
-    /// The distance of the cable's line that it demands, m, where it demands one.
+    /// The required distance of the cable's axis, m, if there is one.
     pub fn distance(&self) -> Option<f64> {
         match self {
             Demand::Apart { gap } if *gap > 0.0 => Some(*gap),
@@ -41,8 +42,8 @@ impl Demand {
         }
     }
 
-    /// The least distance of surfaces that keeps it, m. Where the cable need only stay outside of the body, it is its middle
-    /// line that does.
+    /// The required distance between surfaces, m. If the cable only has to stay outside the body, this applies to its
+    /// axis.
     pub fn required(&self, radius: f64) -> f64 {
         match self {
             Demand::Apart { gap } => gap - radius,
@@ -50,12 +51,12 @@ impl Demand {
         }
     }
 
-    /// Whether the end of the cable is on the body, so that no distance says how far the demand is from being broken.
+    /// Whether the cable ends on the body. The distance is then zero and does not measure the slack.
     pub fn ends_on_body(&self) -> bool {
         matches!(self, Demand::Leave { .. })
     }
 
-    /// The distance to keep, and the depth that still counts as touching, m.
+    /// The required distance, and the depth that still counts as touching, m.
     #[inline]
     pub fn gap_and_touch(&self) -> [f64; 2] {
         match self {
@@ -65,8 +66,8 @@ impl Demand {
         }
     }
 
-    /// Whether a moving cable breaks it: by the triangle it sweeps, or by its direction (at the start and at the end of the
-    /// motion) from where it ends on the body.
+    /// Whether a moving cable breaks it, from the triangle it sweeps or, for a cable that ends on the body, from its
+    /// direction at the start and the end of the motion.
     #[inline]
     pub fn broken_by(&self, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
         if let Demand::Leave { normals } = self {
@@ -77,8 +78,8 @@ impl Demand {
         !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
     }
 
-    /// Where a cable from `apex` cannot end because of a body: in its shadow, or, if it starts on the body, below the
-    /// surface.
+    /// The points where a cable from `apex` cannot end: the shadow of the body or, if the cable starts on the body, the
+    /// region below its surface.
     pub fn behind(&self, body: &Polytope, apex: &Point) -> Option<Forbidden> {
         if let Demand::Leave { normals } = self {
             return Some(Forbidden::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
@@ -88,13 +89,14 @@ impl Demand {
     }
 }
 
-/// Whether two shapes are nearer to each other than `gap`, or, if that is 0, overlap by more than `touch`, m.
+/// Whether two shapes are closer than `gap` or, if that is 0, overlap by more than `touch`, m.
 #[inline]
 pub fn too_close(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64, touch: f64) -> bool {
     if gap > 0.0 { nearer_than(a, b, gap) } else { overlap(a, b, touch) }
 }
 
-/// Whether a direction that goes linearly from `start` to `end` lies below all planes through the origin at some instant.
+/// Whether a direction that changes linearly from `start` to `end` is at some instant below all planes through the
+/// origin with these normals.
 fn goes_below_all(normals: &[Vector], start: Vector, end: Vector) -> bool {
     let (mut low, mut high) = (0.0f64, 1.0f64);
     for normal in normals {
@@ -109,8 +111,8 @@ fn goes_below_all(normals: &[Vector], start: Vector, end: Vector) -> bool {
     low < high
 }
 
-/// What is hidden from a point by everything nearer than `gap` to a body: planes that face the point, and planes through it.
-/// `directions` are those of the body.
+/// The shadow of all points closer than `gap` to a body, seen from a point: planes that face the point, and planes
+/// through it. `directions` are the body's [`directions`](super::fattened::directions).
 pub fn rounded_shadow(body: &Polytope, apex: &Point, gap: f64, directions: &[Vector]) -> Option<Vec<HalfSpace>> {
     let around = |n: Vector| HalfSpace::around(body.vertices(), n).widened(gap);
     let exact = shadow(body, apex).filter(|_| body.has_volume())?;
@@ -133,12 +135,12 @@ pub fn rounded_shadow(body: &Polytope, apex: &Point, gap: f64, directions: &[Vec
     Some(facing.chain(cone?).collect())
 }
 
-/// The plane through a point, turned from the normal `n` away from the axis just so far that it keeps `gap` from a body.
+/// The plane through a point, with the normal `n` turned away from the axis just far enough to keep `gap` from a body.
 fn tangent(body: &Polytope, apex: &Point, n: &Vector, axis: &Vector, gap: f64) -> Option<HalfSpace> {
     let forward = (axis - n * n.dot(axis)).try_normalize(PARALLEL)?;
-    // For normals n cos φ - forward sin φ a corner is at A cos φ - C sin φ, which must be at most -gap: for a corner at the
-    // distance R in this plane φ is at least asin(gap / R) + atan2(A, C). Of angles between -π/2 and π/2 the sines have the
-    // same order.
+    // With the normal n cos φ - forward sin φ, a corner has the height A cos φ - C sin φ, which must be at most -gap.
+    // For a corner at distance R within this plane, φ must be at least asin(gap / R) + atan2(A, C). Between -π/2 and
+    // π/2, comparing sines is the same as comparing angles.
     let (mut sine, mut cosine) = (0.0, 1.0);
     for corner in body.vertices() {
         let (a, c) = (n.dot(&(corner - apex)), forward.dot(&(corner - apex)));
@@ -149,7 +151,7 @@ fn tangent(body: &Polytope, apex: &Point, n: &Vector, axis: &Vector, gap: f64) -
         let (s, t) = (gap / reach, ((reach - gap) * (reach + gap)).sqrt() / reach);
         let (sin, cos) = ((s * c + t * a) / reach, (t * c - s * a) / reach);
         if !(cos > 0.0) {
-            // Beyond a right angle to one side there is no such plane, to the other any will do.
+            // Beyond +90° there is no such plane; beyond -90° this corner sets no bound.
             if s.asin() + f64::atan2(a, c) > 0.0 {
                 return None;
             }

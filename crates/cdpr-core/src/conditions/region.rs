@@ -1,8 +1,8 @@
-//! What a condition forbids, as convex polyhedra in the space of positions.
+//! The positions that a condition forbids, as convex polyhedra.
 //!
-//! A [`Forbidden`] polyhedron is exact but for rounding. A [`Region`] brackets it between an outer polyhedron, outside of which
-//! a position certainly keeps the condition, and an inner one, inside of which it certainly breaks it. Between them lie
-//! rounding and contact, and, with a clearance, the rounded corners: there the gjk engine decides.
+//! A [`Forbidden`] polyhedron is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
+//! polyhedron certainly satisfies the condition, one inside the inner polyhedron certainly breaks it. Positions between
+//! the two (contacts, rounding errors and, with a clearance, rounded corners) are left to the gjk engine.
 
 use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Point, Vector};
@@ -11,20 +11,20 @@ use crate::numerics::{FATTENED, ROUNDING, SUPERSET};
 /// An open convex polyhedron of positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forbidden {
-    /// Its half-spaces.
+    /// The half-spaces; the polyhedron is their intersection.
     pub half_spaces: Vec<HalfSpace>,
-    /// Sine of the angle by which rounding may have turned a plane through the apex of a shadow; see
+    /// Sine of the largest angle by which rounding may have tilted a plane through the apex of a shadow; see
     /// [`crate::geometry::Shadow`].
     pub tilt: f64,
 }
 
 impl Forbidden {
-    /// A polyhedron whose planes rounding has not turned.
+    /// A polyhedron whose planes are not tilted by rounding.
     pub fn exact(half_spaces: Vec<HalfSpace>) -> Self {
         Forbidden { half_spaces, tilt: 0.0 }
     }
 
-    /// The polyhedron with each of its planes put elsewhere.
+    /// The polyhedron with a transformation applied to each plane.
     pub fn placed(&self, place: impl Fn(&HalfSpace) -> HalfSpace) -> Self {
         Forbidden { half_spaces: self.half_spaces.iter().map(place).collect(), tilt: self.tilt }
     }
@@ -35,7 +35,7 @@ impl Forbidden {
 pub struct Polyhedron {
     /// Index of the condition in the list; its members are the culprits.
     pub condition: usize,
-    /// The polyhedron, open.
+    /// The half-spaces; the polyhedron is open.
     pub half_spaces: Vec<HalfSpace>,
 }
 
@@ -44,28 +44,28 @@ pub struct Polyhedron {
 pub struct Piece {
     /// Index of the condition in the list; its members are the culprits.
     pub condition: usize,
-    /// Holds every position of the piece.
+    /// Contains every position of the piece.
     pub outer: Vec<HalfSpace>,
-    /// Every position inside of this polyhedron is forbidden; none if no such polyhedron is known.
+    /// Every position inside this polyhedron is forbidden; `None` if no such polyhedron is known.
     pub certain: Option<Vec<HalfSpace>>,
 }
 
-/// What one condition forbids, or a convex piece of it, bracketed.
+/// The positions that one condition forbids, or a convex piece of them, bracketed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
-    /// Outside of these, no position breaks the condition by way of this piece. None: nothing is known.
+    /// Contains every position of the piece; `None` if no such polyhedron is known.
     pub outer: Option<Vec<HalfSpace>>,
-    /// Inside of this, every position breaks the condition: it is more than the depth of touching inside the set.
+    /// Contains only positions that break the condition: they are deeper inside the set than touching allows.
     pub inner: Inner,
 }
 
 impl Region {
-    /// A region of which only a polyhedron is known that holds it, or nothing at all.
+    /// A region with at most an outer polyhedron.
     pub fn within(outer: Option<Vec<HalfSpace>>) -> Self {
         Region { outer, inner: Inner::Unknown }
     }
 
-    /// The region of a condition that forbids `set(gap)`, with its gap and the depth that still counts as touching, m.
+    /// The region of a condition that forbids `set(gap)`, given the gap and the depth that still counts as touching, m.
     pub fn bracketed(set: impl Fn(f64) -> Option<Forbidden>, [gap, touch]: [f64; 2], scale: &Scale) -> Self {
         let error = |f: &Forbidden| f.tilt * scale.reach + scale.rounding;
         let grown = |f: &Forbidden| widened(&f.half_spaces, error(f));
@@ -81,7 +81,7 @@ impl Region {
         region(Some(grown(certain)), Inner::Shrunk(-touch - 2.0 * error(certain)))
     }
 
-    /// The region with those of its planes that matter in a box of positions, sorted for quick answers.
+    /// The region with only the planes that cut a box of positions, ordered for fast rejection.
     pub fn sorted(mut self, min: &Point, max: &Point) -> Self {
         self.outer = self.outer.map(|planes| sorted(planes, min, max));
         if let Inner::Own(planes) = &mut self.inner {
@@ -90,7 +90,7 @@ impl Region {
         self
     }
 
-    /// The polyhedron inside of which every position breaks the condition, if one is known.
+    /// The inner polyhedron, if one is known: every position inside it breaks the condition.
     pub fn certain(&self) -> Option<Vec<HalfSpace>> {
         match &self.inner {
             Inner::Unknown => None,
@@ -99,7 +99,7 @@ impl Region {
         }
     }
 
-    /// Bytes that the planes take.
+    /// Size of the planes in bytes.
     pub fn bytes(&self) -> usize {
         let own = if let Inner::Own(planes) = &self.inner { planes.len() } else { 0 };
         (self.outer.as_ref().map_or(0, Vec::len) + own) * size_of::<HalfSpace>()
@@ -111,18 +111,18 @@ impl Region {
 pub enum Inner {
     /// No such set is known.
     Unknown,
-    /// The outer polyhedron with its planes moved by this (negative), m.
+    /// The outer polyhedron with its planes moved by this distance, m; negative.
     Shrunk(f64),
-    /// A polyhedron of its own.
+    /// A separate polyhedron.
     Own(Vec<HalfSpace>),
 }
 
-/// How large and how far from the origin everything is: what rounding is relative to.
+/// The size of the scene and its distance from the origin, to which rounding errors are proportional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
-    /// Longest cable between positions of the box, m.
+    /// Upper bound on the cable length at positions in the box, m.
     reach: f64,
-    /// Error of a height over a plane, m.
+    /// Rounding error of a height above a plane, m.
     pub rounding: f64,
 }
 
@@ -137,8 +137,8 @@ impl Scale {
     }
 }
 
-/// The half-spaces that matter in a box of positions, those first that rule out most of it: a plane that has the whole box
-/// inside never does, and the first group of planes is asked before the others.
+/// The half-spaces that cut a box of positions, ordered so that the first ones rule out most of it: clipping tests the
+/// planes in this order. Half-spaces that contain the whole box are dropped.
 fn sorted(half_spaces: Vec<HalfSpace>, min: &Point, max: &Point) -> Vec<HalfSpace> {
     let (center, half) = (nalgebra::center(min, max), (max - min) * 0.5);
     let mut left: Vec<HalfSpace> =
@@ -147,7 +147,7 @@ fn sorted(half_spaces: Vec<HalfSpace>, min: &Point, max: &Point) -> Vec<HalfSpac
         let share = |axis: i32| ((k / SAMPLES.pow(axis as u32) % SAMPLES) as f64 + 0.5) / SAMPLES as f64;
         min + (max - min).component_mul(&Vector::new(share(0), share(1), share(2)))
     };
-    // One bit for each place that a plane rules out.
+    // One bit for each sample position that a plane rules out.
     let ruled_out =
         |h: &HalfSpace| (0..SAMPLES.pow(3)).fold(0, |set, k| set | u64::from(h.height(&place(k)) >= 0.0) << k);
     let mut sets: Vec<u64> = left.iter().map(ruled_out).collect();
@@ -161,10 +161,10 @@ fn sorted(half_spaces: Vec<HalfSpace>, min: &Point, max: &Point) -> Vec<HalfSpac
     sorted
 }
 
-/// Places along each axis at which planes are tried: 64 in all, one to a bit.
+/// Sample positions along each axis: 64 in all, one per bit.
 const SAMPLES: usize = 4;
 
-/// Half-spaces with their planes moved outward, m.
+/// Half-spaces with their planes moved outward by a distance, m.
 pub fn widened(half_spaces: &[HalfSpace], by: f64) -> Vec<HalfSpace> {
     half_spaces.iter().map(|h| h.widened(by)).collect()
 }
