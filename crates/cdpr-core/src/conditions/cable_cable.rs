@@ -1,4 +1,4 @@
-//! Cables keep from each other, during a translation of the platform.
+//! Two cables stay clear of each other during a translation of the platform.
 //!
 //! With u = p + arm_i - B_i (cable i as a vector), w = B_j - B_i and q = arm_j - arm_i, both constant, cable i runs from
 //! B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and q: a
@@ -18,18 +18,18 @@ use crate::model::{Member, Scene};
 use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 use crate::watch::Watch;
 
-/// Two cables, which share neither outlet nor attachment, keep from each other.
+/// Two cables that share neither outlet nor attachment stay clear of each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CableCable {
     /// Index of cable i.
     pub first: usize,
     /// Index of cable j.
     pub second: usize,
-    /// Distance of the cables' lines to keep, m; 0: they must not cross.
+    /// Required distance between the cables' axes, m; 0 means only that they must not cross.
     pub gap: f64,
     /// Sum of the cables' radii, m.
     pub radii: f64,
-    /// min over r in [0, 1] of |(1 - r) w + r q|, m: no position gives more room than this.
+    /// min over r in [0, 1] of |(1 - r) w + r q|, m: the largest distance that any position allows.
     pub best_gap: f64,
     /// arm_i - B_i, so that u = p + offset.
     offset: Vector,
@@ -38,7 +38,7 @@ pub struct CableCable {
     plane: Plane,
 }
 
-/// How w and q lie.
+/// Relative orientation of w and q.
 #[derive(Debug, Clone, PartialEq)]
 enum Plane {
     /// They span a plane with this unit normal; sine of the angle between them.
@@ -50,8 +50,8 @@ enum Plane {
 }
 
 impl CableCable {
-    /// The pair, or none if the cables share an outlet or an attachment and so touch by construction. It is held to as
-    /// much of `clearance`, m, as it [can keep](super::exempt).
+    /// The condition on a pair, or `None` if the cables share an outlet or an attachment and thus touch by
+    /// construction. The required distance includes as much of `clearance`, m, as the pair [can keep](super::exempt).
     pub fn new(cables: &[CableAt], first: usize, second: usize, clearance: f64) -> Option<Self> {
         let (i, j) = (&cables[first], &cables[second]);
         let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
@@ -99,8 +99,8 @@ impl CableCable {
         }
     }
 
-    /// Whether the triangles that the cables sweep are further apart than `gap`, told by one direction: that of the common
-    /// normal of the cables' lines half way. Whatever rounding makes of it, the room along it is measured, not assumed.
+    /// Whether the triangles that the cables sweep are further apart than `gap`, tested along one direction: the common
+    /// normal of the cables' axes halfway. Rounding of this direction does no harm, since the gap along it is measured.
     pub fn sweeps_apart(&self, from: &Point, to: &Point, gap: f64) -> bool {
         let (u0, u1) = (self.u(from), self.u(to));
         let u = (u0 + u1) * 0.5;
@@ -113,8 +113,8 @@ impl CableCable {
         room > gap * normal.norm() && room > 0.0
     }
 
-    /// Convex sets of positions outside of which the cables neither cross nor come nearer than the gap; none where rounding
-    /// or the gap is too large to bound them.
+    /// Two convex sets of positions; outside both, the cables neither cross nor come closer than the gap. `None` if
+    /// rounding or the gap is too large to bound them.
     ///
     /// If points λ of cable i and μ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q, |e| < g and
     /// k = 1 / (λ - μ), so that |k| >= 1. For k > 0, f has coordinates α >= 0 and β >= 0 with α + β = 1, and k α >= 1; with
@@ -133,7 +133,7 @@ impl CableCable {
                 let wedge = |a: f64, b: f64| vec![thin(*normal), thin(-normal), at_least(alpha, a), at_least(beta, b)];
                 (kappa > 0.0 && kappa.is_finite()).then(|| (wedge(1.0, 0.0), wedge(0.0, 1.0)))?
             }
-            // All f lie along the outlets' line but for `aside`, so the wedges are four-sided cones around it.
+            // All f lie along the outlets' line except for `aside`, so the wedges are four-sided cones around it.
             plane if *plane != Plane::Opposite && self.w.dot(&self.q) > 0.0 => {
                 let line = self.w.normalize();
                 let along = line.dot(&self.q);
@@ -163,7 +163,7 @@ impl CableCable {
         [normal.dot(&u.cross(&self.q)) / area, normal.dot(&self.w.cross(u)) / area]
     }
 
-    /// Whether the straight way between two points of the plane enters either wedge by more than touching.
+    /// Whether the straight line between two points of the plane enters either wedge by more than the touching depth.
     fn meets_wedge(&self, a: [f64; 2], b: [f64; 2], sine: f64) -> bool {
         // Distance from an edge of the wedge is the coordinate times the height of the parallelogram on that side.
         let (tip, outlet) = (TOUCH_DEPTH / (self.w.norm() * sine), TOUCH_DEPTH / (self.q.norm() * sine));
@@ -189,24 +189,25 @@ impl CableCable {
         instants.iter().any(|&t| along(t) > apart + TOUCH_DEPTH || along(t) + far < -TOUCH_DEPTH)
     }
 
-    /// Nearest points of the two cables at one position.
+    /// Closest points of the two cables at one position.
     pub fn nearest(&self, position: &Point) -> SegmentPair {
         let u = self.u(position);
         let at = Point::from;
         segment_segment::closest(&Point::origin(), &at(u), &at(self.w), &at(u + self.q))
     }
 
-    /// Whether the cables come nearer to each other than the gap, at some instant of the motion.
+    /// Whether the cables come closer than the gap at some instant of the motion.
     pub fn nearer_than_gap(&self, from: &Point, to: &Point) -> bool {
         !(self.least_distance(from, to).0 >= self.gap - TOUCH_DEPTH)
     }
 
-    /// Least distance of the cables' lines during a motion, m, with an instant where it is reached.
+    /// Smallest distance between the cables' axes during a motion, m, and an instant at which it is attained.
     ///
-    /// The distance has a continuous slope, so it is least at an end of the motion or where the distance of two features
-    /// (line and line, end and line, end and end) is stationary. With v = u + q - w, the vector of cable j, each of those
-    /// is, squared, a quotient of polynomials of degree two in time, because u × v = u × (q - w), (u - w) × v = (u - w) × q,
-    /// v × w = (u + q) × w and so on are linear: stationary at the roots of a quadratic. Looking at all of them is exact.
+    /// The distance has a continuous slope, so its minimum is at an end of the motion or where the distance of two
+    /// features (line and line, end and line, end and end) is stationary. With v = u + q - w, the vector of cable j,
+    /// each squared distance is a quotient of quadratics in time, because u × v = u × (q - w), (u - w) × v = (u - w) ×
+    /// q, v × w = (u + q) × w and so on are linear. It is stationary at the roots of a quadratic; testing all of them
+    /// is exact.
     pub fn least_distance(&self, from: &Point, to: &Point) -> (f64, f64) {
         if self.crosses(from, to) {
             return (0.0, 0.0);
@@ -247,7 +248,7 @@ impl CableCable {
         (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
     }
 
-    /// The distance of lines from which on the swept rule allows a motion, m.
+    /// The distance between axes that the swept rule requires, m.
     #[inline]
     fn swept_gap(&self) -> f64 {
         self.gap.max(2.0 * TOUCH_DEPTH)
@@ -310,7 +311,7 @@ impl PhysicalCondition for CableCable {
         Some(match interference {
             Interference::Exact => self.distance(bodies, from, to),
             Interference::Swept => {
-                // The triangles meet, maybe at different times: that is the gap this rule is about.
+                // The triangles may meet at different times; this rule measures the gap between the triangles.
                 let (first, second) = self.sweeps(bodies, from, to);
                 shape_distance(&first, &second).distance - self.radii
             }
@@ -345,13 +346,14 @@ impl PhysicalCondition for CableCable {
         }
     }
 
-    /// What is known to hold all crossings of two cables at a distance holds much else.
+    /// The known outer bounds on the crossings of two cables at a distance are loose.
     fn regions_are_loose(&self) -> bool {
         self.gap > 0.0
     }
 
-    /// Positions where the cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q from
-    /// attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. Flat, and nothing with area where w and q are parallel.
+    /// Positions where the cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q
+    /// from attachment to attachment, α ≥ 1 and β ≥ 0, or α ≤ 0 and β ≤ -1. The set is flat, and has no area if w and q
+    /// are parallel.
     fn surfaces(&self, bodies: &Bodies, by: &Vector, within: &Aabb) -> Option<Vec<TriangleMesh>> {
         let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
         let (w, q) = (j.outlet - i.outlet, j.arm - i.arm);
@@ -361,7 +363,7 @@ impl PhysicalCondition for CableCable {
     }
 }
 
-/// Some unit vector perpendicular to a unit vector.
+/// A unit vector perpendicular to the given unit vector.
 fn any_normal(direction: &Vector) -> Vector {
     let axis = Vector::ith(direction.iamin(), 1.0);
     direction.cross(&axis).normalize()
@@ -382,7 +384,8 @@ impl Linear {
     }
 }
 
-/// Where the quotient of two quadratics has slope zero: N' D - N D' = 0, itself a quadratic. What is not finite is none.
+/// Where the quotient of two quadratics has slope zero: N' D - N D' = 0, itself a quadratic. A missing root is not
+/// finite.
 fn stationary_points(n: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
     let a = n[2] * d[1] - n[1] * d[2];
     let b = 2.0 * (n[2] * d[0] - n[0] * d[2]);
@@ -392,8 +395,8 @@ fn stationary_points(n: &[f64; 3], d: &[f64; 3]) -> [f64; 2] {
     [q / a, c / q]
 }
 
-/// First and last instant at which a motion is in a plane, its height over it going linearly from `s0` to `s1`: the
-/// instant of crossing, and with it the way there from an end that touches the plane already.
+/// First and last instant at which a motion is in a plane, given linear heights over it from `s0` to `s1`: the instant
+/// of crossing, extended to an end that already touches the plane.
 fn instants_in_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
     let crossing = ((s0 > 0.0) != (s1 > 0.0)).then(|| s0 / (s0 - s1));
     match (s0.abs() <= TOUCH_DEPTH, s1.abs() <= TOUCH_DEPTH) {
@@ -404,7 +407,7 @@ fn instants_in_plane(s0: f64, s1: f64) -> Option<(f64, f64)> {
     }
 }
 
-/// Whether two linear functions, given at both ends of an interval, are positive together somewhere on it.
+/// Whether two linear functions, given at both ends of an interval, are both positive somewhere on it.
 fn both_positive_somewhere(a: [f64; 2], b: [f64; 2]) -> bool {
     let (mut low, mut high) = (0.0f64, 1.0f64);
     for (start, end) in [(a[0], b[0]), (a[1], b[1])] {

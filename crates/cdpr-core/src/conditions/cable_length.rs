@@ -1,4 +1,4 @@
-//! A cable is neither shorter nor longer than it can be.
+//! The length of a cable stays within its limits.
 
 use super::bodies::Bodies;
 use super::exempt::Remarks;
@@ -11,10 +11,10 @@ use crate::model::{Member, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
 use crate::watch::Watch;
 
-/// The cable's length stays in an interval.
+/// The cable's length stays within an interval.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CableLength {
-    /// Which cable.
+    /// Index of the cable.
     pub cable: usize,
     /// Shortest, m.
     pub min: f64,
@@ -23,7 +23,7 @@ pub struct CableLength {
 }
 
 impl CableLength {
-    /// Room left in the length over a motion, m.
+    /// Smallest distance of the length from its limits over a motion, m; negative outside them.
     #[inline]
     fn room(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
@@ -72,7 +72,7 @@ impl PhysicalCondition for CableLength {
         self.room(bodies, from, to) < -TOUCH_DEPTH
     }
 
-    /// Too short: inside a ball, which a cube holds. Too long: outside of another, which no polyhedron does.
+    /// Too short: inside a ball, which a cube contains. Too long: outside another ball, which no polyhedron contains.
     fn regions(&self, bodies: &Bodies, scale: &Scale, _: &Fattened) -> Vec<Region> {
         let cable = &bodies.cables[self.cable];
         let center = cable.outlet - cable.arm;

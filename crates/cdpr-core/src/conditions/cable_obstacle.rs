@@ -1,7 +1,7 @@
-//! Cables keep away from obstacles.
+//! Cables stay clear of obstacles.
 //!
-//! The forbidden positions are the shadow of the obstacle seen from the outlet B, moved by minus the arm R a; where the outlet
-//! is on the obstacle, the cone of directions below all facets that are active there.
+//! The forbidden positions are the shadow of the obstacle seen from the outlet B, moved by minus the arm R a. If the
+//! outlet is on the obstacle, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt, ObstacleBody};
 use super::cable_and_body::{Demand, rounded_shadow};
@@ -15,19 +15,19 @@ use crate::geometry::{Aabb, HalfSpace, Point, Triangle, Vector};
 use crate::model::{Member, Scene};
 use crate::watch::Watch;
 
-/// A cable keeps out of an obstacle body.
+/// A cable stays clear of an obstacle body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CableObstacle {
-    /// Which cable.
+    /// Index of the cable.
     pub cable: usize,
     /// Index into [`Bodies::obstacles`].
     pub body: usize,
-    /// How.
+    /// What is required.
     pub demand: Demand,
 }
 
 impl CableObstacle {
-    /// The condition on a cable and an obstacle body that stands at `index` in the list.
+    /// The condition on a cable and an obstacle body, at `index` in the list.
     fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
         let CableAt { outlet, radius, ref name, .. } = bodies.cables[cable];
         let obstacle = &bodies.obstacles[body];
@@ -42,7 +42,7 @@ impl CableObstacle {
         let (gap, distance) =
             (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
         let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
-        // A neighbouring part of the body that the winch is bolted to can be as near as it is.
+        // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.
         if distance >= gap || bodies.obstacles.iter().any(carries) {
             let pair = (index, [Member::Cable(cable), obstacle.member()]);
             return with(Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });

@@ -1,8 +1,8 @@
-//! Cables keep out of the platform.
+//! Cables stay clear of the platform.
 //!
-//! With a part K of the platform standing still, a cable runs from its attachment R a to B - p. Where it is not attached to K,
-//! the forbidden positions are the shadow of K seen from R a, mirrored: p ∈ B - (RK ⊕ cone(RK - R a)). On a part that it is
-//! attached to, they are the cone of directions below all facets that are active there.
+//! Relative to a part K of the platform, a cable runs from its attachment R a to B - p. If it is not attached to K, the
+//! forbidden positions are the shadow of K seen from R a, mirrored: p ∈ B - (RK ⊕ cone(RK - R a)). If it is attached to
+//! K, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt};
 use super::cable_and_body::{Demand, rounded_shadow};
@@ -17,20 +17,20 @@ use crate::model::{Member, Scene};
 use crate::numerics::ON_SURFACE;
 use crate::watch::Watch;
 
-/// A cable keeps out of a platform body.
+/// A cable stays clear of a platform body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CablePlatform {
-    /// Which cable.
+    /// Index of the cable.
     pub cable: usize,
     /// Index into [`Bodies::platform`].
     pub body: usize,
-    /// How.
+    /// What is required.
     pub demand: Demand,
 }
 
 impl CablePlatform {
-    /// The condition on a cable and a body of the platform that stands at `index` in the list; none if the cable cannot break
-    /// it. `seam` is the depth that counts as touching, m, for bodies that close a seam.
+    /// The condition on a cable and a platform body, at `index` in the list; `None` if the cable cannot break it.
+    /// `seam` is the depth that counts as touching, m, for bodies that close a seam.
     fn of(
         [index, cable, body]: [usize; 3],
         bodies: &Bodies,
@@ -55,7 +55,7 @@ impl CablePlatform {
         Some(CablePlatform { cable, body, demand })
     }
 
-    /// The attachment, where the cable's shadows begin, seen from the platform.
+    /// The apex of the cable's shadows: its attachment, in the platform's frame.
     fn apex(&self, bodies: &Bodies) -> Point {
         Point::from(bodies.cables[self.cable].arm)
     }

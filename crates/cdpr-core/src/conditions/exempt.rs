@@ -1,5 +1,5 @@
-//! Pairs that are not held to the clearance that the scene demands of their kind: listed beside every answer, so that no
-//! "valid" hides them.
+//! Pairs that are exempt from the clearance of their kind. They are listed with every answer, so that no "valid" hides
+//! them.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ use crate::words::small_length;
 /// Why a pair is exempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// At no position can the pair keep the distance. It must still not touch, if it can keep from that.
+    /// The pair cannot keep the distance at any position. It must still not touch, unless that is unavoidable too.
     Unattainable,
-    /// The scene lets the pair touch, but not overlap.
+    /// The scene allows the pair to touch, but not to overlap.
     Touch,
     /// The scene excludes the pair from checking.
     Ignore,
@@ -27,29 +27,29 @@ choices!(Reason, "reason", [
     Ignore = "ignore": "The scene excludes the pair from checking",
 ]);
 
-/// A pair that is not held to the clearance demanded of its kind.
+/// A pair that is exempt from the clearance of its kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Exemption {
-    /// Who.
+    /// The names of the members.
     pub pair: [String; 2],
-    /// Why.
+    /// The reason.
     pub reason: Reason,
-    /// The clearance that would have to be kept otherwise, m.
+    /// The clearance that would otherwise be required, m.
     pub demanded: f64,
-    /// For unattainable distances the largest gap of their surfaces at any position, m; negative where thick cables
-    /// overlap everywhere.
+    /// For an unattainable distance, the largest gap between the surfaces at any position, m; negative where thick
+    /// cables overlap everywhere.
     pub attainable: Option<f64>,
-    /// Who, by number.
+    /// The members by index.
     #[serde(skip)]
     pub members: [Member; 2],
-    /// Indices of the conditions that are about the pair's distance.
+    /// Indices of the conditions on the pair's distance.
     #[serde(skip)]
     pub conditions: Vec<usize>,
 }
 
 impl Exemption {
-    /// In plain words: "cable 2 and cable 4 can be 100.000 mm apart at most, 200.000 mm are demanded; they must still not
-    /// touch".
+    /// Describes the exemption: "cable 2 and cable 4 can be 100.000 mm apart at most, 200.000 mm are demanded; they
+    /// must still not touch".
     pub fn sentence(&self) -> String {
         let names = self.pair.join(" and ");
         let Some(attainable) = self.attainable else {
@@ -71,18 +71,18 @@ impl Exemption {
     }
 }
 
-/// What is found besides the conditions themselves while those of a scene are listed.
+/// Remarks collected while the conditions of a scene are listed.
 #[derive(Debug, Default)]
 pub struct Remarks {
-    /// Pairs that are not held to the clearance of their kind.
+    /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
-    /// What else the user should know about how the scene is taken.
+    /// Further notes for the user on how the scene is interpreted.
     pub notes: Vec<String>,
 }
 
 impl Remarks {
-    /// The distance of lines or bodies, m, that a pair is held to by the condition at `index`: the clearance and the radii
-    /// as far as that is attainable. What cannot be kept is noted.
+    /// The distance between axes or bodies, m, that the condition at `index` requires of a pair: clearance plus radii,
+    /// as far as attainable. Any shortfall is recorded.
     pub fn kept(
         &mut self,
         bodies: &Bodies,
@@ -93,7 +93,7 @@ impl Remarks {
         kept(clearance, radii, attainable)
     }
 
-    /// Notes that the condition at `index`, which is about this pair, demands less than the scene does, if so.
+    /// Records that the condition at `index` on this pair requires less than the scene demands, if so.
     pub(super) fn exempt_if_unattainable(
         &mut self,
         bodies: &Bodies,
@@ -104,7 +104,7 @@ impl Remarks {
             return;
         }
         let attainable = attainable - radii;
-        // Conditions come in the order of their first members.
+        // Conditions are sorted by their first members.
         let mut latest = self.exempt.iter_mut().rev().take_while(|known| known.members[0] == members[0]);
         if let Some(known) = latest.find(|known| known.members == members) {
             known.attainable = known.attainable.map(|best| best.min(attainable));
@@ -121,8 +121,8 @@ impl Remarks {
         });
     }
 
-    /// Lists the pairs that the scene lets touch, or has unchecked. `held_apart(index)` gives the pair that the condition at
-    /// an index keeps apart, if it is about a distance; there are `count` conditions.
+    /// Lists the pairs that the scene allows to touch or excludes from checking. `held_apart(index)` gives the pair of
+    /// the condition at an index if it requires a distance; there are `count` conditions.
     pub fn exempt_by_name(&mut self, scene: &Scene, count: usize, held_apart: impl Fn(usize) -> Option<[Member; 2]>) {
         let mut listed: BTreeMap<[Member; 2], Exemption> = BTreeMap::new();
         for (members, rule) in scene.pairs().named() {
@@ -154,8 +154,8 @@ impl Remarks {
     }
 }
 
-/// The distance of the lines or bodies that a pair is held to, m: clearance and radii if some position gives as much,
-/// otherwise the radii alone, so that surfaces do not touch; nothing where even that is impossible.
+/// The required distance between the axes or bodies of a pair, m: clearance plus radii if some position allows it,
+/// otherwise the radii alone, so that surfaces do not touch, or 0 if even that is impossible.
 pub(super) fn kept(clearance: f64, radii: f64, attainable: f64) -> f64 {
     [clearance + radii, radii].into_iter().find(|gap| *gap <= attainable).unwrap_or(0.0)
 }

@@ -1,4 +1,4 @@
-//! Bodies fattened by a distance, as polyhedra: what is nearer to them than that.
+//! Bodies fattened by a distance, as polyhedra that contain all points closer than that.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -7,17 +7,17 @@ use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Polytope, Vector};
 use crate::numerics::{FATTENED, PARALLEL, RIGHT_ANGLE};
 
-/// Obstacles fattened by the distances that cables keep, each when it is first asked for: all cables share them.
+/// Obstacles fattened by the required clearances of cables, computed on first use and shared by all cables.
 #[derive(Debug, Default)]
 pub struct Fattened {
-    /// For each obstacle the distances that are kept from it, and the fattened body; none if that has no hull.
+    /// For each obstacle, the required distances and the fattened bodies; `None` if the body has no hull.
     bodies: Vec<Vec<(f64, OnceLock<Option<Polytope>>)>>,
     /// The [`directions`] of each obstacle.
     directions: Vec<OnceLock<Vec<Vector>>>,
 }
 
 impl Fattened {
-    /// Room for the obstacles and distances that the conditions of a scene ask for.
+    /// An empty cache for the obstacles and distances that the conditions of a scene need.
     pub fn of(bodies: &Bodies, wanted: impl Iterator<Item = (usize, f64)>) -> Self {
         let mut gaps: Vec<Vec<f64>> = vec![Vec::new(); bodies.obstacles.len()];
         for (body, gap) in wanted {
@@ -32,7 +32,7 @@ impl Fattened {
         Fattened { bodies: gaps.into_iter().map(room).collect(), directions }
     }
 
-    /// An obstacle fattened by a distance; none if it has no hull.
+    /// An obstacle fattened by a distance; `None` if it has no hull.
     pub fn obstacle<'a>(&'a self, bodies: &'a Bodies, body: usize, gap: f64) -> Option<Cow<'a, Polytope>> {
         let obstacle = &bodies.obstacles[body].body;
         match self.bodies.get(body).and_then(|gaps| gaps.iter().find(|(known, _)| *known == gap)) {
@@ -53,8 +53,8 @@ impl Fattened {
     }
 }
 
-/// Half-spaces that hold everything nearer than `gap` to a body with volume: its own moved outward, and those of a box, so
-/// that sharp edges do not reach far.
+/// Half-spaces that contain everything closer than `gap` to a body with volume: its own, moved outward, and those of a
+/// box, to limit the extent at sharp edges.
 pub fn around(body: &Polytope, gap: f64) -> Vec<HalfSpace> {
     let mut half_spaces: Vec<HalfSpace> = body.half_spaces().iter().map(|h| h.widened(gap)).collect();
     if gap > 0.0 {
@@ -68,8 +68,8 @@ pub fn around(body: &Polytope, gap: f64) -> Vec<HalfSpace> {
     half_spaces
 }
 
-/// A body that holds everything nearer than `gap` to another: a box is enlarged, others are summed with a cube around the
-/// ball. None if it has no hull.
+/// A body that contains everything closer than `gap` to another: a box is enlarged, other bodies are summed with a cube
+/// around the ball. `None` if it has no hull.
 pub fn fattened(body: &Polytope, gap: f64) -> Option<Cow<'_, Polytope>> {
     if gap == 0.0 {
         return Some(Cow::Borrowed(body));
@@ -80,14 +80,15 @@ pub fn fattened(body: &Polytope, gap: f64) -> Option<Cow<'_, Polytope>> {
     body.sum(&Polytope::cuboid([2.0 * gap; 3]).ok()?).ok().map(Cow::Owned)
 }
 
-/// Whether a body is a box, however turned.
+/// Whether a body is a box of any orientation.
 fn is_box(body: &Polytope) -> bool {
     let axes = body.normal_axes();
     let square = |k: usize| axes[k].dot(&axes[(k + 1) % 3]).abs() <= RIGHT_ANGLE;
     body.facets().len() == 6 && body.vertices().len() == 8 && axes.len() == 3 && (0..3).all(square)
 }
 
-/// Largest angle between the normals of neighbouring bevels, rad: a rounded edge is then exceeded by 3.5 % of its radius.
+/// Largest angle between the normals of neighbouring bevels, rad; a rounded edge is then exceeded by 3.5 % of its
+/// radius.
 const BEVEL: f64 = std::f64::consts::FRAC_PI_6;
 
 /// Outward normals of a body's facets, of bevels of its edges, and of its corners.
@@ -107,7 +108,7 @@ pub fn directions(body: &Polytope) -> Vec<Vector> {
     all
 }
 
-/// Unit vectors from one to another in even steps of at most `BEVEL`, both excluded.
+/// Unit vectors from `a` to `b` in even steps of at most `BEVEL`, excluding both.
 pub fn between(a: &Vector, b: &Vector) -> Vec<Vector> {
     let steps = (a.angle(b) / BEVEL).ceil().max(1.0) as usize;
     let at = |k: usize| a.slerp(b, k as f64 / steps as f64);

@@ -1,4 +1,4 @@
-//! What every physical condition can be asked. One file implements all of it for one condition.
+//! The interface of a physical condition. One file implements all of it for one condition.
 
 use serde::Serialize;
 
@@ -13,30 +13,30 @@ use crate::model::{Member, Scene};
 use crate::watch::Watch;
 use crate::words::{length, small_length};
 
-/// Which condition a motion breaks.
+/// The kind of condition that a motion breaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// The platform leaves the workspace box.
     Workspace,
-    /// A cable is longer or shorter than it can be.
+    /// The length of a cable is outside its limits.
     CableLength,
-    /// A cable enters the platform, or comes too near a part that it is not attached to.
+    /// A cable enters the platform, or comes too close to a part that it is not attached to.
     CablePlatform,
-    /// Two cables meet, or come too near each other.
+    /// Two cables meet, or come too close to each other.
     CableCable,
-    /// The platform meets an obstacle, or comes too near it.
+    /// The platform meets an obstacle, or comes too close to it.
     PlatformObstacle,
-    /// A cable meets an obstacle, or comes too near it.
+    /// A cable meets an obstacle, or comes too close to it.
     CableObstacle,
     /// The cables cannot balance the required wrenches.
     Wrench,
 }
 
-/// How cables are kept from each other.
+/// The rule for cables crossing each other.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Interference {
-    /// They must not meet at any instant of the motion.
+    /// Cables must not meet at any instant of the motion.
     #[default]
     Exact,
     /// The triangles they sweep must be disjoint (the paper, section 3.2): safe, and stricter than needed, since the
@@ -51,13 +51,13 @@ choices!(Interference, "interference", [
 
 /// A physical condition on where the platform may be and how it may move, at fixed orientation.
 ///
-/// A motion is a straight line of positions of the platform's origin; a position is a motion without length. Distances are
-/// between surfaces, in the world, m, and minus a depth where bodies overlap. For the workspace and for lengths they are the
-/// room left, negative outside.
+/// A motion is a straight line of positions of the platform's origin; a position is a motion of zero length. Distances
+/// are between surfaces, in the world, m; a negative value is the depth of an overlap. For the workspace and for cable
+/// lengths, the distance is that from the limits, negative outside.
 ///
-/// To add a condition, implement this in a file of its own and list it in [`super::Condition`].
+/// To add a condition, implement this trait in a new file and list it in [`super::Condition`].
 pub trait PhysicalCondition {
-    /// All conditions of this kind that a scene poses. They stand in the list of conditions from index `first` on.
+    /// All conditions of this kind in a scene. In the list of conditions they start at index `first`.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -71,62 +71,63 @@ pub trait PhysicalCondition {
     where
         Self: Sized;
 
-    /// A violation in plain words: "cable 3 meets pillar, 12.0 mm deep".
+    /// Describes a violation: "cable 3 meets pillar, 12.0 mm deep".
     fn sentence(found: &Broken) -> String
     where
         Self: Sized;
 
-    /// Its kind.
+    /// The kind of the condition.
     fn kind(&self) -> Kind;
 
-    /// Whom it is about: two members, or one that it limits by itself.
+    /// The members: a pair, or a single member.
     fn members(&self, bodies: &Bodies) -> Vec<Member>;
 
-    /// Whether it is about two parts of the robot.
+    /// Whether both members belong to the robot.
     fn within_robot(&self) -> bool {
         false
     }
 
-    /// The obstacle body that it is about, as an index into [`Bodies::obstacles`].
+    /// The index of its obstacle body in [`Bodies::obstacles`], if it has one.
     fn obstacle_mut(&mut self) -> Option<&mut usize> {
         None
     }
 
-    /// Whether it is about a body that closes a seam between parts.
+    /// Whether its body closes a seam between parts.
     fn closes_seam(&self, _: &Bodies) -> bool {
         false
     }
 
-    /// Whether it closes a seam and `other` is about a part beside that seam. If both are broken, the other one gives the
-    /// right culprit and depth.
+    /// Whether it closes a seam and `other` concerns a part beside that seam. If both are broken, the other one gives
+    /// the right culprit and depth.
     fn is_seam_beside(&self, _other: &dyn PhysicalCondition, _: &Bodies) -> bool {
         false
     }
 
-    /// The least distance that keeps it, m.
+    /// The required distance, m.
     fn required(&self, bodies: &Bodies) -> f64;
 
-    /// Whether it is about the gap between two surfaces; if not, it is about ends that touch by construction, seams, or room.
+    /// Whether it limits the gap between two surfaces, unlike ends that touch by construction, seams, the workspace and
+    /// cable lengths.
     fn is_about_gap(&self, _: &Bodies) -> bool {
         false
     }
 
-    /// The least distance during a motion, m.
+    /// The smallest distance during a motion, m.
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64;
 
-    /// A lower bound of [`PhysicalCondition::distance`] from bounding boxes, m; minus infinity where these meet.
+    /// A lower bound of [`PhysicalCondition::distance`] from bounding boxes, m; minus infinity if they overlap.
     fn boxes_apart(&self, _: &Bodies, _from: &Point, _to: &Point) -> f64 {
         f64::NEG_INFINITY
     }
 
-    /// The distance that tells how badly a motion breaks it, m, where that is not the least over all positions between first
-    /// and last contact.
+    /// The distance that measures how badly a motion breaks it, m, if that is not the minimum over all positions
+    /// between first and last contact.
     fn worst_distance(&self, _: &Bodies, _: Interference, _from: &Point, _to: &Point) -> Option<f64> {
         None
     }
 
-    /// How far a position is from breaking it, m: every motion from there that is shorter keeps it, because distances change
-    /// by at most the way gone. Minus infinity where no distance says that.
+    /// How far a position is from breaking it, m. Every shorter motion from there keeps the condition, because
+    /// distances change by at most the length of the motion. Minus infinity if no distance gives such a bound.
     fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
         self.distance(bodies, position, position) - self.required(bodies)
     }
@@ -134,53 +135,54 @@ pub trait PhysicalCondition {
     /// Whether a motion breaks it, by GJK or in closed form.
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool;
 
-    /// Whether motions can break it that stay outside of all its regions.
+    /// Whether motions outside all its regions can break it.
     fn exceeds_regions(&self, _: Interference) -> bool {
         false
     }
 
-    /// A quick test that, if true, proves that a motion keeps it.
+    /// A quick sufficient test that a motion keeps it.
     fn certainly_keeps(&self, _from: &Point, _to: &Point) -> bool {
         false
     }
 
-    /// The positions that break it, for `gap` 0 and bodies; for a larger `gap`, m, a superset of the positions where those
-    /// whom it keeps apart are nearer than that.
+    /// The positions that break it if `gap` is 0 and the members are bodies. For a larger `gap`, m, a superset of the
+    /// positions where the members are closer than that.
     ///
-    /// None where that has no volume, no planes that rounding leaves alone (a flat part seen edge-on), or is no polyhedron.
+    /// `None` if the set has no volume, is not a polyhedron, or has planes that rounding makes unreliable (a flat part
+    /// seen edge-on).
     fn forbidden(&self, _: &Bodies, _gap: f64, _: &Fattened) -> Option<Forbidden> {
         None
     }
 
-    /// The positions that break its demanded distance, as half-spaces that hold them and not much more: where
-    /// [`PhysicalCondition::forbidden`] sums with a cube, this rounds edges and corners off by bevels. None where there is no
-    /// such polyhedron.
+    /// Half-spaces that closely contain the positions that break its required distance: edges and corners are rounded
+    /// off by bevels, where [`PhysicalCondition::forbidden`] sums with a cube. `None` if there is no such polyhedron.
     fn rounded(&self, _: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {
         None
     }
 
-    /// The obstacle body, and the distance from it, m, that [`PhysicalCondition::forbidden`] asks [`Fattened`] for.
+    /// The obstacle body, and the distance from it, m, that [`PhysicalCondition::forbidden`] requests from
+    /// [`Fattened`].
     fn fattens(&self) -> Option<(usize, f64)> {
         None
     }
 
-    /// Convex pieces of the positions that break it, bracketed; empty if it forbids nothing or only what is outside of the
-    /// box of positions.
+    /// Convex pieces of the positions that break it, bracketed; empty if it forbids nothing inside the box of
+    /// positions.
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region>;
 
-    /// Whether the outer polyhedra of its regions hold much that it does not forbid.
+    /// Whether the outer polyhedra of its regions are much larger than what it forbids.
     fn regions_are_loose(&self) -> bool {
         false
     }
 
-    /// From the platform's origin to the point for which a region of it can be drawn in the world: the cable's end on the
+    /// From the platform's origin to the point at which to draw its regions in the world: the cable's end on the
     /// platform.
     fn attachment(&self, _: &Bodies) -> Vector {
         Vector::zeros()
     }
 
-    /// Closed surfaces around what it forbids without clearance, moved by `by` and cut at a box; none if the bodies are too
-    /// close to degenerate for that.
+    /// Closed surfaces around what it forbids without clearance, moved by `by` and cut at a box; `None` if the bodies
+    /// are too close to degenerate.
     fn surfaces(&self, bodies: &Bodies, by: &Vector, within: &Aabb) -> Option<Vec<TriangleMesh>> {
         let found = self.forbidden(bodies, 0.0, &Fattened::default());
         Some(found.and_then(|found| surface(&found, by, within)).into_iter().collect())
@@ -193,14 +195,14 @@ pub fn surface(found: &Forbidden, by: &Vector, within: &Aabb) -> Option<Triangle
     convex_mesh(&moved, within)
 }
 
-/// What a sentence about a violation is made from.
+/// The parts of a message about a violation.
 #[derive(Debug, Clone, Copy)]
 pub struct Broken<'a> {
-    /// Who is involved, by the names of the scene.
+    /// The names of the members involved.
     pub culprits: &'a [String],
     /// Worst gap over the motion, m.
     pub gap: Option<f64>,
-    /// What the gap would have to be, m.
+    /// The required gap, m.
     pub required: Option<f64>,
 }
 
@@ -210,7 +212,7 @@ impl Broken<'_> {
         self.culprits.get(k).map_or("?", String::as_str)
     }
 
-    /// That two bodies meet, or come too near each other.
+    /// Says that two bodies meet, or come too close to each other.
     pub fn meets(&self, first: &str, second: &str) -> String {
         let required = self.required.filter(|required| *required > 0.0);
         let required = required.map_or(String::new(), |required| format!(", {} required", length(required)));
@@ -223,7 +225,7 @@ impl Broken<'_> {
         }
     }
 
-    /// By how much room is lacking: " by 12.0 mm".
+    /// Says how much is missing: " by 12.0 mm".
     pub fn lacking(&self) -> String {
         self.gap.map_or(String::new(), |room| format!(" by {}", small_length(-room)))
     }

@@ -1,4 +1,4 @@
-//! The platform keeps away from obstacles.
+//! The platform stays clear of obstacles.
 //!
 //! For an obstacle O and a part P of the platform the forbidden positions are O ⊕ (-P).
 
@@ -15,19 +15,19 @@ use crate::model::{Member, Scene};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
 
-/// A platform part keeps `gap` away from an obstacle body.
+/// A platform part keeps the distance `gap` from an obstacle body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlatformObstacle {
     /// Index into [`Bodies::platform`].
     pub part: usize,
     /// Index into [`Bodies::obstacles`].
     pub body: usize,
-    /// Least distance, m.
+    /// Required distance, m.
     pub gap: f64,
 }
 
 impl PlatformObstacle {
-    /// Obstacle ⊕ (-platform part); none if it has no hull.
+    /// Obstacle ⊕ (-platform part); `None` if it has no hull.
     fn difference(&self, bodies: &Bodies) -> Option<Polytope> {
         bodies.obstacles[self.body].body.sum(&bodies.platform[self.part].reflected()).ok()
     }
@@ -47,7 +47,7 @@ impl PhysicalCondition for PlatformObstacle {
                 continue;
             }
             for part in 0..bodies.platform_parts {
-                // A part with volume that reaches into a seam reaches into the parts on both sides of it.
+                // A part with volume that enters a seam also enters the parts on both sides of it.
                 if obstacle.seam.is_some() && bodies.platform[part].has_volume() {
                     continue;
                 }

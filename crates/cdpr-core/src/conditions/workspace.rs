@@ -11,7 +11,7 @@ use crate::model::{Member, Scene};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
 
-/// The platform's origin stays in this box, so that every vertex stays in the workspace.
+/// The box of positions of the platform's origin for which every vertex stays in the workspace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Workspace {
     /// Smallest position, m.
@@ -21,14 +21,14 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// The positions where the platform is inside the workspace of a scene; none of them may be (min > max).
+    /// The positions where the platform is inside the workspace of a scene; possibly empty (min > max).
     fn of(scene: &Scene, bodies: &Bodies) -> Self {
         let vertices = || bodies.platform.iter().flat_map(|part| part.vertices());
         let low = vertices().fold(Vector::repeat(f64::INFINITY), |low, v| low.inf(&v.coords));
         let high = vertices().fold(Vector::repeat(f64::NEG_INFINITY), |high, v| high.sup(&v.coords));
         let (mut min, mut max) = (scene.workspace().min - low, scene.workspace().max - high);
         for axis in 0..3 {
-            // A platform as large as the workspace has one place there; rounding must not take it away.
+            // A platform as large as the workspace has exactly one position; rounding must not exclude it.
             if max[axis] < min[axis] && min[axis] - max[axis] <= TOUCH_DEPTH {
                 let middle = 0.5 * (min[axis] + max[axis]);
                 (min[axis], max[axis]) = (middle, middle);
@@ -37,7 +37,7 @@ impl Workspace {
         Workspace { min, max }
     }
 
-    /// Room left in the workspace over a motion, m.
+    /// Smallest distance from the workspace limits over a motion, m; negative outside.
     #[inline]
     fn room(&self, from: &Point, to: &Point) -> f64 {
         if !from.iter().chain(to.iter()).all(|x| x.is_finite()) {
@@ -82,7 +82,7 @@ impl PhysicalCondition for Workspace {
         self.room(from, to) < -TOUCH_DEPTH
     }
 
-    /// What it forbids is outside of the box of positions.
+    /// It forbids only positions outside the box of positions.
     fn regions(&self, _: &Bodies, _: &Scale, _: &Fattened) -> Vec<Region> {
         Vec::new()
     }
