@@ -1,7 +1,7 @@
-//! Whether a motion keeps all conditions, and if not, which it breaks, where and by how much.
+//! Checks whether a motion keeps all conditions and, if not, which ones it breaks, where and by how much.
 //!
-//! [`crate::conditions`] lists, for a scene at fixed orientation, who must keep away from whom and how. An engine checks
-//! motions against that list; planners know only the trait [`Validity`].
+//! [`crate::conditions`] lists the conditions of a scene at a fixed orientation. An engine checks motions against that
+//! list; planners only use the trait [`Validity`].
 
 mod along;
 pub(crate) mod clearance;

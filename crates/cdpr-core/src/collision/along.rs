@@ -1,14 +1,14 @@
-//! Searches along a motion, by the fraction of it that is done, from 0 to 1.
+//! Searches along a motion, parametrized by the fraction covered, from 0 to 1.
 
 use crate::geometry::Point;
 use crate::numerics::BISECTION_STEPS;
 
-/// The place at the fraction `t` of a motion.
+/// The position at the fraction `t` of a motion.
 pub fn at(from: &Point, to: &Point, t: f64) -> Point {
     if t >= 1.0 { *to } else { from + (to - from) * t }
 }
 
-/// The first t in [0, 1] where a test that stays true once it is true becomes true; it must be true at 1.
+/// The first t in [0, 1] where a monotonic test becomes true; it must be true at 1.
 pub fn first_true(test: impl Fn(f64) -> bool) -> f64 {
     if test(0.0) {
         return 0.0;
@@ -21,8 +21,8 @@ pub fn first_true(test: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-/// Least value of a function between two instants: samples, then golden sections around each that is least among its
-/// neighbours. Exact to rounding for the depth of the platform, which has one minimum along a line.
+/// Smallest value of a function in an interval: samples, then golden-section search around each local minimum. Exact up
+/// to rounding for the depth of the platform, which has one minimum along a line.
 pub fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     const SAMPLES: usize = 16;
     let step = (high - low).max(0.0) / SAMPLES as f64;
@@ -36,7 +36,7 @@ pub fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     refined.fold(f64::INFINITY, f64::min)
 }
 
-/// Least value found in an interval by golden sections; exact where there is one minimum.
+/// Smallest value found in an interval by golden-section search; exact if there is one minimum.
 fn golden_sections(mut a: f64, mut b: f64, known: f64, value: &impl Fn(f64) -> f64) -> f64 {
     const SECTIONS: usize = 40;
     let golden = 0.5 * (5f64.sqrt() - 1.0);

@@ -1,4 +1,4 @@
-//! How near a motion comes to breaking conditions: from the conditions alone, the same for all engines.
+//! How close a motion comes to breaking conditions; computed from the conditions alone, so the same for all engines.
 
 use serde::Serialize;
 
@@ -9,25 +9,25 @@ use crate::geometry::Point;
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
 
-/// The nearest approach of a motion.
+/// The closest approach of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Clearance {
     /// Gap in the world, m.
     pub value: f64,
-    /// Fraction of the motion at which it is first reached, 0 to 1.
+    /// Fraction of the motion at which it is first attained, 0 to 1.
     pub at: f64,
     /// The names of the members.
     pub culprits: Vec<String>,
-    /// The clearance that the pair is held to, m; 0 where it must only not touch.
+    /// The required clearance of the pair, m; 0 if it only has to stay apart.
     pub required: f64,
 }
 
-/// The nearest approach of a motion, over all conditions that are about a gap.
+/// The closest approach of a motion over all conditions on gaps.
 pub fn clearance(conditions: &Conditions, from: &Point, to: &Point) -> Option<Clearance> {
     nearest(conditions, from, to).map(|nearest| reached(conditions, nearest, from, to))
 }
 
-/// Where a motion first comes as near as it ever does, from the least gap and the condition it is about.
+/// The first closest approach of a motion, given the smallest gap and the index of its condition.
 fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
     let nearest = &conditions.list[index];
     let until = |t: f64| gap(conditions, nearest, from, &at(from, to, t));
@@ -39,7 +39,7 @@ fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, 
 /// Conditions measured between two polls of the watch.
 const AT_A_TIME: usize = 256;
 
-/// The nearest approach of a path, and its segment, for the conditions with these indices. A gap changes by at most the
+/// The closest approach of a path, and its segment, for the conditions with these indices. A gap changes by at most the
 /// distance travelled, so a wide one is not measured again until the path could have used it up.
 ///
 /// # Errors
@@ -51,7 +51,7 @@ pub fn path_clearance(
     watch: &Watch,
 ) -> Result<Option<(usize, Clearance)>, Error> {
     let mut best: Option<(usize, f64, usize)> = None;
-    // For each condition: after s metres of path its gap is at least this less s.
+    // For each condition: after s metres of path, its gap is at least this value minus s.
     let mut wide_until = vec![f64::NEG_INFINITY; indices.len()];
     let mut way = 0.0;
     for (segment, pair) in waypoints.windows(2).enumerate() {
@@ -71,7 +71,7 @@ pub fn path_clearance(
                 if let Some(gap) = gap.filter(|gap| *gap < least) {
                     best = Some((segment, gap, index));
                 }
-                // A condition that is about no gap is not measured again.
+                // A condition without a gap is not measured again.
                 *wide_until = way + if apart >= least { apart } else { gap.unwrap_or(f64::INFINITY) };
             }
         }
@@ -81,7 +81,8 @@ pub fn path_clearance(
     }))
 }
 
-/// The pair with the least room at a position: its gap exceeds the required one by least, or falls short of it by most. Unlike elsewhere, `required` is negative where only the axes of thick cables must keep apart.
+/// The pair with the least slack at a position: gap minus required gap is smallest. Here, unlike elsewhere, `required`
+/// is negative where only the axes of thick cables must stay apart.
 pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> {
     let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
     let (room, index) = least(conditions, position, position, required)?;
@@ -90,13 +91,13 @@ pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> 
     Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
 }
 
-/// The least gap of a motion, m, and the index of the condition it is about.
+/// The smallest gap of a motion, m, and the index of its condition.
 pub fn nearest(conditions: &Conditions, from: &Point, to: &Point) -> Option<(f64, usize)> {
     least(conditions, from, to, |_| 0.0)
 }
 
-/// The least gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose bounding
-/// boxes are further apart than the least gap found so far are skipped.
+/// The smallest gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose
+/// bounding boxes are further apart than the smallest gap found so far are skipped.
 fn least(
     conditions: &Conditions,
     from: &Point,
@@ -119,8 +120,8 @@ fn least(
     best
 }
 
-/// The least gap over a motion that a condition is about, m, whether or not it is demanded. None where it is not about a gap;
-/// see [`Conditions::required`].
+/// The smallest gap of a condition over a motion, m, whether required or not. `None` if the condition does not limit a
+/// gap; see [`Conditions::required`].
 fn gap(conditions: &Conditions, condition: &Condition, from: &Point, to: &Point) -> Option<f64> {
     let (condition, bodies) = (condition.details(), &conditions.bodies);
     condition.is_about_gap(bodies).then(|| condition.distance(bodies, from, to))

@@ -1,11 +1,11 @@
-//! The exact fast engine: a scene compiled to convex polyhedra in the space of positions.
+//! The fast, exact engine: a scene compiled to convex polyhedra in the space of positions.
 //!
-//! At fixed orientation a motion is a straight segment p(t) of positions, and what a condition forbids is a convex
-//! polyhedron of positions ([`crate::conditions::region`]). A motion is valid when its segment, clipped against the planes
-//! (`clip`), misses them all; a `grid` over the positions lists those that it can meet. Each polyhedron is a pair: one
-//! certainly holds the forbidden set, the other is certainly inside of it. Only between the two (in contact, at the rounded
-//! edges of a clearance, where two cables cross) does the gjk engine decide. So the answers are those of the gjk engine, for
-//! the price of a few multiplications.
+//! At a fixed orientation, a motion is a straight segment p(t) of positions, and a condition forbids a convex
+//! polyhedron of positions ([`crate::conditions::region`]). A motion is valid if its segment, clipped against the
+//! planes (`clip`), misses all polyhedra; a `grid` over the positions lists those that it can meet. Each polyhedron is
+//! bracketed by two: one certainly contains the forbidden set, the other certainly lies inside it. The gjk engine
+//! decides only between the two (in contact, at the rounded edges of a clearance, where two cables cross). The answers
+//! are thus those of the gjk engine, at the cost of a few multiplications.
 
 mod grid;
 mod segment_clip;
@@ -44,42 +44,42 @@ use segment_clip::{CoarsePlace, Planes, Segment, not_outside};
 pub struct CspaceEngine {
     reference: GjkEngine,
     scale: Scale,
-    /// What was compiled from each condition, kept for [`CspaceEngine::recompiled`].
+    /// The compiled regions of each condition, kept for [`CspaceEngine::recompiled`].
     compiled: Vec<Arc<[Compiled]>>,
-    /// Planes of the outer polyhedron of each region, by themselves to stay in the cache.
+    /// Planes of the outer polyhedron of each region, stored separately to stay in the cache.
     outer: Vec<Range<u32>>,
     /// The rest of each region.
     heads: Vec<Head>,
     /// The regions of each condition.
     regions_of: Vec<Range<usize>>,
-    /// The conditions that motions can break outside of all regions.
+    /// The conditions that motions can break outside all regions.
     beyond_regions: Vec<usize>,
     planes: Planes,
     cells: Cells,
     lists: Lists,
-    /// Positions inside the workspace.
+    /// The box of positions inside the workspace.
     low: Point,
     high: Point,
     kernel: Kernel,
-    /// The region that last refused a motion: often the one that refuses the next. It never changes an answer.
+    /// The region that last rejected a motion; it often rejects the next one as well. It never changes an answer.
     last_refuser: AtomicU32,
 }
 
-/// A region and the cells it reaches into.
+/// A region and the cells it overlaps.
 #[derive(Debug, Clone, PartialEq)]
 struct Compiled {
     region: Region,
     reached: Vec<Reached>,
 }
 
-/// What decides about a motion that meets the outer polyhedron of a region.
+/// Decides about motions that meet the outer polyhedron of a region.
 #[derive(Debug, Clone)]
 struct Head {
     /// Index of its condition.
     condition: usize,
     /// Planes of the inner polyhedron.
     inner: Range<u32>,
-    /// How far the planes of `inner` are moved outward, m; none if there is no inner polyhedron.
+    /// How far the planes of `inner` are moved outward, m; `None` if there is no inner polyhedron.
     widen: Option<f64>,
 }
 
@@ -101,7 +101,8 @@ impl CspaceEngine {
         Self::compile(reference, |_| None, watch)
     }
 
-    /// The engine for a scene that differs little from the one of this engine: what did not change is not compiled again.
+    /// The engine for a scene that differs little from the one of this engine; unchanged conditions are not compiled
+    /// again.
     ///
     /// # Errors
     /// As [`Conditions::new`].
@@ -117,7 +118,7 @@ impl CspaceEngine {
         Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone()), &Watch::NONE)
     }
 
-    /// Compiles all conditions, except those that `known` gives.
+    /// Compiles all conditions except those that `known` provides.
     fn compile(
         reference: GjkEngine,
         known: impl Fn(usize) -> Option<Arc<[Compiled]>> + Sync,
@@ -163,13 +164,13 @@ impl CspaceEngine {
         })
     }
 
-    /// The same engine without SIMD instructions, to compare with.
+    /// The same engine without SIMD instructions, for comparison.
     pub fn portable(mut self) -> Self {
         self.kernel = Kernel::Portable;
         self
     }
 
-    /// Bytes that the compiled scene takes, without the conditions themselves.
+    /// Size of the compiled scene in bytes, without the conditions themselves.
     pub fn bytes(&self) -> usize {
         let pieces = self.compiled.iter().flat_map(|pieces| pieces.iter());
         let kept = pieces.map(|p| size_of::<Compiled>() + p.reached.len() * size_of::<Reached>() + p.region.bytes());
@@ -190,7 +191,7 @@ impl CspaceEngine {
         (p.x >= low.x) & (p.y >= low.y) & (p.z >= low.z) & (p.x <= high.x) & (p.y <= high.y) & (p.z <= high.z)
     }
 
-    /// Whether a motion breaks a condition by way of a region.
+    /// Whether a motion breaks the condition of a region there.
     #[inline(always)]
     fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
         let outer = self.planes.of(&self.outer[region]);
@@ -200,7 +201,7 @@ impl CspaceEngine {
         self.certainly_refuses(region, segment) || self.reference_refuses(self.heads[region].condition, from, to)
     }
 
-    /// Whether a motion passes the inner polyhedron of a region.
+    /// Whether a motion meets the inner polyhedron of a region.
     #[inline(always)]
     fn certainly_refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>) -> bool {
         let head = &self.heads[region];
@@ -213,7 +214,7 @@ impl CspaceEngine {
         self.reference.breaks(condition, from, to)
     }
 
-    /// Whether a motion inside the box of positions breaks a condition by way of any region.
+    /// Whether a motion inside the box of positions breaks a condition in any region.
     #[inline(always)]
     fn refused<L: Lanes>(&self, lanes: L, from: &Point, to: &Point) -> bool {
         let segment = Segment::new(lanes, from, to);
@@ -238,7 +239,7 @@ impl CspaceEngine {
         false
     }
 
-    /// The region that reaches into a cell and refuses a motion of which a piece passes the cell.
+    /// The region, among those that overlap a cell, that rejects a motion with a piece in this cell.
     #[inline(always)]
     fn refused_in<L: Lanes>(
         &self,
@@ -261,7 +262,7 @@ impl CspaceEngine {
         None
     }
 
-    /// Whether a motion breaks a condition that exceeds its regions.
+    /// Whether a motion breaks a condition outside its regions.
     fn breaks_beyond_regions(&self, from: &Point, to: &Point) -> bool {
         let list = &self.conditions().list;
         let breaks = |&index: &usize| !list[index].certainly_keeps(from, to) && self.reference_refuses(index, from, to);
@@ -377,11 +378,11 @@ fn cells_for(conditions: &Conditions) -> Cells {
         1500..6000 => 16,
         _ => 32,
     };
-    let touch = Vector::repeat(TOUCH_DEPTH); // so that cells have a size where the box has none
+    let touch = Vector::repeat(TOUCH_DEPTH); // gives cells a size where the box has none
     Cells::new(min - touch, max + touch, n)
 }
 
-/// The regions of a condition that reach into the box of positions.
+/// The regions of a condition that overlap the box of positions.
 fn compiled(conditions: &Conditions, index: usize, scale: &Scale, cells: &Cells, fat: &Fattened) -> Vec<Compiled> {
     let condition = conditions.list[index].details();
     let piece = |region: Region| {
@@ -404,7 +405,8 @@ fn head(condition: usize, region: &Region, outer: &Range<u32>, planes: &mut Plan
     Head { condition, inner, widen }
 }
 
-/// For each new condition the old one that is the same, where cables, platform and workspace are the same.
+/// For each new condition, the index of an identical old one, provided that cables, platform and workspace are the
+/// same.
 fn unchanged(old: &Conditions, new: &Conditions) -> Vec<Option<usize>> {
     let (old_obstacles, new_obstacles) = (&old.bodies.obstacles, &new.bodies.obstacles);
     let same_body = |body: usize| {
@@ -413,7 +415,7 @@ fn unchanged(old: &Conditions, new: &Conditions) -> Vec<Option<usize>> {
         likely.or_else(|| old_obstacles.iter().position(|o| o == wanted))
     };
     let bodies: Vec<Option<usize>> = (0..new_obstacles.len()).map(same_body).collect();
-    // Both lists have the same order, so the search goes on where the last one ended.
+    // Both lists have the same order, so each search starts where the last one ended.
     let mut next = 0;
     let find = |condition: &Condition| {
         let wanted = condition.renumbered(&bodies)?;

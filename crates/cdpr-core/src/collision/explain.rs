@@ -1,4 +1,4 @@
-//! Where and how badly a motion breaks conditions: the same words and the same measures for every engine.
+//! Where and how badly a motion breaks conditions, in the same words and measures for every engine.
 
 use super::along::{at, first_true, least_between};
 use super::validity::Checker;
@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::conditions::Conditions;
 use crate::geometry::Point;
 
-/// All conditions that a motion breaks according to an engine, in the order in which it breaks them.
+/// All conditions that a motion breaks according to an engine, in the order of first contact.
 pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
     let conditions = checker.conditions();
     let broken: Vec<usize> = (0..conditions.list.len()).filter(|&k| checker.breaks(k, from, to)).collect();
@@ -16,8 +16,8 @@ pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Ve
     merge_parts(violations)
 }
 
-/// Whether a broken condition is about a seam while that on a part beside the seam is broken as well, which gives the right
-/// culprit and depth.
+/// Whether a broken condition concerns a seam while the condition on a part beside the seam is broken as well. The
+/// latter gives the right culprit and depth.
 fn is_reported_beside(conditions: &Conditions, index: usize, broken: &[usize]) -> bool {
     let (list, bodies) = (&conditions.list, &conditions.bodies);
     let seam = list[index].details();
@@ -27,7 +27,7 @@ fn is_reported_beside(conditions: &Conditions, index: usize, broken: &[usize]) -
 /// Where and how badly a motion breaks a condition that it is known to break.
 fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> Violation {
     let (conditions, condition) = (checker.conditions(), &checker.conditions().list[index]);
-    // What a motion sweeps only grows, so the first contact and the last are found by bisection on the whole test.
+    // The swept set only grows, so first and last contact are found by bisection on the whole test.
     let first = first_true(|t| checker.breaks(index, from, &at(from, to, t)));
     let last = 1.0 - first_true(|t| checker.breaks(index, &at(from, to, 1.0 - t), to));
     let (details, bodies) = (condition.details(), &conditions.bodies);
@@ -44,11 +44,11 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         culprits: conditions.culprits(condition),
         gap: Some(gap),
         required: Some(required),
-        margin: Some((gap - required).min(0.0)), // a positive difference is rounding: the condition is broken
+        margin: Some((gap - required).min(0.0)), // a positive difference is a rounding error: the condition is broken
     }
 }
 
-/// One violation per kind and culprits: a body of several parts is one body.
+/// Merges violations of the same kind and culprits: a body of several parts is one body.
 fn merge_parts(violations: Vec<Violation>) -> Vec<Violation> {
     let mut merged: Vec<Violation> = Vec::new();
     for violation in violations {

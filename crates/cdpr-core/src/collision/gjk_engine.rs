@@ -1,4 +1,4 @@
-//! The paper's engine: GJK between obstacles and what platform and cables sweep (sections 3.1 and 3.2). It works for any
+//! The paper's engine: GJK between obstacles and the swept platform and cables (sections 3.1 and 3.2). It works for any
 //! convex shape, yields distances, and is the reference for faster engines.
 
 use super::clearance::{self, Clearance};

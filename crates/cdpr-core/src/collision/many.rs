@@ -1,4 +1,4 @@
-//! Many states or motions at once.
+//! Checks of many states or motions at once.
 
 use super::validity::{Checker, Validity};
 use crate::batch::{BatchOptions, Pace, answer_all};
@@ -35,8 +35,8 @@ pub fn motions_valid(
     answer_all(answers, question, Pace::CHECKS, options)
 }
 
-/// The signed clearance of each position, m: the least gap in the world, negative where bodies overlap, infinite where there
-/// is nothing to keep away from; `position(k)` gives the k-th one.
+/// The signed clearance of each position, m: the smallest gap in the world, negative where bodies overlap, infinite if
+/// there are no gaps to measure; `position(k)` gives the k-th one.
 ///
 /// # Errors
 /// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.

@@ -1,4 +1,4 @@
-//! Checking a whole path: every violation with its place, and the nearest approach.
+//! Checks a whole path: every violation with its place, and the closest approach.
 
 use serde::Serialize;
 
@@ -14,25 +14,25 @@ use crate::watch::Watch;
 /// A broken condition on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathViolation {
-    /// Which segment, counting from 0.
+    /// Index of the segment, from 0.
     pub segment: usize,
     /// The condition; its `at` is a fraction of the segment.
     #[serde(flatten)]
     pub violation: Violation,
 }
 
-/// The nearest approach on a path.
+/// The closest approach on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathClearance {
     /// Gap in the world, m.
     pub value: f64,
-    /// Which segment, counting from 0.
+    /// Index of the segment, from 0.
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-    /// Between whom.
+    /// The names of the members.
     pub culprits: Vec<String>,
-    /// The clearance that the pair is held to, m; 0 where it must only not touch.
+    /// The required clearance of the pair, m; 0 if it only has to stay apart.
     pub required: f64,
 }
 
@@ -42,41 +42,41 @@ pub struct PathExemption {
     /// The pair, and why it is exempt.
     #[serde(flatten)]
     pub exemption: Exemption,
-    /// Its nearest approach on the path, m; none for pairs that are not checked, or touch by construction.
+    /// Its closest approach on the path, m; `None` for pairs that are not checked, or touch by construction.
     pub gap: Option<f64>,
 }
 
-/// The nearest approach of a path, and what is exempt from the demanded clearance.
+/// The closest approach of a path, and the pairs that are exempt from the required clearance.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Nearest {
-    /// The nearest approach of all pairs, if there is anything to keep away from.
+    /// The closest approach of all pairs, if there are any.
     pub min_clearance: Option<PathClearance>,
-    /// The nearest approach of those pairs that are not exempt, where some are.
+    /// The closest approach of the pairs that are not exempt, if others are.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min_clearance_not_exempt: Option<PathClearance>,
-    /// Pairs that are not held to the clearance of their kind.
+    /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<PathExemption>,
 }
 
 impl Nearest {
-    /// What is exempt, where nothing was measured.
+    /// The exempt pairs, without measurements.
     pub fn unmeasured(conditions: &Conditions) -> Self {
         let exempt = conditions.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
         Nearest { exempt, ..Nearest::default() }
     }
 }
 
-/// What was found about a path.
+/// The result of checking a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathReport {
     /// Whether the whole path is valid.
     pub valid: bool,
     /// Its length, m.
     pub length: f64,
-    /// How near it comes to anything.
+    /// Its closest approaches.
     #[serde(flatten)]
     pub nearest: Nearest,
-    /// Everything that is wrong with it, in order along the path.
+    /// All violations, in order along the path.
     pub violations: Vec<PathViolation>,
 }
 
@@ -94,7 +94,7 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
     for (segment, pair) in waypoints.windows(2).enumerate() {
         watch.check()?;
         if checker.motion_valid(&pair[0], &pair[1]) {
-            continue; // many times faster than to check every condition by itself
+            continue; // many times faster than checking every condition separately
         }
         valid = false;
         let found = checker.violations(&pair[0], &pair[1]);
@@ -104,7 +104,7 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
     Ok(PathReport { valid, length, nearest, violations })
 }
 
-/// The nearest approach of a path, of all pairs and of those that are not exempt, and of each exempt one.
+/// The closest approach of a path: of all pairs, of those that are not exempt, and of each exempt pair.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -124,7 +124,7 @@ pub fn nearest(conditions: &Conditions, waypoints: &[Point], watch: &Watch) -> R
     Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
 }
 
-/// The nearest approach of a path with regard to some conditions, by their indices.
+/// The closest approach of a path for the conditions with these indices.
 ///
 /// # Errors
 /// As [`nearest`].

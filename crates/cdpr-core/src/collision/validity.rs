@@ -1,4 +1,4 @@
-//! The questions that every engine answers.
+//! The interfaces that every engine implements.
 
 use super::along::{at, first_true};
 use super::clearance::{self, Clearance};
@@ -15,7 +15,7 @@ pub enum Engine {
     /// Convex polyhedra in configuration space: exact and fast.
     #[default]
     Cspace,
-    /// GJK on swept bodies, the paper's way.
+    /// GJK on swept bodies, as in the paper.
     Gjk,
 }
 
@@ -24,21 +24,21 @@ choices!(Engine, "engine", [
     Gjk = "gjk": "GJK on swept bodies: the paper's method, and the reference",
 ]);
 
-/// Whether a robot may be somewhere, or go somewhere in a straight line.
+/// Whether a robot may be in a state, or move between two states in a straight line.
 ///
 /// The state is a position of the platform's origin (world, m) at the fixed orientation of the engine; spaces with
-/// rotation will bring a state type of their own. Implementations are immutable and shared between threads.
+/// rotation will have their own state type. Implementations are immutable and shared between threads.
 pub trait Validity<State = Point>: Sync {
     /// Whether the robot may be in a state.
     fn state_valid(&self, state: &State) -> bool;
 
-    /// Whether it may go straight from one state to another; both ends are part of the motion.
+    /// Whether it may move straight from one state to another; both ends are part of the motion.
     fn motion_valid(&self, from: &State, to: &State) -> bool;
 
-    /// All conditions that a motion breaks, in the order in which it breaks them; empty if it is valid.
+    /// All conditions that a motion breaks, in the order of first contact; empty if it is valid.
     fn violations(&self, from: &State, to: &State) -> Vec<Violation>;
 
-    /// The nearest approach of a motion to anything it must keep away from; none where there is no such thing.
+    /// The closest approach of a motion to anything it must stay clear of; `None` if there is no such thing.
     fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
 
     /// Whether one check may take many milliseconds. Planners then poll the clock before each check, not only now and then.
@@ -57,7 +57,7 @@ pub trait Checker: Validity + Send {
     /// The conditions that the engine checks.
     fn conditions(&self) -> &Conditions;
 
-    /// How it keeps cables from each other.
+    /// The rule for cables crossing each other.
     fn interference(&self) -> Interference;
 
     /// Whether a motion breaks the condition at this index of the list.
@@ -87,9 +87,9 @@ pub trait Checker: Validity + Send {
         self.conditions().pieces(watch)
     }
 
-    /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it breaks
-    /// there; none if it keeps them all. If it breaks several at the same place, the first of the list is given. What an
-    /// engine checks besides the list (wrenches) does not count.
+    /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it
+    /// breaks there; `None` if it keeps them all. If it breaks several at the same place, the first in the list is
+    /// returned. Checks beyond the list (wrenches) are not included.
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
         if self.motion_valid(from, to) {
             return None;
@@ -97,7 +97,7 @@ pub trait Checker: Validity + Send {
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.conditions().list.len() {
             let breaks_until = |t: f64| self.breaks(index, from, &at(from, to, t));
-            // Conditions that are kept up to the first contact known need no search.
+            // Conditions that hold up to the earliest contact so far need no search.
             if breaks_until(first.map_or(1.0, |(t, _)| t)) {
                 let t = first_true(breaks_until);
                 if first.is_none_or(|(known, _)| t < known) {
@@ -108,12 +108,12 @@ pub trait Checker: Validity + Send {
         first
     }
 
-    /// The least gap in the world over a motion, m, as in [`Clearance`]; none where there is nothing to keep away from.
+    /// The smallest gap in the world over a motion, m, as in [`Clearance`]; `None` if there are no gaps to measure.
     fn gap(&self, from: &Point, to: &Point) -> Option<f64> {
         clearance::nearest(self.conditions(), from, to).map(|(gap, _)| gap)
     }
 
-    /// Whether no cable meets another or the platform at a position.
+    /// Whether no cable meets another cable or the platform at a position.
     fn free_of_interference(&self, position: &Point) -> bool {
         let mut list = self.conditions().list.iter().enumerate();
         !list.any(|(index, c)| c.details().within_robot() && self.breaks(index, position, position))

@@ -10,21 +10,22 @@ use crate::kinematics::freedom::Hold;
 pub struct Violation {
     /// Fraction of the motion at which it begins, 0 to 1.
     pub at: f64,
-    /// The condition.
+    /// The kind of the condition.
     pub kind: Kind,
-    /// Who is involved, by the names of the scene.
+    /// The names of the members involved.
     pub culprits: Vec<String>,
-    /// Worst gap over the motion, m: between surfaces, minus a penetration depth where bodies overlap; for the workspace
-    /// and the length of a cable the room left, negative outside. None where there is no such distance (wrench).
+    /// Worst gap over the motion, m: between surfaces, negative by the penetration depth where bodies overlap; for the
+    /// workspace and the length of a cable, the distance from the limits, negative outside. `None` if there is no such
+    /// distance (wrench).
     pub gap: Option<f64>,
-    /// What the gap would have to be, m.
+    /// The required gap, m.
     pub required: Option<f64>,
-    /// Gap less what is required, m: never positive.
+    /// Gap minus required gap, m: never positive.
     pub margin: Option<f64>,
-    /// Whether the condition may hold but could not be proved: almost no slack is left. Only where the kind is wrench.
+    /// Whether the condition may hold but could not be proved: almost no slack is left. Only for wrenches.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
-    /// What the wrenches lack, and which cables limit them; only where the kind is wrench.
+    /// What the wrenches lack, and which cables limit them; only for wrenches.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchLimit>,
 }
@@ -32,37 +33,37 @@ pub struct Violation {
 /// The facet that limits the wrenches of a robot at a position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WrenchLimit {
-    /// Margin less what is demanded; negative where something is lacking. None where a cable has no direction.
+    /// Margin minus required margin; negative if it falls short. `None` where a cable has no direction.
     pub wrench_margin: Option<f64>,
-    /// Where it is measured, if at a point of the grid rule instead of on the motion, m.
+    /// The grid point where it is measured, m, if the grid rule was applied instead of measuring on the motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<[f64; 3]>,
-    /// What the cables hold there whatever their limits: rank and what follows from it. None where a cable has no
-    /// direction.
+    /// How the cables hold the platform there, regardless of tension limits: rank and its consequences. `None` where a
+    /// cable has no direction.
     #[serde(flatten)]
     pub hold: Option<Hold>,
-    /// What it is measured by: capacity, force or moment.
+    /// The measure: capacity, force or moment.
     pub measure: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Cables at their greatest tension there.
+    /// Cables at maximum tension there.
     pub at_greatest: Vec<String>,
-    /// Cables at their least tension there.
+    /// Cables at minimum tension there.
     pub at_least: Vec<String>,
 }
 
 impl WrenchLimit {
-    /// The margin as a number to sort by; minus infinity where there is none.
+    /// The margin as a sort key; minus infinity if there is none.
     pub fn order(&self) -> f64 {
         self.wrench_margin.unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Whether no tensions resist some motion of the platform.
+    /// Whether some motion of the platform is not resisted by any tensions.
     pub fn leaves_motions_free(&self) -> bool {
         self.hold.as_ref().is_some_and(|hold| !hold.is_full())
     }
 
-    /// In plain words: "by 12.3 N, with cable 2 at greatest tension and cable 4 at least tension".
+    /// Describes the shortfall: "by 12.3 N, with cable 2 at greatest tension and cable 4 at least tension".
     fn sentence(&self) -> String {
         let amount = match self.wrench_margin {
             None => return ": a cable has no direction".to_string(),
@@ -85,7 +86,7 @@ impl WrenchLimit {
 }
 
 impl Violation {
-    /// The violation in plain words: "cable 3 meets pillar, 12.0 mm deep".
+    /// Describes the violation: "cable 3 meets pillar, 12.0 mm deep".
     pub fn sentence(&self) -> String {
         let limit = self.wrench.as_ref().map_or(String::new(), WrenchLimit::sentence);
         let what = if self.unproved {

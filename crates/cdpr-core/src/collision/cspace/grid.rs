@@ -1,5 +1,5 @@
-//! A grid over the box of positions: for each cell the regions that reach into it. A motion asks only the regions of the
-//! cells it passes.
+//! A grid over the box of positions: for each cell, the regions that overlap it. A motion is tested only against the
+//! regions of the cells it passes through.
 
 use super::segment_clip::{CoarseGroup, CoarsePlace, CoarsePlane};
 use crate::conditions::{Inner, Region};
@@ -27,25 +27,25 @@ impl PartialEq for Cells {
     }
 }
 
-/// How far a list reaches beyond its cell, in cells.
+/// How far beyond its cell a list is valid, in cells.
 const OVERLAP: f64 = 0.5;
 
-/// A piece of a segment may extend by half of it on both sides of its middle; a little less, for rounding.
+/// A piece of a segment may extend by half its length on both sides of its midpoint; slightly less, for rounding.
 const PIECES_PER_CELL: f64 = 0.5 / (OVERLAP - CELL_ROUNDING);
 
-/// A cell that a region reaches into.
+/// A cell that a region overlaps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reached {
     /// Index of the cell.
     pub cell: u32,
-    /// The outer plane of the region that the middle of the cell is farthest outside of, or least inside, or
+    /// The outer plane of the region that the centre of the cell is farthest outside of, or least inside, or
     /// [`NO_WITNESS`].
     pub witness: u16,
     /// Whether every position in the cell is forbidden.
     pub full: bool,
 }
 
-/// Stands for a plane that has everything inside.
+/// Denotes a plane with everything inside.
 pub const NO_WITNESS: u16 = u16::MAX;
 
 impl Cells {
@@ -56,13 +56,13 @@ impl Cells {
         Cells { min, size: extent / n as f64, density, n, kernel: Kernel::best() }
     }
 
-    /// How many cells there are.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.n * self.n * self.n
     }
 
-    /// The cells that a region reaches into, found by halving the box again and again. `may_reach(center, half)` tells
-    /// whether it may reach into a box given by its centre and half its sides.
+    /// The cells that a region overlaps, found by recursive bisection of the box. `may_reach(center, half)` returns
+    /// whether the region may overlap a box, given its centre and half its sides.
     pub fn reached(&self, may_reach: &dyn Fn(&Point, &Vector) -> bool) -> Vec<Reached> {
         let mut found = Vec::new();
         self.descend([0; 3], self.n, may_reach, &mut found);
@@ -91,8 +91,8 @@ impl Cells {
         }
     }
 
-    /// The cells that a polyhedral region reaches into. Going down, only those planes are kept that still matter: a plane
-    /// that has a box inside has all boxes in it inside.
+    /// The cells that a polyhedral region overlaps. The descent keeps only the planes that still matter: if a box is
+    /// inside a plane, so are all boxes in it.
     pub fn reached_by(&self, outer: &[HalfSpace], inner: &Inner) -> Vec<Reached> {
         let mut descent = Descent::new(self, outer, inner);
         let center = self.min + self.size * (0.5 * self.n as f64);
@@ -119,12 +119,12 @@ impl Cells {
         }
     }
 
-    /// A half-space as the lists keep it, relative to the corner of the box.
+    /// A half-space in the format of the lists, relative to the corner of the box.
     fn coarse(&self, half_space: &HalfSpace) -> CoarsePlane {
         CoarsePlane::new(&half_space.normal.component_mul(&self.size), -half_space.height(&self.min))
     }
 
-    /// Index of a cell; cells close to each other have indices close to each other (Morton order).
+    /// Index of a cell in Morton order: cells close to each other have indices close to each other.
     #[inline(always)]
     fn index(&self, [x, y, z]: [usize; 3]) -> usize {
         (SPREAD[x % MOST_CELLS] | SPREAD[y % MOST_CELLS] << 1 | SPREAD[z % MOST_CELLS] << 2) as usize
@@ -137,15 +137,16 @@ impl Cells {
         l.load(&[at.x, at.y, at.z, 0.0])
     }
 
-    /// Into how many equal pieces a segment must be cut so that each is covered by the list of the cell in its middle.
+    /// The number of equal pieces into which to cut a segment so that the list of the cell at its centre covers each
+    /// piece.
     #[inline(always)]
     pub fn pieces<L: Lanes>(&self, l: L, way: L::Four) -> usize {
         let [x, y, z, _] = l.store(l.abs(way));
         1 + (x.max(y).max(z) * PIECES_PER_CELL) as usize
     }
 
-    /// The cell that a piece has its middle in, and the piece relative to the middle of that cell. The nearest cell for
-    /// places outside.
+    /// The cell that contains the midpoint of a piece (the nearest cell if that is outside), and the piece relative to
+    /// the centre of that cell.
     #[inline(always)]
     pub fn cell<L: Lanes>(&self, l: L, start: L::Four, way: L::Four) -> (usize, [CoarsePlace; 2]) {
         let half = l.splat(0.5);
@@ -158,10 +159,10 @@ impl Cells {
     }
 }
 
-/// Most cells along an axis.
+/// Largest number of cells along an axis.
 const MOST_CELLS: usize = 32;
 
-/// The bits of each number, with two empty ones after each.
+/// The bits of each number, each followed by two zeros.
 const SPREAD: [u32; MOST_CELLS] = {
     let mut spread = [0; MOST_CELLS];
     let mut k = 0;
@@ -185,7 +186,7 @@ fn gathered(spread: u32) -> u32 {
     (fours | fours >> 8) & 0b11111
 }
 
-/// The middle of a cell, in cells from the corner of the box.
+/// The centre of a cell, in cells from the corner of the box.
 #[inline]
 fn middle(cell: usize) -> Vector {
     let cell = cell as u32;
@@ -193,45 +194,45 @@ fn middle(cell: usize) -> Vector {
         .add_scalar(0.5)
 }
 
-/// A plane on the way down.
+/// A plane during the descent.
 struct Cut {
     plane: HalfSpace,
-    /// How far half a cell reaches from its middle along each axis of the normal, twice, m.
+    /// The extent of a cell along the normal, by axis, m.
     across: Vector,
-    /// The sum of their amounts: how far a box of cells reaches along the normal for each cell of half its side, m.
+    /// The sum of their magnitudes: half the extent of a box along the normal, per cell of half its side, m.
     extent: f64,
-    /// A box matters to the plane as long as some of it is higher than this, m.
+    /// The plane matters to a box if part of the box is higher than this, m.
     limit: f64,
-    /// Whether what is outside of the plane is outside of the region.
+    /// Whether points outside the plane are outside the region.
     outer: bool,
 }
 
-/// How a plane lies to the eight boxes that make up a larger one.
+/// The position of a plane relative to the eight octants of a box.
 #[derive(Clone, Copy)]
 struct Sides {
-    /// Which plane.
+    /// Index of the plane.
     cut: u32,
-    /// One bit for each box that the plane has outside.
+    /// One bit for each octant that is outside the plane.
     outside: u8,
-    /// One bit for each box to which the plane matters.
+    /// One bit for each octant to which the plane matters.
     matters: u8,
 }
 
-/// Finds the cells that a region reaches into.
+/// Finds the cells that a region overlaps.
 struct Descent<'a> {
     cells: &'a Cells,
     cuts: Vec<Cut>,
-    /// Whether a box may be inside of the region.
+    /// Whether a box may lie inside the region.
     fills: bool,
-    /// Whether that is a matter of the planes that are not outer ones.
+    /// Whether that depends on planes other than the outer ones.
     own: bool,
-    /// The planes that matter, of each box on the way down.
+    /// The planes that matter, for each box on the current branch of the descent.
     active: Vec<u32>,
     sides: Vec<Sides>,
     found: Vec<Reached>,
 }
 
-/// Looks at the eight boxes of half the side `n`, in cells, around a place.
+/// Classifies the eight octants of a box of `n` cells per side around its centre.
 struct Classify<'a, 'b> {
     descent: &'b mut Descent<'a>,
     center: Point,
@@ -262,17 +263,17 @@ impl Task for Classify<'_, '_> {
     }
 }
 
-/// How the planes lie to the eight cells of a box of two cells a side.
+/// The position of the planes relative to the eight cells of a box of two cells per side.
 struct Leaves {
-    /// One bit for each cell that is outside of the region.
+    /// One bit for each cell that is outside the region.
     outside: u8,
-    /// One bit for each cell to which an outer plane matters, and to which one of the inner polyhedron does.
+    /// One bit for each cell to which an outer plane matters, and to which a plane of the inner polyhedron matters.
     matters: [u8; 2],
-    /// The outer plane that the middle of each cell is highest over.
+    /// The outer plane that the centre of each cell is highest above.
     witnesses: [[f64; WIDTH]; 2],
 }
 
-/// Looks at the cells around a place.
+/// Classifies the eight cells around a point.
 struct ClassifyLeaves<'a, 'b> {
     descent: &'b Descent<'a>,
     center: Point,
@@ -344,13 +345,13 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// Whether a box to which these planes matter is inside of the inner polyhedron.
+    /// Whether a box is inside the inner polyhedron, given the planes that matter to it.
     fn own_filled(&self, mut active: impl Iterator<Item = u32>) -> bool {
         active.all(|k| self.own && self.cuts[k as usize].outer)
     }
 
-    /// Looks at the eight boxes that make up a box of `n` cells a side. The planes that matter to it are those from `first`
-    /// on in `active`; what this adds there it removes again.
+    /// Classifies the eight octants of a box of `n` cells per side. The planes that matter to it start at `first` in
+    /// `active`; those added here are removed again.
     fn children(&mut self, corner: [usize; 3], n: usize, first: usize) {
         let cells = self.cells;
         let at = Vector::from_fn(|axis, _| (corner[axis] + n / 2) as f64);
@@ -371,8 +372,8 @@ impl<'a> Descent<'a> {
         for c in (0..8).filter(|c| outside >> c & 1 == 0) {
             let child = std::array::from_fn(|axis| corner[axis] + (c >> axis & 1) * n / 2);
             let mut full = self.fills;
-            // A box outside of one plane of the inner polyhedron is not inside of that, and all others of its planes do not
-            // matter.
+            // If a box is outside one plane of the inner polyhedron, it is not inside the polyhedron, and the other
+            // inner planes do not matter.
             let mut kept_beyond = false;
             for slot in base..self.sides.len() {
                 let sides = &self.sides[slot];
@@ -402,7 +403,7 @@ impl<'a> Descent<'a> {
         self.sides.truncate(base);
     }
 
-    /// Looks at the eight cells of a box of two cells a side.
+    /// Classifies the eight cells of a box of two cells per side.
     fn leaves(&mut self, corner: [usize; 3], center: Point, first: usize) {
         let leaves = self.cells.kernel.run(ClassifyLeaves { descent: self, center, first });
         let free_of = |planes: usize, c: usize| leaves.matters[planes] >> c & 1 == 0;
@@ -415,7 +416,7 @@ impl<'a> Descent<'a> {
     }
 }
 
-/// For each cell the regions that reach into it, eight to a group, each with the plane most likely to rule it out there.
+/// For each cell, the regions that overlap it in groups of eight, each with the plane most likely to rule it out there.
 #[derive(Debug, Clone, Default)]
 pub struct Lists {
     /// The groups of cell k are `starts[k]..starts[k + 1]`.
@@ -423,23 +424,23 @@ pub struct Lists {
     groups: Vec<Listed>,
 }
 
-/// Eight regions with a plane each, side by side: a region that its plane does not rule out costs no other page of memory.
+/// Eight regions with one plane each, stored together: ruling out a region by its plane touches no other memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Listed {
-    /// What rules out the regions.
+    /// The planes that rule out the regions.
     pub planes: CoarseGroup,
-    /// Which regions; one that fills the cell is marked [`FULL`].
+    /// The regions; one that fills the cell is marked with [`FULL`].
     pub regions: [u32; INTEGERS],
 }
 
-/// Marks the one entry of a cell that lies inside a region.
+/// Marks the single entry of a cell that lies inside a region.
 pub const FULL: u32 = 1 << 31;
 
-/// Regions that are sorted into cells between two looks at the watch: a fraction of a millisecond, as a rule.
+/// Regions sorted into cells between two polls of the watch: a fraction of a millisecond, as a rule.
 const REGIONS_TO_A_POLL: usize = 64;
 
 impl Lists {
-    /// Sorts regions by the cells they reach into.
+    /// Sorts regions by the cells they overlap.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -503,7 +504,7 @@ impl Lists {
         &self.groups[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
-    /// Bytes held.
+    /// Size in bytes.
     pub fn bytes(&self) -> usize {
         4 * self.starts.capacity() + self.groups.capacity() * size_of::<Listed>()
     }
@@ -515,7 +516,7 @@ mod tests {
     use crate::geometry::{Polytope, Rotation};
     use rand::{RngExt, SeedableRng};
 
-    /// The cells of a region, each looked at by itself.
+    /// The cells of a region, each tested separately.
     fn one_by_one(cells: &Cells, outer: &[HalfSpace], inner: &Inner) -> Vec<(u32, bool)> {
         let half = cells.size * (0.5 + OVERLAP);
         let extent = |h: &HalfSpace| h.normal.abs().dot(&half);

@@ -1,6 +1,6 @@
 //! Segments against convex polyhedra, four planes at a time.
 //!
-//! The kernel is written over [`Lanes`], see [`crate::numerics::simd`].
+//! The kernel is generic over [`Lanes`]; see [`crate::numerics::simd`].
 
 use std::ops::Range;
 
@@ -15,8 +15,9 @@ pub struct PlaneGroup {
     offset: [f64; WIDTH],
 }
 
-/// Eight half-spaces in few bits, each a little wider than the one it stands for: what is outside of it is outside of that
-/// one. Places and planes are relative to a cell: its middle is the origin, its size the unit along each axis.
+/// Eight half-spaces in few bits, each slightly wider than the original, so that a point outside one is outside the
+/// original as well. Points and planes are relative to a cell, with its centre as the origin and its size as the unit
+/// along each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(32))]
 pub struct CoarseGroup {
@@ -26,21 +27,21 @@ pub struct CoarseGroup {
     zd: [[i16; 2]; INTEGERS],
 }
 
-/// Coordinates of a [`CoarseGroup`]'s places to a cell.
+/// Integer steps per cell in the points of a [`CoarseGroup`].
 const PLACES: f64 = 16384.0;
 
-/// Numbers of its planes to one, for normals whose largest component is 1.
+/// Integer steps per unit in its normals, whose largest component is 1.
 const NORMALS: f64 = 8192.0;
 
-/// How much a half-space is widened, in units of 1 / [`NORMALS`]: more than what rounding adds to a height.
+/// How much a half-space is widened, in units of 1 / [`NORMALS`]: more than the rounding error of a height.
 ///
 /// With coordinates of at most 1, rounding the three components of the normal adds at most 3 · ½. Truncating each
 /// coordinate to 1 / [`PLACES`], half a unit, times a component of at most 1 adds 3 · ½ more, and truncating the offset
-/// adds 1. The unit left over is far above the rounding of floating point here; in metres, that rounding is within what
-/// every region is widened by.
+/// adds 1. The remaining unit far exceeds the floating-point rounding here; in metres, that rounding is covered by the
+/// widening of every region.
 const COARSE_ROUNDING: f64 = 5.0;
 
-/// A half-space in the units of a [`CoarseGroup`], still relative to any origin.
+/// A half-space in the units of a [`CoarseGroup`], relative to any origin.
 #[derive(Debug, Clone, Copy)]
 pub struct CoarsePlane {
     normal: Vector,
@@ -50,11 +51,11 @@ pub struct CoarsePlane {
 }
 
 impl CoarsePlane {
-    /// Everything is inside.
+    /// The half-space with everything inside.
     pub const ALL_INSIDE: Self =
         CoarsePlane { normal: Vector::new(0.0, 0.0, 0.0), rounded: [0; 3], offset: f64::INFINITY };
 
-    /// A half-space with lengths in cells. The normal may have any length; without one, everything is inside.
+    /// A half-space with lengths in cells. The normal may have any length; if it is zero, everything is inside.
     pub fn new(normal: &Vector, offset: f64) -> Self {
         let scale = NORMALS / normal.amax();
         if !scale.is_finite() {
@@ -70,10 +71,10 @@ impl CoarsePlane {
 }
 
 impl CoarseGroup {
-    /// Everything is outside of all eight.
+    /// Eight half-spaces with everything outside.
     pub const ALL_OUTSIDE: Self = CoarseGroup { xy: [[0; 2]; INTEGERS], zd: [[0, -1]; INTEGERS] };
 
-    /// Puts a half-space into a lane, widened, for places around the middle of a cell.
+    /// Stores a half-space in a lane, widened, for points around the centre of a cell.
     pub fn set(&mut self, lane: usize, plane: &CoarsePlane, middle: &Vector) {
         let [x, y, z] = plane.rounded;
         self.xy[lane] = [x, y];
@@ -81,16 +82,16 @@ impl CoarseGroup {
     }
 }
 
-/// A place near a cell as [`CoarseGroup`] takes it.
+/// A point near a cell in the units of a [`CoarseGroup`].
 #[derive(Debug, Clone, Copy)]
 pub struct CoarsePlace {
     xy: [i16; 2],
-    /// Along z, and what offsets are multiplied by.
+    /// Coordinate along z, and the factor of the offsets.
     zd: [i16; 2],
 }
 
 impl CoarsePlace {
-    /// A place that is, up to rounding, at most one cell away from the middle of a cell along each axis.
+    /// A point that is, up to rounding, at most one cell away from the centre of a cell along each axis.
     #[inline(always)]
     pub fn new<L: Lanes>(lanes: L, from_middle: L::Four) -> Self {
         let [x, y, z, _] = lanes.truncated(lanes.mul(from_middle, lanes.splat(PLACES)));
@@ -98,8 +99,8 @@ impl CoarsePlace {
     }
 }
 
-/// One bit for each half-space of a group that does not have both ends of a segment outside. No sum overflows: each is at
-/// most 3 · 2¹³ · 2¹⁴ for the place and 2¹⁵ · 2¹⁴ for the offset, and a little for rounding.
+/// One bit for each half-space of a group, 0 if both ends of a segment are outside. No sum overflows: each is at most
+/// 3 · 2¹³ · 2¹⁴ for the point and 2¹⁵ · 2¹⁴ for the offset, plus a little for rounding.
 #[inline(always)]
 pub fn not_outside<L: Lanes>(lanes: L, group: &CoarseGroup, [from, to]: &[CoarsePlace; 2]) -> u32 {
     let a = lanes.plus(lanes.pair_products(&group.xy, from.xy), lanes.pair_products(&group.zd, from.zd));
@@ -114,7 +115,8 @@ pub struct Planes {
 }
 
 impl Planes {
-    /// Adds a polyhedron and says which groups it has. The last group is filled up with planes that have everything inside.
+    /// Adds a polyhedron and returns its range of groups. The last group is padded with planes that have everything
+    /// inside.
     pub fn add(&mut self, half_spaces: &[HalfSpace]) -> Range<u32> {
         let first = self.groups.len() as u32;
         self.groups.extend(half_spaces.chunks(WIDTH).map(|chunk| {
@@ -133,7 +135,7 @@ impl Planes {
         &self.groups[range.start as usize..range.end as usize]
     }
 
-    /// Bytes held.
+    /// Size in bytes.
     pub fn bytes(&self) -> usize {
         self.groups.capacity() * size_of::<PlaneGroup>()
     }
@@ -157,7 +159,7 @@ impl<L: Lanes> Segment<L> {
         }
     }
 
-    /// Heights of an end over four planes.
+    /// Heights of an end above four planes.
     #[inline(always)]
     fn heights(&self, normal: &[L::Four; 3], offset: L::Four, end: &[L::Four; 3]) -> L::Four {
         let l = self.lanes;
@@ -165,7 +167,7 @@ impl<L: Lanes> Segment<L> {
         l.sub(l.add(xy, l.mul(normal[2], end[2])), offset)
     }
 
-    /// Heights of both ends over the planes of a group.
+    /// Heights of both ends above the planes of a group.
     #[inline(always)]
     fn both_heights(&self, group: &PlaneGroup) -> [L::Four; 2] {
         let l = self.lanes;
@@ -175,7 +177,7 @@ impl<L: Lanes> Segment<L> {
     }
 
     /// Whether the segment meets the open polyhedron whose planes are moved outward by `widen`: the segment is clipped
-    /// against one plane after the other, and something must be left.
+    /// against one plane after another, and a part must remain.
     #[inline(always)]
     pub fn meets(&self, polyhedron: &[PlaneGroup], widen: f64) -> bool {
         let l = self.lanes;
@@ -188,9 +190,9 @@ impl<L: Lanes> Segment<L> {
                 return false;
             }
             if l.not_negative(l.max(a, b)) == 0 {
-                continue; // all of it is inside of these planes
+                continue; // entirely inside these planes
             }
-            let t = l.div(a, l.sub(a, b)); // where the segment passes the plane; anything where it does not
+            let t = l.div(a, l.sub(a, b)); // where the segment crosses the plane; arbitrary if it does not
             low = l.where_not_negative(a, l.max(low, t), low);
             high = l.where_not_negative(b, l.min(high, t), high);
         }
@@ -284,7 +286,7 @@ mod tests {
             let mut planes: Vec<(Vector, f64)> = (0..INTEGERS).map(|_| (corner(), 0.0)).collect();
             let mut group = CoarseGroup::ALL_OUTSIDE;
             for (lane, (normal, offset)) in planes.iter_mut().enumerate() {
-                // Most planes pass an end, or miss it by a little.
+                // Most planes pass through an end, or miss it slightly.
                 let by = [0.0, 1e-12, 1e-5, 2e-4, 0.1, 3.0, 1e9][rng.random_range(0..7)];
                 *offset = normal.dot(&ends[lane % 2]) + by * rng.random_range(-1.0..=1.0);
                 let size = [1e-9, 0.05, 1.0, 1e3][rng.random_range(0..4)];
