@@ -1,4 +1,4 @@
-//! Many questions at once, on one thread or several, with the same answers, and soon ended when the caller asks.
+//! Many queries at once, on one thread or several, with the same answers and prompt response to an interrupt.
 
 use std::time::{Duration, Instant};
 
@@ -7,38 +7,38 @@ use rayon::prelude::*;
 use crate::error::Error;
 use crate::watch::{Interrupt, thread_count};
 
-/// How questions are dealt out.
+/// How queries are distributed over threads and polls.
 #[derive(Debug, Clone, Copy)]
 pub struct Pace {
-    /// Questions handed to a thread at a time: enough to forget the cost of handing over.
+    /// Queries handed to a thread at a time: enough to make the overhead negligible.
     pub chunk: usize,
-    /// Questions between the first two looks at whether the caller wants to stop.
+    /// Queries before the first poll of the interrupt.
     pub first_block: usize,
 }
 
 impl Pace {
-    /// Checks of states and motions, which take well below a microsecond each.
+    /// For checks of states and motions, which take well below a microsecond each.
     pub const CHECKS: Pace = Pace { chunk: 64, first_block: 1024 };
-    /// Questions of some microseconds each: wrench margins, tensions.
+    /// For queries of some microseconds each: wrench margins, tensions.
     pub const WRENCHES: Pace = Pace { chunk: 16, first_block: 64 };
 }
 
-/// Time between two such looks: a tenth of what a person notices.
+/// Time between two polls: a tenth of what a person notices.
 const BLOCK_TIME: Duration = Duration::from_millis(10);
 
-/// How a batch runs.
+/// Options of a batch.
 #[derive(Clone, Copy)]
 pub struct BatchOptions<'a> {
-    /// Threads; none means all of the pool it is called in.
+    /// Number of threads; `None` means all of the pool in which it is called.
     pub threads: Option<usize>,
-    /// Asked about every 10 ms; true ends the batch with [`Error::interrupted`].
+    /// Polled about every 10 ms; true ends the batch with [`Error::interrupted`].
     pub interrupted: &'a Interrupt<'a>,
 }
 
-/// Fills `answers[k]` with the answer to question k, on as many threads as asked for.
+/// Fills `answers[k]` with the answer to query k, on the requested number of threads.
 ///
 /// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`] refuses.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`] rejects.
 pub fn answer_all<T: Send>(
     answers: &mut [T],
     question: impl Fn(usize) -> T + Sync,
@@ -52,7 +52,7 @@ pub fn answer_all<T: Send>(
         let chunks = answers.par_chunks_mut(pace.chunk).enumerate();
         chunks.for_each(|(chunk, answers)| serially(first + chunk * pace.chunk, answers));
     };
-    // A thread without a chunk of its own would be started for nothing.
+    // A thread without its own chunk would be started for nothing.
     let useful = answers.len().div_ceil(pace.chunk).max(1);
     match options.threads.map(thread_count).transpose()?.map(|threads| threads.min(useful)) {
         Some(1) => in_blocks(answers, serially, pace, options.interrupted),
@@ -65,7 +65,7 @@ pub fn answer_all<T: Send>(
     }
 }
 
-/// Works through the answers in blocks that take about [`BLOCK_TIME`] each.
+/// Computes the answers in blocks that take about [`BLOCK_TIME`] each.
 fn in_blocks<T>(
     answers: &mut [T],
     work: impl Fn(usize, &mut [T]),

@@ -1,4 +1,4 @@
-//! Short names of what must not be mixed up: scenes, maps, experiments.
+//! Short hashes that identify scenes, maps and experiments.
 
 use hmac_sha256::Hash;
 

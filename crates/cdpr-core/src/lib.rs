@@ -1,14 +1,14 @@
 //! Planning, checking and running paths of cable-driven parallel robots (CDPRs) among obstacles.
 //!
-//! A platform hangs on cables that leave fixed outlets. A path of the platform is free when platform and cables keep
-//! away from obstacles and from each other, all along. The method follows Bak et al., "Collision-free path
-//! planning of cable-driven parallel robots in cluttered environments", Intelligent Service Robotics, 2019,
-//! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
+//! A platform hangs on cables that leave fixed outlets. A path of the platform is free if platform and cables stay
+//! clear of obstacles and of each other all along it. The method follows Bak et al., "Collision-free path planning of
+//! cable-driven parallel robots in cluttered environments", Intelligent Service Robotics, 2019,
+//! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
-//! [`regions`]. [`error`], [`choice`], [`words`], [`watch`] and [`batch`] are used by all, [`testing`] by examples and tests. Nothing here
-//! opens a file: scenes and paths are read and written by the crate `cdpr-files`.
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`],
+//! [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
+//! for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and paths.
 
 pub mod batch;
 pub mod choice;
@@ -37,7 +37,7 @@ pub use choice::Choice;
 pub use error::{Error, ErrorClass};
 pub use model::{Robot, Scene};
 
-/// The examples of the crate's page are tested.
+/// Tests the examples in the crate's README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

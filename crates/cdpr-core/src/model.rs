@@ -1,4 +1,4 @@
-//! Robots, obstacles and scenes: what files say (`spec`), and what holds once it has been checked (`robot`, `scene`).
+//! Robots, obstacles and scenes: as plain data from files (`spec`), and checked (`robot`, `scene`).
 
 pub mod body;
 pub(crate) mod obstacle;

@@ -98,9 +98,10 @@ pub const RANK_RELATIVE: f64 = 1e-9;
 /// nearly in one half-space, and hold a platform only in theory.
 pub const TENSION_RATIO: f64 = 1e4;
 
-/// A column of a wrench matrix whose component orthogonal to the span of others is below this share of the longest column depends
-/// on them: together they span no facet. The normal of a plane through nearly dependent columns is as accurate as rounding allows;
-/// whatever it is, the set lies below its support there, so no margin becomes too small because of it.
+/// A column of a wrench matrix depends on other columns if its component orthogonal to their span is below this share
+/// of the longest column: together they span no facet. The normal of a plane through nearly dependent columns is as
+/// accurate as rounding allows; in any case the set lies below its support there, so no margin becomes too small
+/// because of it.
 pub const DEPENDENT: f64 = 1e-9;
 
 /// Minimum ratio of the smallest to the largest diagonal entry of R for which the four-position kernel is
@@ -216,7 +217,7 @@ pub const INTERIOR_POINT: f64 = 1e-8;
 pub const INTERIOR_POINT_ITERATIONS: u32 = 60;
 
 /// Regularisation of the interior-point solver's linear systems, which are small and scaled to 1. Without iterative
-/// refinement this is an error of its steps, so it stands below [`INTERIOR_POINT`].
+/// refinement this is an error of its steps, so it is below [`INTERIOR_POINT`].
 pub const INTERIOR_POINT_REGULARISATION: f64 = 1e-10;
 
 /// Distance from 1, in half ranges, at which a feasibility program may stop: the result is then clear, and is verified.
@@ -285,12 +286,11 @@ pub const MOST_PART_CORNERS: usize = 64;
 /// Maximum number of planes around the content of a convex part.
 pub const MOST_WRAP_PLANES: usize = 300;
 
-/// Share of the tolerance that planes around a part may extend beyond its hull: a larger share makes more parts and leaves less room
-/// for paths, a smaller one makes parts with more faces.
+/// Share of the tolerance that planes around a part may extend beyond its hull: a larger share makes more parts and
+/// leaves less space for paths, a smaller one makes parts with more faces.
 pub const TIGHT_WRAP: f64 = 0.25;
 
-/// Share of the tolerance up to which parts extend if the limit on their number allows it: the rest is room
-/// for paths.
+/// Share of the tolerance up to which parts extend if the limit on their number allows it: the rest is space for paths.
 pub const CLOSE: f64 = 0.5;
 
 /// Maximum number of parts that one piece of a mesh is cut into.
@@ -326,8 +326,8 @@ pub const MERGE_STEPS: usize = 20_000;
 /// The same for all such proofs of a piece, for each initial part.
 pub const MERGE_STEPS_PER_PART: usize = 4_000;
 
-/// Number of polygons that cutting a piece may examine for each of its triangles, and in addition. A sound mesh takes some 10 to 20
-/// per triangle; triangles that cross one another everywhere are cut into more and more of them.
+/// Number of polygons that cutting a piece may examine for each of its triangles, and in addition. A sound mesh takes
+/// some 10 to 20 per triangle; triangles that cross each other everywhere are cut into more and more of them.
 pub const POLYGONS_PER_TRIANGLE: usize = 40;
 
 /// See [`POLYGONS_PER_TRIANGLE`].

@@ -8,7 +8,7 @@ use crate::geometry::Point;
 /// Whether each position is valid; `position(k)` gives the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) rejects.
 pub fn states_valid(
     validity: &dyn Validity,
     position: impl Fn(usize) -> Point + Sync,
@@ -21,7 +21,7 @@ pub fn states_valid(
 /// Whether each motion is valid; `motion(k)` gives both ends of the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) rejects.
 pub fn motions_valid(
     validity: &dyn Validity,
     motion: impl Fn(usize) -> (Point, Point) + Sync,
@@ -39,7 +39,7 @@ pub fn motions_valid(
 /// there are no gaps to measure; `position(k)` gives the k-th one.
 ///
 /// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) refuses.
+/// [`Error::interrupted`], or a number of threads that [`thread_count`](crate::watch::thread_count) rejects.
 pub fn clearances(
     checker: &dyn Checker,
     position: impl Fn(usize) -> Point + Sync,

@@ -8,9 +8,9 @@ use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
 
-/// Cells visited between two looks at the clock.
+/// Cells visited between two polls of the watch.
 const POLL: usize = 256;
-/// No cell.
+/// Marks a cell without predecessor.
 const NOBODY: u32 = u32::MAX;
 
 /// Scratch memory for a search, reused for the next.

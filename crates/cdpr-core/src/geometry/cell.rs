@@ -201,7 +201,7 @@ pub(super) fn mean_and_axes(cell: &Cell) -> (Point, [Vector; 3]) {
         let middle = sum / ring.len() as f64;
         area += share;
         first += middle * share;
-        // The spread of the corners stands for that of the polygon, so that a few large polygons have axes, too.
+        // The spread of the corners replaces that of the polygon, so that a few large polygons have axes, too.
         second += middle * middle.transpose() * share;
         for i in ring {
             let spoke = cell.points[*i as usize] - origin - middle;

@@ -26,7 +26,7 @@ use crate::numerics::{
 };
 use crate::watch::Watch;
 
-/// Minimum number of boxes that a proof of reach may examine, whatever is left for all parts together.
+/// Minimum number of boxes that a proof of reach may examine, however few are left for all parts together.
 const LEAST_STEPS: usize = 200;
 
 /// Shares of the tolerance up to which neighbours are merged, one after another, while there are too many parts.
@@ -49,7 +49,7 @@ pub struct ConvexParts {
 /// is valid in any case, except for a closed surface that intersects itself.
 ///
 /// # Errors
-/// Those of the watch.
+/// The errors of the watch.
 pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
     if let Some(body) = convex(piece, watch)? {
         return Ok(ConvexParts { bodies: vec![body], reach: 0.0 });
@@ -201,7 +201,7 @@ impl<'a> Cutter<'a> {
     }
 
     /// Cuts cells until their parts are good enough, round by round, so that the result does not depend on the order in
-    /// which threads finish. If there is not enough room for all, those that extend farthest are cut; or none, if only all are
+    /// which threads finish. If not all can be cut, those that extend farthest are, or none if only the complete set is
     /// useful. A piece that one part encloses within the tolerance is not cut.
     fn cut_up(&self, within: f64, (cells, most): (usize, usize), all: bool) -> Result<Vec<Node>, Error> {
         let mut open = vec![(Cell::whole(&self.task.piece.triangles, &self.plane_of, self.task.watch)?, None)];

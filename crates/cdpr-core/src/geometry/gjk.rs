@@ -63,7 +63,7 @@ pub fn proximity(a: &impl SupportMap, b: &impl SupportMap, apart: f64, close: f6
             break; // w_i == v_i: nothing nearer exists in this direction
         }
         if !simplex.add_point(vertex) {
-            break; // the simplex cannot tell the new vertex from an old one
+            break; // the simplex cannot distinguish the new vertex from an old one
         }
         nearest = simplex.project_origin_and_reduce();
         best.tighten_upper(&simplex);

@@ -113,7 +113,7 @@ impl<'a> InnerHull<'a> {
     /// remaining height.
     ///
     /// # Errors
-    /// Those of the watch.
+    /// The errors of the watch.
     pub fn grow(&mut self, height: f64, most_corners: usize, watch: &Watch) -> Result<f64, Error> {
         while let Some(Highest(highest, face)) = self.open.pop() {
             if !self.faces[face].alive {

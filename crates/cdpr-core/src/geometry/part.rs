@@ -1,4 +1,4 @@
-//! A convex part that may still be merged, and what it is for: the piece to be covered, and how closely.
+//! A convex part that may still be merged, and its task: the piece to be covered, and how closely.
 
 use super::Point;
 use super::reach::{Reach, Until, reach};
@@ -17,7 +17,7 @@ pub(super) struct Part {
     pub reach: Option<f64>,
 }
 
-/// What parts are to cover, how far they may extend beyond it, m, and how long that may take.
+/// The piece that parts must cover, how far they may extend beyond it, m, and how long that may take.
 pub(super) struct Task<'a> {
     pub piece: &'a Piece,
     pub tolerance: f64,

@@ -55,14 +55,14 @@ pub enum PolytopeError {
     Empty,
     /// A coordinate is NaN or infinite.
     NotFinite {
-        /// Which vertex.
+        /// Index of the vertex.
         index: usize,
     },
     /// A vertex lies strictly inside the hull of the others.
     InsideHull {
-        /// Which vertex.
+        /// Index of the vertex.
         index: usize,
-        /// How deep, m.
+        /// Its depth, m.
         depth: f64,
     },
     /// The hull is not a closed convex surface: the vertices are nearly degenerate.

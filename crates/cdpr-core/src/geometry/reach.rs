@@ -112,7 +112,7 @@ impl Ord for Cuboid {
 /// How far the body behind planes and in a box extends beyond a surface.
 ///
 /// # Errors
-/// Those of the watch.
+/// The errors of the watch.
 pub(super) fn reach(
     surface: &SignedDistance,
     planes: &[HalfSpace],

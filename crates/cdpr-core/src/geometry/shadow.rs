@@ -11,7 +11,7 @@ use crate::numerics::{GRAZING, PARALLEL};
 pub struct Shadow {
     /// The planes through the apex and the silhouette, then the facets that face the apex.
     pub half_spaces: Vec<HalfSpace>,
-    /// Sine of the largest angle by which rounding lets the body stand out of a silhouette plane.
+    /// Sine of the largest angle by which rounding lets the body protrude from a silhouette plane.
     pub tilt: f64,
 }
 

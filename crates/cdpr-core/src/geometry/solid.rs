@@ -1,5 +1,5 @@
-//! Distance from a surface of triangles, signed if the surface encloses a body: a hierarchy of boxes finds the
-//! nearest triangle, and the normal of its nearest feature (face, edge or corner) tells on which side a point is.
+//! Distance from a surface of triangles, signed if the surface encloses a body: a hierarchy of boxes finds the nearest
+//! triangle, and the normal of its nearest feature (face, edge or corner) determines on which side a point is.
 //!
 //! Source of the normals: J. A. Bærentzen, H. Aanæs, "Signed distance computation using the angle weighted
 //! pseudonormal", IEEE TVCG 11(3), 2005.
@@ -46,7 +46,7 @@ impl SignedDistance {
     /// triangles.
     ///
     /// # Errors
-    /// Those of the watch.
+    /// The errors of the watch.
     pub fn new(points: &[Point], triangles: &[[usize; 3]], closed: bool, watch: &Watch) -> Result<Option<Self>, Error> {
         if triangles.is_empty() {
             return Ok(None);

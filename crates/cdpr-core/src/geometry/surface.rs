@@ -65,7 +65,7 @@ pub struct Piece {
 /// Splits a mesh into pieces.
 ///
 /// # Errors
-/// Those of the watch.
+/// The errors of the watch.
 pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<Piece>, Faults), Error> {
     let welded = Welded::new(mesh, watch)?;
     let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };

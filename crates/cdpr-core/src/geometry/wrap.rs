@@ -42,7 +42,7 @@ pub(super) struct Wrap {
 /// points lie in a plane.
 ///
 /// # Errors
-/// Those of the watch.
+/// The errors of the watch.
 pub(super) fn wrap(points: &[Point], room: f64, watch: &Watch) -> Result<Option<Wrap>, Error> {
     let Some(mut inner) = InnerHull::new(points) else { return Ok(None) };
     let left = inner.grow(0.5 * ON_SURFACE, MOST_PART_CORNERS, watch)?;

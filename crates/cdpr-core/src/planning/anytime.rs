@@ -108,8 +108,8 @@ const UNGUIDED: usize = 500;
 /// Samples before the first cell search, and between two cell searches.
 const FIRST_WAY: usize = 100;
 const NEXT_WAY: usize = 100;
-/// The cell search ends after this many paths in a row that led to no improvement, plus one for every `THINGS_PER_WAY` bodies that
-/// paths may bend around.
+/// The cell search ends after this many paths in a row without an improvement, plus one for every `THINGS_PER_WAY`
+/// bodies that paths may bend around.
 const FRUITLESS_WAYS: usize = 2;
 const THINGS_PER_WAY: usize = 100;
 /// Paths longer than the best one by more than this factor are not pulled.

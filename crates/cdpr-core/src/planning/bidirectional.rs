@@ -16,7 +16,7 @@ const NEAREST: usize = 10;
 /// make progress there.
 const LOPSIDED: usize = 1;
 
-/// Which of the nodes from which a state can be reached becomes its parent.
+/// How the parent of a new state is chosen among the nodes that can reach it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parent {
     /// The nearest node; needs the fewest motion checks.

@@ -132,7 +132,7 @@ impl Neighbours {
         }
     }
 
-    /// Divides a leaf in the middle of its longest side; points that all coincide stay together.
+    /// Divides a leaf in the middle of its longest side; if all points coincide, they stay together.
     fn divide(&mut self, leaf: usize) {
         let below = self.cells.len();
         let Cell { min, max, content } = &mut self.cells[leaf];

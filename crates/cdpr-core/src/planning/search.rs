@@ -1,4 +1,4 @@
-//! What all planners share: counted state and motion checks, and the limits that end a search.
+//! Shared by all planners: counted state and motion checks, and the limits that end a search.
 
 use std::time::Instant;
 
@@ -11,21 +11,21 @@ use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
 
-/// Motion checks, or samples, between two looks at the clock and the interrupt, where they are fast.
+/// Motion checks, or samples, between two polls of the clock and the interrupt, if they are fast.
 const POLL: usize = 64;
 
 /// Limits of a search other than time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
-    /// Random samples after which it ends.
+    /// Maximum number of random samples.
     pub max_samples: usize,
-    /// Nodes of the tree after which it ends.
+    /// Maximum number of tree nodes.
     pub max_nodes: usize,
-    /// Which path ends the search.
+    /// The path that ends the search.
     pub until: Until,
 }
 
-/// Which path ends a search.
+/// The path that ends a search.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Until {
     /// The first path.
@@ -119,7 +119,8 @@ impl<'a, S: StateSpace> Search<'a, S> {
         nodes < self.limits.max_nodes
     }
 
-    /// Whether the search is over: the best path so far (infinite: none) is good enough, or a limit is reached.
+    /// Whether the search is over: the best path so far (infinite if there is none) is good enough, or a limit is
+    /// reached.
     pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
         if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {
             self.improved(best);

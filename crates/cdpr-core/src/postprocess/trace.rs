@@ -48,7 +48,7 @@ where
     Ok(Trace { path, tries: recorder.tries.into_inner().unwrap_or_else(PoisonError::into_inner) })
 }
 
-/// An engine that records the motions it is asked to check.
+/// An engine that records the motions that it checks.
 struct Recorder<'a, State> {
     validity: &'a dyn Validity<State>,
     tries: Mutex<Vec<Try<State>>>,

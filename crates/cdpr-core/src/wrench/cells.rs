@@ -108,7 +108,7 @@ impl FeasibleCells {
         std::array::from_fn(|axis| self.cell_of(axis, at[axis]))
     }
 
-    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. NaN has none.
+    /// The cell of a coordinate; the upper end of the grid belongs to its last cell. `None` for NaN.
     fn cell_of(&self, axis: usize, x: f64) -> i64 {
         if x.is_nan() {
             return -1;
@@ -133,7 +133,7 @@ impl FeasibleCells {
 /// How far beyond the end of the grid a coordinate may lie by rounding, in cells.
 const END: f64 = 1e-9;
 
-/// Whether each grid point has sufficient slack, x fastest. A set of lower rank has none, up to rounding.
+/// Whether each grid point has sufficient slack, x fastest. A set of lower rank has no slack, up to rounding.
 fn feasible_points(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;

@@ -1,5 +1,5 @@
-//! What the cables can hold at a position regardless of their tension limits: the rank of the wrench matrix, and its consequences
-//! for the platform.
+//! How the cables can hold the platform at a position regardless of tension limits: the rank of the wrench matrix, and
+//! its consequences.
 
 use nalgebra::{Matrix6xX, SVector, Vector6};
 

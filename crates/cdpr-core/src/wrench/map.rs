@@ -29,8 +29,8 @@ impl Default for MapOptions {
 
 /// A regular grid of positions.
 ///
-/// Along each axis the nodes are origin, origin + step, origin + 2 step, and so on. Margins stand in C order: z
-/// fastest, node (i, j, k) at (i · ny + j) · nz + k, as NumPy expects of an array of shape (nx, ny, nz).
+/// Along each axis the nodes are origin, origin + step, origin + 2 step, and so on. Margins are in C order: z fastest,
+/// node (i, j, k) at (i · ny + j) · nz + k, as NumPy expects of an array of shape (nx, ny, nz).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
     /// The first node, m.

@@ -1,4 +1,4 @@
-//! Everything that the margins of a wrench map depend on, so that a map is used only for the robot and loads it was computed for.
+//! All inputs of a wrench map's margins, so that a map is used only for the robot and loads it was computed for.
 
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use super::{Required, Statics};
 use crate::error::Error;
 use crate::fingerprint::fingerprint_of;
 
-/// Everything that a margin depends on besides the position: geometry, tension limits, loads, orientation, required wrenches.
+/// All inputs of a margin besides the position: geometry, tension limits, loads, orientation, required wrenches.
 ///
 /// Mass, centre of mass, gravity and further load act through one wrench, `balance`; orientation and attachments act
 /// through the arms. So two problems with the same identity have the same margins, bit for bit. Names do not count.

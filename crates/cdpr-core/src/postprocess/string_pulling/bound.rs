@@ -195,7 +195,7 @@ impl<'a> Section<'a> {
         (place - self.start).norm() + (place - self.goal).norm()
     }
 
-    /// The pieces of a side outside of all other hulls.
+    /// The pieces of a side outside all other hulls.
     fn open(&mut self, side: &Side) -> Vec<[f64; 2]> {
         let ends = side.range.map(|t| side.point + side.along * t);
         let mut open = vec![side.range];

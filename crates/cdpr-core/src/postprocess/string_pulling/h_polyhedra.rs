@@ -10,7 +10,7 @@ use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
 
-/// HPolyhedra with a spatial index.
+/// Polyhedra with a spatial index.
 #[derive(Debug)]
 pub struct HPolyhedra {
     list: Vec<HPolyhedron>,

@@ -41,7 +41,8 @@ impl HPolyhedron {
         &self.planes
     }
 
-    /// How much of a box, given by its centre and half its sides, the polyhedron contains, as far as single planes tell.
+    /// How much of a box, given by its centre and half its sides, the polyhedron contains, as far as each plane alone
+    /// shows.
     pub fn overlap(&self, center: &Point, half: &Vector) -> Overlap {
         let mut overlap = Overlap::All;
         for plane in &self.planes {

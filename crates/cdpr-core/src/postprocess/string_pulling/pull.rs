@@ -87,7 +87,8 @@ fn minus(a: &Place, b: &Place) -> Place {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The frame of a triangle, x along u → w, v above; v in it, and the length of the base. None if it is flat.
+/// The frame of a triangle, x along u → w, v above; v in it, and the length of the base. `None` if the triangle is
+/// flat.
 fn framed(u: &Point, v: &Point, w: &Point) -> Option<(Frame, Place, f64)> {
     let (base, arm) = (w - u, v - u);
     let length = base.norm();
