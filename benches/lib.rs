@@ -87,8 +87,8 @@ pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: us
     motions
 }
 
-/// A hall of 12 × 8 × 6 m with a half-size CoGiRo among `count` floating boxes that together hide as much from the outlets,
-/// whatever their number; the straight line from start to goal is not free.
+/// A hall of 12 × 8 × 6 m with a half-size CoGiRo among `count` floating boxes that together hide as much from the
+/// outlets, whatever their number; the straight line from start to goal is not free.
 pub fn hall(count: usize, clearance: f64, seed: u64) -> Scene {
     let forest =
         cdpr_files::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));

@@ -1,5 +1,5 @@
-//! Time to compile a scene for the cspace engine, whole and after one obstacle moved, and to get the polyhedra that paths
-//! are pulled taut around; prints the memory it takes.
+//! Time to compile a scene for the cspace engine, whole and after one obstacle moved, and to get the polyhedra that
+//! paths are pulled taut around; prints the memory it takes.
 
 use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance};
 use cdpr_core::Scene;

@@ -1,5 +1,5 @@
-//! Times of planners on the paper's kind of scenes, over many seeds: Modified RRT with rewinding by either engine, first
-//! answers, the anytime planner until it is content, pulling taut, the lower bound.
+//! Times of planners on the paper's kind of scenes, over many seeds: Modified RRT with rewinding by either engine,
+//! first answers, the anytime planner until it is content, pulling taut, the lower bound.
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};

@@ -1,4 +1,5 @@
-//! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow reference, odd scenes.
+//! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow
+//! reference, odd scenes.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};

@@ -1,4 +1,5 @@
-//! Clearances by kind and by pair, pairs that may touch, and pairs that are exempt: what is demanded, measured and listed.
+//! Clearances by kind and by pair, pairs that may touch, and pairs that are exempt: what is demanded, measured and
+//! listed.
 
 use cdpr_core::collision::path_check::{Nearest, nearest};
 use cdpr_core::collision::{Checker, Engine, Interference, Kind, Reason, check_path};

@@ -1,5 +1,5 @@
-//! Plans scenes with and without their [wrench] over many seeds; prints lengths, times, and how far the paths break the demand,
-//! measured by the capacity margin.
+//! Plans scenes with and without their [wrench] over many seeds; prints lengths, times, and how far the paths break the
+//! demand, measured by the capacity margin.
 //!
 //! `cargo run --release -p cdpr-tests --example wrench_study -- 51 testdata/scenes/cogiro.toml ...`
 

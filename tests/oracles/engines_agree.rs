@@ -1,6 +1,6 @@
-//! The cspace engine against the gjk engine and against exact tests, on random and degenerate states and motions of random
-//! scenes: turned general polytopes, platforms of several parts, flat ones, attachments off a part, outlets on obstacles,
-//! abutting parts, limits of length, clearances, diameters, small and large workspaces.
+//! The cspace engine against the gjk engine and against exact tests, on random and degenerate states and motions of
+//! random scenes: turned general polytopes, platforms of several parts, flat ones, attachments off a part, outlets on
+//! obstacles, abutting parts, limits of length, clearances, diameters, small and large workspaces.
 //!
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 
@@ -65,7 +65,8 @@ impl Engines {
     fn may_differ(&self, (p, q): (Point, Point), rng: &mut ChaCha8Rng) -> bool {
         let by_little = |margin: f64| margin.abs() <= GAP_TOLERANCE;
         let told = [self.gjk.violations(&p, &q), self.cspace.violations(&p, &q)];
-        // The margin of a crossing is 0 whatever the cables do, so there the answer must change when the motion is shifted.
+        // The margin of a crossing is 0 whatever the cables do, so there the answer must change when the motion is
+        // shifted.
         let crossing = told.iter().flatten().any(|v| v.kind == ViolationKind::CableCable);
         told.iter().flatten().all(|v| v.margin.is_some_and(by_little)) && (!crossing || self.on_an_edge(&p, &q, rng))
     }

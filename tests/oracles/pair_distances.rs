@@ -1,5 +1,6 @@
-//! Both engines against distances that are minimised here by brute force, pair by pair, with the demand of each pair read
-//! from the scene's spec: clearances by kind and by pair, pairs that may touch, pairs that can never be far enough apart.
+//! Both engines against distances that are minimised here by brute force, pair by pair, with the demand of each pair
+//! read from the scene's spec: clearances by kind and by pair, pairs that may touch, pairs that can never be far enough
+//! apart.
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference};

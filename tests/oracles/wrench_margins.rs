@@ -76,8 +76,8 @@ fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
 
 #[test]
 fn what_is_missing_outside_is_a_distance() {
-    // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight asks for +z, but the cables pull
-    // towards -x, -y and -z; and one cable alone, along x, for which two directions are missing.
+    // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight asks for +z, but the
+    // cables pull towards -x, -y and -z; and one cable alone, along x, for which two directions are missing.
     let loads = |x: f64, y: f64, z: f64| Loads { gravity: Vector::new(x, y, z), ..Loads::default() };
     let three = [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0]].map(|outlet| (outlet, [0.0; 3], [0.0, 10.0]));
     let margin = |cables: &[([f64; 3], [f64; 3], [f64; 2])], loads: Loads| {
@@ -142,7 +142,8 @@ fn facts_of_the_robots_as_built_hold() {
             CapacityMargin::new(statics, Required::default()).unwrap().at(&position)
         };
         assert!(margin(&robot, Loads::default().gravity) >= 0.0, "{name}");
-        // Any wrench can be had from cables that only pull: nothing is on the boundary of what they can do slack or taut.
+        // Any wrench can be had from cables that only pull: nothing is on the boundary of what they can do slack or
+        // taut.
         let mut spec = robot.spec().clone();
         spec.cables.iter_mut().for_each(|cable| cable.tension = Some([0.0, 1.0]));
         let any_pull = margin(&Robot::try_from(spec).unwrap(), Vector::zeros());

@@ -62,8 +62,8 @@ pub fn direction(rng: &mut impl Rng) -> Vector {
     }
 }
 
-/// Whether a closed surface encloses a point: its triangles cover the whole sphere of directions around it (solid angles
-/// after A. van Oosterom and J. Strackee, 1983).
+/// Whether a closed surface encloses a point: its triangles cover the whole sphere of directions around it (solid
+/// angles after A. van Oosterom and J. Strackee, 1983).
 pub fn encloses(mesh: &TriangleMesh, p: &Point) -> bool {
     let angle = |t: &[usize; 3]| {
         let [a, b, c] = t.map(|i| mesh.vertices[i] - p);

@@ -1,5 +1,6 @@
 //! Random scenes, hostile ones included, and slow exact tests of whole scenes that share no code with the engines:
-//! clipping for cables against bodies, hulls of Minkowski differences for the platform, dense sampling for pairs of cables.
+//! clipping for cables against bodies, hulls of Minkowski differences for the platform, dense sampling for pairs of
+//! cables.
 //!
 //! The oracle answers hit or free only where that is proved by more than the tolerance; in between either is right.
 

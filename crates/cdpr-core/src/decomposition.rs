@@ -1,9 +1,9 @@
 //! Adaptive cell decomposition of the box of positions: finds a path, or proves that there is none.
 //!
-//! A cell is closed (inside a forbidden polyhedron), free (outside all of them) or open (neither). The search looks for a chain of
-//! free and open cells from start to goal, divides the open cells on it, and repeats. A chain of free cells is a path. If there is no
-//! chain, closed cells separate start and goal, and there is no path. Only cells on a chain are divided, so narrow passages cost
-//! little and the rest of the space nothing.
+//! A cell is closed (inside a forbidden polyhedron), free (outside all of them) or open (neither). The search looks for
+//! a chain of free and open cells from start to goal, divides the open cells on it, and repeats. A chain of free cells
+//! is a path. If there is no chain, closed cells separate start and goal, and there is no path. Only cells on a chain
+//! are divided, so narrow passages cost little and the rest of the space nothing.
 //!
 //! This is the subdivision search of C. Wang, Y.-J. Chiang and C. Yap, "On soft predicates in subdivision motion
 //! planning", Computational Geometry 48, 2015; proofs by closed cells go back to L. Zhang, Y. J. Kim and D. Manocha, "A
@@ -31,11 +31,11 @@ pub enum Way {
 /// How a search trades path length against the width of passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taste {
-    /// Distance through an open cell of level l costs 1 + 1.7^(l - `level`) times as much as through a free one. A low `level` prefers
-    /// wide detours, a high one short paths through narrow passages.
+    /// Distance through an open cell of level l costs 1 + 1.7^(l - `level`) times as much as through a free one. A low
+    /// `level` prefers wide detours, a high one short paths through narrow passages.
     pub level: i32,
-    /// Weight of the remaining distance in the A* ordering; at least 1. The larger it is, the fewer cells are visited, and the longer
-    /// the chains.
+    /// Weight of the remaining distance in the A* ordering; at least 1. The larger it is, the fewer cells are visited,
+    /// and the longer the chains.
     pub haste: f64,
 }
 
@@ -108,8 +108,8 @@ impl Decomposition {
         &self.pieces
     }
 
-    /// Searches for a path, visiting about `effort` cells. The next call continues the search and deducts what this call visited
-    /// beyond that. `free` makes the final decision on motions within cells that no piece reaches into.
+    /// Searches for a path, visiting about `effort` cells. The next call continues the search and deducts what this
+    /// call visited beyond that. `free` makes the final decision on motions within cells that no piece reaches into.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -146,7 +146,8 @@ impl Decomposition {
         Ok(Way::Undecided)
     }
 
-    /// Start, the centres of the contacts between consecutive cells, goal: between two of these points the path stays in one cell.
+    /// Start, the centres of the contacts between consecutive cells, goal: between two of these points the path stays
+    /// in one cell.
     fn places(&self, chain: &[u32], start: &Point, goal: &Point) -> Vec<Point> {
         let contact = |pair: &[u32]| {
             let [(a, b), (c, d)] = [self.bounds(pair[0]), self.bounds(pair[1])];

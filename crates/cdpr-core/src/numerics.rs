@@ -1,30 +1,31 @@
 //! All tolerances of the crate, each defined once: what it compares, its unit, and the reason for its size.
 //!
 //! Lengths are absolute, in metres, because the product promises an absolute accuracy ([`GAP_TOLERANCE`]). With
-//! coordinates of the size of a hall (up to 1e3 m) `f64` is accurate to 1e-13 m, so all tolerances are far above rounding errors.
+//! coordinates of the size of a hall (up to 1e3 m) `f64` is accurate to 1e-13 m, so all tolerances are far above
+//! rounding errors.
 
 pub(crate) mod simd;
 
 /// Promised accuracy of every yes-or-no answer, m: two engines may differ only if the true gap is smaller than this.
 pub const GAP_TOLERANCE: f64 = 1e-7;
 
-/// Overlap that still counts as touching, m. Forbidden sets are open, so bodies that touch are free. Rounding errors of exact
-/// contacts (about 1e-15 m in a hall) must not turn them into collisions, so this is far above them and far
-/// below [`GAP_TOLERANCE`].
+/// Overlap that still counts as touching, m. Forbidden sets are open, so bodies that touch are free. Rounding errors of
+/// exact contacts (about 1e-15 m in a hall) must not turn them into collisions, so this is far above them and far below
+/// [`GAP_TOLERANCE`].
 pub const TOUCH_DEPTH: f64 = 1e-9;
 
 /// A point this close to the surface of a body lies on it, m: an attachment on a platform part, an outlet mounted on an
 /// obstacle, a vertex on a face of its hull. A point deeper inside is an error in the model.
 pub const ON_SURFACE: f64 = 1e-7;
 
-/// Minimum extent of a workspace along its longest side, and of the outlets of a robot, m: a thousand times the accuracy
-/// [`GAP_TOLERANCE`], [`ON_SURFACE`] and [`FLAT`]. This is a ten-thousandth of the size of a tabletop robot, and results are still
-/// accurate to three digits. If sizes came near the tolerances, walls would become flat and gaps would become contacts without any
-/// notice.
+/// Minimum extent of a workspace along its longest side, and of the outlets of a robot, m: a thousand times the
+/// accuracy [`GAP_TOLERANCE`], [`ON_SURFACE`] and [`FLAT`]. This is a ten-thousandth of the size of a tabletop robot,
+/// and results are still accurate to three digits. If sizes came near the tolerances, walls would become flat and gaps
+/// would become contacts without any notice.
 pub const LEAST_EXTENT: f64 = 1e-4;
 
-/// Minimum extent of an obstacle along its longest side, and of a platform that is not a single point, m: a hundred times
-/// [`GAP_TOLERANCE`]; parts of a body may be smaller.
+/// Minimum extent of an obstacle along its longest side, and of a platform that is not a single point, m: a hundred
+/// times [`GAP_TOLERANCE`]; parts of a body may be smaller.
 pub const LEAST_BODY: f64 = 1e-5;
 
 /// Extent below which a point set counts as flat in that direction, m. Thinner bodies have no interior.
@@ -33,10 +34,12 @@ pub const FLAT: f64 = 1e-7;
 /// Two points closer than this are the same point, m: shared outlets, shared attachments, duplicate waypoints.
 pub const SAME_POINT: f64 = 1e-9;
 
-/// Length of the shortest cable that has a direction, m; positions with a shorter one are invalid (kind `cable-length`).
+/// Length of the shortest cable that has a direction, m; positions with a shorter one are invalid (kind
+/// `cable-length`).
 pub const MIN_CABLE_LENGTH: f64 = 1e-7;
 
-/// Largest accepted coordinate, m: beyond it `f64` cannot keep an accuracy of [`GAP_TOLERANCE`] in products of coordinates.
+/// Largest accepted coordinate, m: beyond it `f64` cannot keep an accuracy of [`GAP_TOLERANCE`] in products of
+/// coordinates.
 pub const MAX_COORDINATE: f64 = 1e6;
 
 /// Sine of the angle below which two directions are parallel. A facet of a Minkowski sum spanned by two such edges is
@@ -59,8 +62,8 @@ pub const SUPERSET: f64 = 1e-8;
 /// Bodies without volume are fattened by this to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 
-/// Allowance for rounding in the distance from the centre of a cell, in cells, when motions are cut into pieces of a cell's
-/// size.
+/// Allowance for rounding in the distance from the centre of a cell, in cells, when motions are cut into pieces of a
+/// cell's size.
 pub const CELL_ROUNDING: f64 = 1e-9;
 
 /// Height over a facet's plane up to which a point lies in that plane, m, where it matters only on which side rounding
@@ -70,10 +73,12 @@ pub const GRAZING: f64 = 1e-10;
 /// Maximum deviation of the length of an orientation quaternion from 1.
 pub const UNIT_QUATERNION: f64 = 1e-6;
 
-/// Orientations that differ by less than this, rad, are equal: far above rounding, far below the resolution of any encoder.
+/// Orientations that differ by less than this, rad, are equal: far above rounding, far below the resolution of any
+/// encoder.
 pub const SAME_TURN: f64 = 1e-9;
 
-/// Tolerance for coplanar hull vertices relative to the size of the body: input with rounded coordinates keeps its faces.
+/// Tolerance for coplanar hull vertices relative to the size of the body: input with rounded coordinates keeps its
+/// faces.
 pub const COPLANAR_RELATIVE: f64 = 1e-10;
 
 /// Maximum height over a face at which a vertex still counts as one of its corners, m; well inside [`GAP_TOLERANCE`].
@@ -94,8 +99,8 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
-/// Maximum ratio of the largest to the smallest tension in cables that pull against each other. Cables that need more are
-/// nearly in one half-space, and hold a platform only in theory.
+/// Maximum ratio of the largest to the smallest tension in cables that pull against each other. Cables that need more
+/// are nearly in one half-space, and hold a platform only in theory.
 pub const TENSION_RATIO: f64 = 1e4;
 
 /// A column of a wrench matrix depends on other columns if its component orthogonal to their span is below this share
@@ -118,15 +123,17 @@ pub const KERNEL_NO_NORMAL: f64 = 1e-13;
 /// along a motion, which is then rejected: the four-position kernel is accurate to some 1e-10 of that edge.
 pub const SLACK_RELATIVE: f64 = 1e-9;
 
-/// Minimum length of a piece that is still divided when a motion is certified, m: shorter ones are affected by rounding of positions.
+/// Minimum length of a piece that is still divided when a motion is certified, m: shorter ones are affected by rounding
+/// of positions.
 pub const CERTIFY_PIECE: f64 = 1e-11;
 
 /// A normal shorter than this share of the product of the columns that it is orthogonal to, along a whole motion, is
 /// zero up to rounding: the columns are dependent and span no facet.
 pub const FACET_NO_NORMAL: f64 = 1e-14;
 
-/// Rounding error of the slack to a facet along a motion, as a share of the longest edge of the set times the product of the
-/// columns in the facet: some five products and sums for each, times 6 for the conversion from values to coefficients.
+/// Rounding error of the slack to a facet along a motion, as a share of the longest edge of the set times the product
+/// of the columns in the facet: some five products and sums for each, times 6 for the conversion from values to
+/// coefficients.
 pub const FACET_ROUNDING: f64 = 3e-14;
 
 /// Share by which a largest scale is reduced if rounding puts it just outside.
@@ -145,13 +152,15 @@ pub const STEP_COUNT: f64 = 1e-12;
 /// Maximum number of nodes of a wrench map, 0.8 GB for each margin; more are probably due to a wrong unit.
 pub const MAP_NODES: f64 = 1e8;
 
-/// Maximum number of cables of a wrench set that is drawn, after parallel ones are combined: a corner is a word of 64 bits.
+/// Maximum number of cables of a wrench set that is drawn, after parallel ones are combined: a corner is a word of 64
+/// bits.
 pub const SET_CABLES: usize = 64;
 
 /// A mesh larger than the workspace's longest side by this factor probably has another unit.
 pub const HUGE_MESH: f64 = 10.0;
 
-/// Maximum time budget, s, about thirty years; more is probably due to a wrong unit, and soon exceeds the range of the clock.
+/// Maximum time budget, s, about thirty years; more is probably due to a wrong unit, and soon exceeds the range of the
+/// clock.
 pub const MOST_SECONDS: f64 = 1e9;
 
 /// Maximum number of threads: more than any machine has cores, and few enough to start in a moment.
@@ -166,11 +175,12 @@ pub const GJK_DISTANCE: f64 = 1e-11;
 /// Number of bisection steps to locate a first contact: 2^-45 of a motion.
 pub const BISECTION_STEPS: usize = 45;
 
-/// Minimum gain, m, for which rewinding replaces part of a path; "strictly shorter" beyond rounding, so that it terminates.
+/// Minimum gain, m, for which rewinding replaces part of a path; "strictly shorter" beyond rounding, so that it
+/// terminates.
 pub const SHORTER: f64 = 1e-9;
 
-/// Distance of string-pulled paths from the forbidden polyhedra, m: a segment along a face is then free beyond rounding, for
-/// every engine. It makes a path longer by about this much at every bend.
+/// Distance of string-pulled paths from the forbidden polyhedra, m: a segment along a face is then free beyond
+/// rounding, for every engine. It makes a path longer by about this much at every bend.
 pub const STANDOFF: f64 = 1e-8;
 
 /// Gain below which string pulling ends, m.
@@ -187,20 +197,20 @@ pub const LIMIT_RELATIVE: f64 = 1e-10;
 /// A smaller violation of a limit is due to rounding, as a share of half a range; the active set changes only for more.
 pub const LIMIT_ROUNDING: f64 = 1e-14;
 
-/// Minimum separation of a wrench from the cables' limits by a plane that proves infeasibility, as a share of half a range; limits
-/// that are only just compatible are widened by this. Half of [`LIMIT_RELATIVE`], so one of the two always
-/// holds.
+/// Minimum separation of a wrench from the cables' limits by a plane that proves infeasibility, as a share of half a
+/// range; limits that are only just compatible are widened by this. Half of [`LIMIT_RELATIVE`], so one of the two
+/// always holds.
 pub const LIMIT_SLACK: f64 = 5e-11;
 
-/// Component of a limit's normal orthogonal to the limits already met (normals have at most length 1) below which it counts as a
-/// combination of theirs: rounding errors divided by this stay below [`LIMIT_SLACK`].
+/// Component of a limit's normal orthogonal to the limits already met (normals have at most length 1) below which it
+/// counts as a combination of theirs: rounding errors divided by this stay below [`LIMIT_SLACK`].
 pub const DEPENDENT_NORMALS: f64 = 1e-5;
 
 /// The same for a second attempt if the first one was undecided; the resulting point or plane is verified in any case.
 pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
 
-/// Share of a separating direction that must remain after its component along the null space is removed; otherwise it is
-/// due to rounding.
+/// Share of a separating direction that must remain after its component along the null space is removed; otherwise it
+/// is due to rounding.
 pub const SEPARATING_LEFT: f64 = 1e-8;
 
 /// Largest entry of a wrench, a wrench matrix or a limit, in its own unit: products of three of them are finite.
@@ -209,8 +219,8 @@ pub const MAX_WRENCH: f64 = 1e100;
 /// Changes of the active set, per limit, after which the result is "undecided". Two or three in total are typical.
 pub const ACTIVE_SET_STEPS: usize = 10;
 
-/// Accuracy requested from the interior-point solver, on problems scaled to half ranges. Its result is verified and made
-/// exact afterwards, so it only needs to identify the active limits.
+/// Accuracy requested from the interior-point solver, on problems scaled to half ranges. Its result is verified and
+/// made exact afterwards, so it only needs to identify the active limits.
 pub const INTERIOR_POINT: f64 = 1e-8;
 
 /// Maximum number of iterations of the interior-point solver; 5 to 15 are typical.
@@ -229,8 +239,8 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 /// Maximum number of planes in the search for a largest scale; each is a facet that the previous one missed.
 pub const SCALE_STEPS: usize = 100;
 
-/// Maximum size of a text file that is read as a whole (scenes, robots, paths, experiments, run records), bytes: parsing TOML needs
-/// fifty times as much memory.
+/// Maximum size of a text file that is read as a whole (scenes, robots, paths, experiments, run records), bytes:
+/// parsing TOML needs fifty times as much memory.
 pub const MOST_TEXT_BYTES: u64 = 16_000_000;
 
 /// Maximum size of a table of a run, which is read row by row, bytes.
@@ -239,7 +249,8 @@ pub const MOST_TABLE_BYTES: u64 = 1_000_000_000;
 /// Maximum number of cables of a robot.
 pub const MOST_CABLES: usize = 256;
 
-/// Maximum number of cables of a robot in a scene that requires wrenches: facets of the available set grow with the fifth power.
+/// Maximum number of cables of a robot in a scene that requires wrenches: facets of the available set grow with the
+/// fifth power.
 pub const MOST_WRENCH_CABLES: usize = 24;
 
 /// Maximum number of convex parts of a platform or of all obstacles of a scene: every pair is examined for a seam.
@@ -280,7 +291,8 @@ pub const FACE_SHARE: f64 = 0.02;
 /// Maximum number of corners of a convex mesh that is used as it is; the fast engine adds them to the platform's.
 pub const MOST_CONVEX_CORNERS: usize = MOST_CORNERS;
 
-/// Maximum number of corners of a convex part that is an exact hull; larger sets are enclosed by planes that touch them.
+/// Maximum number of corners of a convex part that is an exact hull; larger sets are enclosed by planes that touch
+/// them.
 pub const MOST_PART_CORNERS: usize = 64;
 
 /// Maximum number of planes around the content of a convex part.
@@ -306,8 +318,8 @@ pub const CELLS_PER_PART: usize = 4;
 /// Maximum number of parts of all pieces of a mesh together, if there are fewer pieces.
 pub const MOST_PARTS_IN_ALL: usize = 5_000;
 
-/// Maximum number of steps (boxes, and eight triangles each) in the proof of how far one part extends; with more it counts as
-/// extending too far: about a second.
+/// Maximum number of steps (boxes, and eight triangles each) in the proof of how far one part extends; with more it
+/// counts as extending too far: about a second.
 pub const MOST_REACH_STEPS: usize = 1_000_000;
 
 /// The same for all parts of a piece together, for each part that it may be cut into: several seconds for the worst
@@ -333,8 +345,8 @@ pub const POLYGONS_PER_TRIANGLE: usize = 40;
 /// See [`POLYGONS_PER_TRIANGLE`].
 pub const POLYGONS_BESIDES: usize = 500_000;
 
-/// Share of the tolerance beyond which a part counts as extending too far: distinguishing values just below from just above the
-/// tolerance would take most of the time.
+/// Share of the tolerance beyond which a part counts as extending too far: distinguishing values just below from just
+/// above the tolerance would take most of the time.
 pub const UNDECIDED: f64 = 0.85;
 
 /// Relative volume that a cut beside a void must leave, compared with one across the part, to be preferred.
@@ -344,8 +356,8 @@ pub const MUCH_SMALLER: f64 = 0.9;
 /// piece's largest extent.
 pub const MESH_TOLERANCE: f64 = 0.01;
 
-/// The same as a share of the whole mesh's extent, if that is more: in a hall of 20 m, chairs accurate to the millimetre
-/// are useless and would cost thousands of parts.
+/// The same as a share of the whole mesh's extent, if that is more: in a hall of 20 m, chairs accurate to the
+/// millimetre are useless and would cost thousands of parts.
 pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
 
 /// Maximum size of a mesh file, bytes.
@@ -354,7 +366,8 @@ pub const MOST_MESH_BYTES: u64 = 100_000_000;
 /// Maximum number of triangles of a mesh.
 pub const MOST_TRIANGLES: usize = 500_000;
 
-/// Maximum number of words of an OBJ file for each of [`MOST_TRIANGLES`]: corners, normals, textures and faces have some 10.
+/// Maximum number of words of an OBJ file for each of [`MOST_TRIANGLES`]: corners, normals, textures and faces have
+/// some 10.
 pub const WORDS_PER_TRIANGLE: usize = 16;
 
 /// Maximum number of connected pieces of a mesh: more indicate a mesh that is not welded.

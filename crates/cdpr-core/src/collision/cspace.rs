@@ -369,7 +369,8 @@ impl Validity for CspaceEngine {
     }
 }
 
-/// Cells along each axis, by the number of conditions: enough that few regions share a cell, few enough to fill quickly.
+/// Cells along each axis, by the number of conditions: enough that few regions share a cell, few enough to fill
+/// quickly.
 fn cells_for(conditions: &Conditions) -> Cells {
     let (min, max) = conditions.position_box();
     let n = match conditions.list.len() {

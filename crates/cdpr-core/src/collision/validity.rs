@@ -41,7 +41,8 @@ pub trait Validity<State = Point>: Sync {
     /// The closest approach of a motion to anything it must stay clear of; `None` if there is no such thing.
     fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
 
-    /// Whether one check may take many milliseconds. Planners then poll the clock before each check, not only now and then.
+    /// Whether one check may take many milliseconds. Planners then poll the clock before each check, not only now and
+    /// then.
     fn may_be_slow(&self) -> bool {
         false
     }

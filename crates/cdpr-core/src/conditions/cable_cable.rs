@@ -1,9 +1,9 @@
 //! Two cables stay clear of each other during a translation of the platform.
 //!
-//! With u = p + arm_i - B_i (cable i as a vector), w = B_j - B_i and q = arm_j - arm_i, both constant, cable i runs from
-//! B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and q: a
-//! plane of positions, which a straight motion passes at one instant. There u = α w + β q, and the cables cross iff
-//! (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
+//! With u = p + arm_i - B_i (cable i as a vector), w = B_j - B_i and q = arm_j - arm_i, both constant, cable i runs
+//! from B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and
+//! q: a plane of positions, which a straight motion passes at one instant. There u = α w + β q, and the cables cross
+//! iff (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
 
 use super::bodies::{Bodies, CableAt};
 use super::exempt::{Remarks, kept};
@@ -116,10 +116,11 @@ impl CableCable {
     /// Two convex sets of positions; outside both, the cables neither cross nor come closer than the gap. `None` if
     /// rounding or the gap is too large to bound them.
     ///
-    /// If points λ of cable i and μ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q, |e| < g and
-    /// k = 1 / (λ - μ), so that |k| >= 1. For k > 0, f has coordinates α >= 0 and β >= 0 with α + β = 1, and k α >= 1; with
-    /// c·u = α + β this bounds k by c·u / (1 - g |c|), and what e adds to any linear function by κ c·u times the length of
-    /// its gradient: a wedge of positions, as thick as it is far. For k < 0 the same holds for -u with k β >= 1.
+    /// If points λ of cable i and μ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q, |e| < g
+    /// and k = 1 / (λ - μ), so that |k| >= 1. For k > 0, f has coordinates α >= 0 and β >= 0 with α + β = 1, and k α >=
+    /// 1; with c·u = α + β this bounds k by c·u / (1 - g |c|), and what e adds to any linear function by κ c·u times
+    /// the length of its gradient: a wedge of positions, as thick as it is far. For k < 0 the same holds for -u with k
+    /// β >= 1.
     pub fn wedges(&self) -> Option<[Vec<HalfSpace>; 2]> {
         let gap = self.gap + 2.0 * TOUCH_DEPTH;
         let (first, second) = match &self.plane {

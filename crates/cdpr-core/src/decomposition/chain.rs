@@ -1,4 +1,5 @@
-//! The cheapest chain of cells: A* (P. E. Hart, N. J. Nilsson, B. Raphael, 1968), with a weight on the remaining distance.
+//! The cheapest chain of cells: A* (P. E. Hart, N. J. Nilsson, B. Raphael, 1968), with a weight on the remaining
+//! distance.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -24,8 +25,8 @@ pub struct Chains {
 }
 
 impl Chains {
-    /// The cells from the first end to the second, which contains the goal; empty if there is no chain or time runs out. Also returns
-    /// the number of visited cells.
+    /// The cells from the first end to the second, which contains the goal; empty if there is no chain or time runs
+    /// out. Also returns the number of visited cells.
     pub fn find(
         &mut self,
         cells: &[Cell],

@@ -63,8 +63,8 @@ impl Cell {
         Aabb::around(&self.points)
     }
 
-    /// The parts behind and in front of a plane. A polygon in the plane goes to the side of its body, which the normals of the
-    /// surface's planes determine; without them it goes behind.
+    /// The parts behind and in front of a plane. A polygon in the plane goes to the side of its body, which the normals
+    /// of the surface's planes determine; without them it goes behind.
     pub fn halves(
         &self,
         plane: &HalfSpace,

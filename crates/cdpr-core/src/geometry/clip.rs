@@ -71,7 +71,8 @@ impl Polyhedron {
         Some(Polyhedron { vertices: (0..8).map(corner).collect(), faces: faces.map(Vec::from).to_vec() })
     }
 
-    /// Cuts off everything outside a half-space; `None` if nothing is left. Corners up to [`TOUCH_DEPTH`] outside may stay.
+    /// Cuts off everything outside a half-space; `None` if nothing is left. Corners up to [`TOUCH_DEPTH`] outside may
+    /// stay.
     pub fn cut(&mut self, half_space: &HalfSpace) -> Option<()> {
         let heights: Vec<f64> = self.vertices.iter().map(|v| half_space.height(v)).collect();
         let corners = || self.faces.iter().flatten().copied();
@@ -150,8 +151,8 @@ fn edges(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     (0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]])
 }
 
-/// The point where the segment from an inside point to an outside point crosses the plane, given their heights; an end if rounding
-/// put both on one side.
+/// The point where the segment from an inside point to an outside point crosses the plane, given their heights; an end
+/// if rounding put both on one side.
 fn crossing((inner, below): (Point, f64), (outer, above): (Point, f64)) -> Point {
     let share = if above > below { (-below / (above - below)).clamp(0.0, 1.0) } else { 0.0 };
     inner + (outer - inner) * share

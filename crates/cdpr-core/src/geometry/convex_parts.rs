@@ -1,10 +1,11 @@
 //! Convex parts that together cover a surface and the body it encloses.
 //!
-//! If the hull of a piece extends too far beyond it, the piece is cut by a plane, and so are the halves. A part encloses the content
-//! of one cell of the cuts: all of the surface in it, and the corners of the cell that are inside the body. Every extreme point of
-//! the intersection of body and cell is one of these, so the parts cover the body wherever the cuts are; the cuts only determine how
-//! far the parts extend beyond it. A cut goes where the hull extends farthest: along the largest face on that side, or else where it
-//! makes the halves smallest. Neighbours that one body encloses within the tolerance are merged at the end.
+//! If the hull of a piece extends too far beyond it, the piece is cut by a plane, and so are the halves. A part
+//! encloses the content of one cell of the cuts: all of the surface in it, and the corners of the cell that are inside
+//! the body. Every extreme point of the intersection of body and cell is one of these, so the parts cover the body
+//! wherever the cuts are; the cuts only determine how far the parts extend beyond it. A cut goes where the hull extends
+//! farthest: along the largest face on that side, or else where it makes the halves smallest. Neighbours that one body
+//! encloses within the tolerance are merged at the end.
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -173,8 +174,8 @@ impl<'a> Cutter<'a> {
         Ok(Cutter { task: Task { piece, tolerance, watch }, aabb, planes, plane_of, on_plane: 1e-9 * extent })
     }
 
-    /// At most `most` parts. If that many can be close enough, they are used; otherwise more cells, which reach as far as
-    /// allowed, are merged. If merging leaves too many, the cuts that gain least are undone.
+    /// At most `most` parts. If that many can be close enough, they are used; otherwise more cells, which reach as far
+    /// as allowed, are merged. If merging leaves too many, the cuts that gain least are undone.
     fn few(&self, most: usize) -> Result<Vec<Part>, Error> {
         let close = CLOSE * self.task.tolerance;
         let standing = |nodes: &[Node]| nodes.iter().filter(|node| node.stands).map(|node| node.part.clone()).collect();
@@ -288,8 +289,8 @@ impl<'a> Cutter<'a> {
         Ok((body, proved.map_or(found.bound, |reach| reach.min(found.bound))))
     }
 
-    /// Whether a part equals the body in its cell: the surface does not pass through the part's interior, and the interior
-    /// belongs to the body.
+    /// Whether a part equals the body in its cell: the surface does not pass through the part's interior, and the
+    /// interior belongs to the body.
     fn fills(&self, cell: &Cell, wrap: &Wrap) -> bool {
         let on = |side: &HalfSpace, ring: &[u32]| {
             ring.iter().all(|i| side.height(&cell.points[*i as usize]).abs() <= ON_SURFACE)
@@ -300,8 +301,8 @@ impl<'a> Cutter<'a> {
             && cell.polygons().all(|(_, ring)| outside(ring))
     }
 
-    /// Both halves of a cell, cut where its part extends too far: along a large face on that side, or else where the halves become
-    /// smallest. `None` if no cut leaves something on both sides.
+    /// Both halves of a cell, cut where its part extends too far: along a large face on that side, or else where the
+    /// halves become smallest. `None` if no cut leaves something on both sides.
     fn cut(&self, cell: &Cell, reach: &Reach) -> Result<Option<[Cell; 2]>, Error> {
         let Some((_, void)) = reach.worst else { return Ok(None) };
         let (distance, nearest) = self.task.piece.distance.at(&void);

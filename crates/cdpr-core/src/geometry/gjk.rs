@@ -114,8 +114,8 @@ fn minkowski_support(a: &impl SupportMap, b: &impl SupportMap, direction: &Vecto
     CsoPoint::new(to_glam(&a.support(direction)), to_glam(&b.support(&-direction)))
 }
 
-/// parry's simplex drops vertices that are closer than absolute thresholds made for metre-sized bodies (1e-8 m² for an edge's
-/// cross product). In finer units the same bodies are large; scaling by a power of two keeps every number exact.
+/// parry's simplex drops vertices that are closer than absolute thresholds made for metre-sized bodies (1e-8 m² for an
+/// edge's cross product). In finer units the same bodies are large; scaling by a power of two keeps every number exact.
 const UNITS_PER_METRE: f64 = 1_048_576.0;
 
 #[inline]
@@ -144,7 +144,8 @@ pub struct Distance {
     pub on_b: Point,
     /// How far one shape must be moved to separate them, m; zero if they are apart or only touch.
     pub depth: f64,
-    /// Unit direction from `a` to `b` along which they are nearest, or along which the shortest translation separates them.
+    /// Unit direction from `a` to `b` along which they are nearest, or along which the shortest translation separates
+    /// them.
     pub axis: Vector,
 }
 

@@ -1,7 +1,7 @@
 //! Faces of the convex hull of a point set in any dimension, with coplanar triangles merged.
 //!
-//! parry computes the triangles; this module turns them into facets with all their corners and verifies the result: every
-//! point inside every facet, every edge between exactly two facets, and Euler's formula.
+//! parry computes the triangles; this module turns them into facets with all their corners and verifies the result:
+//! every point inside every facet, every edge between exactly two facets, and Euler's formula.
 
 use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::transformation::try_convex_hull;
@@ -119,8 +119,9 @@ fn flattened(points: &[Point], extent: &Extent) -> Vec<[f64; 2]> {
 
 /// Counter-clockwise hull of points in the plane, as indices, without corners that are due to rounding.
 ///
-/// The chain sorts along one direction, and points that differ along it only by rounding can make it lose a true corner. So
-/// the result is verified (every point within rounding of the polygon); otherwise another direction is tried.
+/// The chain sorts along one direction, and points that differ along it only by rounding can make it lose a true
+/// corner. So the result is verified (every point within rounding of the polygon); otherwise another direction is
+/// tried.
 fn convex_ring(points: &[[f64; 2]]) -> Option<Vec<usize>> {
     const DIRECTIONS: [f64; 5] = [0.3, 1.1, 2.0, 0.7, 2.7]; // rad, none of them likely in a drawing
     DIRECTIONS.into_iter().find_map(|angle| {
@@ -185,15 +186,15 @@ fn monotone_chain(points: &[[f64; 2]]) -> Vec<usize> {
 
 /// Hull of points with volume; `None` if it is not a closed convex surface.
 pub(super) fn solid_hull(points: &[Point], extent: &Extent) -> Option<Hull> {
-    // Affine maps do not change which points are on the hull, but parry treats a slab a thousand times longer than thick as flat,
-    // so it gets an image of even extent.
+    // Affine maps do not change which points are on the hull, but parry treats a slab a thousand times longer than
+    // thick as flat, so it gets an image of even extent.
     let even: Vec<Glam> = points.iter().map(|p| extent.evened(p)).collect();
     let (kept, triangles) = try_convex_hull(&even).ok()?;
     let original = |v: &Glam| even.iter().position(|e| e == v).map(|k| points[k]);
     let vertices: Vec<Point> = kept.iter().map(original).collect::<Option<_>>()?;
     let triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|i| i as usize)).collect();
-    // Coordinates rounded to a few decimals have faces that are flat up to that rounding, and merging gives a closed surface only if
-    // the tolerance is well above or well below it: widen it step by step, and finally merge nothing.
+    // Coordinates rounded to a few decimals have faces that are flat up to that rounding, and merging gives a closed
+    // surface only if the tolerance is well above or well below it: widen it step by step, and finally merge nothing.
     let tight = (COPLANAR_RELATIVE * extent.reach[0]).min(0.01 * COPLANAR_AT_MOST);
     [tight, 10.0 * tight, 100.0 * tight, COPLANAR_AT_MOST, 0.0].into_iter().find_map(|tolerance| {
         let hull = corners_and_facets(&vertices, &merged_planes(&vertices, &triangles, tolerance))?;
@@ -212,8 +213,8 @@ pub(super) fn flat_ring(points: &[Point]) -> Option<Vec<Point>> {
 /// A plane of a hull: its outward normal and the vertices on it.
 type Plane = (Vector, Vec<usize>);
 
-/// The planes of the hull. The largest triangle of a plane defines it, and the plane absorbs every triangle whose corners it
-/// contains.
+/// The planes of the hull. The largest triangle of a plane defines it, and the plane absorbs every triangle whose
+/// corners it contains.
 fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Plane> {
     let outward = handedness(vertices, triangles);
     let area = |t: &[usize; 3]| outward * doubled_area(vertices, t);
@@ -226,8 +227,8 @@ fn merged_planes(vertices: &[Point], triangles: &[[usize; 3]], tolerance: f64) -
         let normal = area.normalize();
         let held_by = |(n, held): &Plane| n.dot(&normal) > 0.0 && own.iter().all(|i| held.contains(i));
         let height = |i: usize| (vertices[i] - vertices[own[0]]).dot(&normal);
-        // A triangle between two points of an edge and a third beside it may be tilted by rounding; it is no face of the
-        // body.
+        // A triangle between two points of an edge and a third beside it may be tilted by rounding; it is no face of
+        // the body.
         let supports = || tolerance == 0.0 || (0..vertices.len()).all(|i| height(i) <= 2.0 * tolerance);
         if !planes.iter().any(held_by) && supports() {
             let near = |i: &usize| own.contains(i) || height(*i).abs() <= tolerance;

@@ -1,9 +1,9 @@
 //! The convex hull of many points from inside, corner by corner: a polytope over some of them that grows until no point
 //! is farther outside than a given height.
 //!
-//! Quickhull with one change: the next corner is always the point farthest outside of all. Growing can therefore stop at
-//! any height, and a round body needs only as many corners as its roundness requires. No guarantee depends on the result: planes that
-//! touch all points enclose them whatever their directions, see [`super::wrap`].
+//! Quickhull with one change: the next corner is always the point farthest outside of all. Growing can therefore stop
+//! at any height, and a round body needs only as many corners as its roundness requires. No guarantee depends on the
+//! result: planes that touch all points enclose them whatever their directions, see [`super::wrap`].
 //!
 //! Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM TOMS 22(4), 1996.
 
@@ -109,8 +109,8 @@ impl<'a> InnerHull<'a> {
         Some(hull)
     }
 
-    /// Adds corners until no point is farther outside than this height, m, or until the maximum number of corners. Returns the
-    /// remaining height.
+    /// Adds corners until no point is farther outside than this height, m, or until the maximum number of corners.
+    /// Returns the remaining height.
     ///
     /// # Errors
     /// The errors of the watch.
@@ -189,7 +189,8 @@ impl<'a> InnerHull<'a> {
         (seen, edges)
     }
 
-    /// Distributes points over the faces from `first` on, each to the one it is highest over; points inside are dropped.
+    /// Distributes points over the faces from `first` on, each to the one it is highest over; points inside are
+    /// dropped.
     fn share_out(&mut self, points: Vec<usize>, first: usize) {
         for i in points {
             let p = &self.points[i];

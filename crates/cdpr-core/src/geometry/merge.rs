@@ -19,8 +19,8 @@ const ROUGH_CORNERS: usize = 30;
 /// Minimum number of steps for the proof of a pair.
 const LEAST_STEPS: usize = 500;
 
-/// Merges parts into parts that extend at most `within` metres, starting with those that add the least volume. Each round
-/// merges as many disjoint pairs as possible.
+/// Merges parts into parts that extend at most `within` metres, starting with those that add the least volume. Each
+/// round merges as many disjoint pairs as possible.
 ///
 /// Parts that fill the body exactly are merged only into parts that do so, too.
 pub(super) fn merged(task: &Task, parts: Vec<Part>, within: f64) -> Result<Vec<Part>, Error> {

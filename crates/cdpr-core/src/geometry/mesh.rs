@@ -65,8 +65,8 @@ impl TriangleMesh {
         (b - a).cross(&(c - a))
     }
 
-    /// The surface with its vertices rounded to single precision. Vertices that are connected by an edge and become equal
-    /// are merged, so that the surface stays closed in file formats that list triangles by coordinates.
+    /// The surface with its vertices rounded to single precision. Vertices that are connected by an edge and become
+    /// equal are merged, so that the surface stays closed in file formats that list triangles by coordinates.
     pub fn in_single_precision(&self) -> Self {
         let rounded = |p: &Point| p.map(|x| f64::from(x as f32));
         let vertices = self.vertices.iter().map(rounded).collect();
@@ -86,8 +86,8 @@ impl TriangleMesh {
         self.edges().find(|edge| self.may_contract(edge, shortest))
     }
 
-    /// Whether an edge is short and its ends share only the two triangles beside it (the link condition: contraction then
-    /// changes neither genus nor closedness).
+    /// Whether an edge is short and its ends share only the two triangles beside it (the link condition: contraction
+    /// then changes neither genus nor closedness).
     fn may_contract(&self, &[i, j]: &[usize; 2], shortest: f64) -> bool {
         if i > j || (self.vertices[j] - self.vertices[i]).norm() > shortest {
             return false;

@@ -1,11 +1,11 @@
 //! The Minkowski sum of two convex bodies, from their faces.
 //!
-//! The facets of A ⊕ B are the facets of A and of B, each with the face of the other body in the same direction, and the
-//! parallelograms of two edges whose normal cones meet: on the sphere of directions an edge is the arc between the normals
-//! of its two facets, and two edges form a facet if their arcs cross (E. Fogel and D. Halperin, "Exact and efficient
-//! construction of Minkowski sums of convex polyhedra", CAD 39(11), 2007). This takes microseconds, while the hull of all
-//! sums of corners takes tenths of milliseconds. The result is verified like every hull; if rounding prevents it from closing,
-//! the hull of the sums is used instead.
+//! The facets of A ⊕ B are the facets of A and of B, each with the face of the other body in the same direction, and
+//! the parallelograms of two edges whose normal cones meet: on the sphere of directions an edge is the arc between the
+//! normals of its two facets, and two edges form a facet if their arcs cross (E. Fogel and D. Halperin, "Exact and
+//! efficient construction of Minkowski sums of convex polyhedra", CAD 39(11), 2007). This takes microseconds, while the
+//! hull of all sums of corners takes tenths of milliseconds. The result is verified like every hull; if rounding
+//! prevents it from closing, the hull of the sums is used instead.
 
 use super::hull::{Hull, around, is_closed};
 use super::polytope::{Facet, PolytopeError};

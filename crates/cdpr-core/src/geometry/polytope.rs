@@ -176,7 +176,8 @@ impl Polytope {
         Self::from_hull(Hull { corners: vertices, facets }, self.dimension)
     }
 
-    /// A box with its six planes moved outward, m; also works for other bodies with three orthogonal facets at each corner.
+    /// A box with its six planes moved outward, m; also works for other bodies with three orthogonal facets at each
+    /// corner.
     pub(crate) fn with_planes_moved(&self, by: f64) -> Option<Self> {
         let at = |corner: usize| self.facets.iter().filter(move |f| f.corners.contains(&corner)).map(|f| f.normal);
         let moved = |(k, v): (usize, &Point)| v + at(k).sum::<Vector>() * by;

@@ -1,9 +1,9 @@
 //! How far a convex body extends beyond a surface, with proof.
 //!
-//! Distance is 1-Lipschitz, so a box extends at most as far as its centre plus half its diagonal. A box also extends at most as far
-//! beyond the surface's body as beyond any ball inside that body. If a face of the convex body cuts the box, only the part behind
-//! the face counts; therefore a few boxes suffice for a large round body. Boxes that may extend farthest are halved first, and
-//! boxes outside the convex body are dropped.
+//! Distance is 1-Lipschitz, so a box extends at most as far as its centre plus half its diagonal. A box also extends at
+//! most as far beyond the surface's body as beyond any ball inside that body. If a face of the convex body cuts the
+//! box, only the part behind the face counts; therefore a few boxes suffice for a large round body. Boxes that may
+//! extend farthest are halved first, and boxes outside the convex body are dropped.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;

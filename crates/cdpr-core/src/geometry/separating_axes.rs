@@ -1,9 +1,10 @@
 //! Overlap depth of two convex polytopes, exactly, by the separating axis theorem.
 //!
-//! The overlap of two convex sets is the length of the smallest translation that separates them. This translation is perpendicular
-//! to a facet of their Minkowski difference, whose normals are the face normals of either set and the cross products of their edges.
-//! Trying all of them is exact for any shape, including needles and slivers. Source: Gottschalk, Lin, Manocha, OBBTree,
-//! SIGGRAPH 1996, for the theorem; Ericson, Real-Time Collision Detection, section 5.2.1.
+//! The overlap of two convex sets is the length of the smallest translation that separates them. This translation is
+//! perpendicular to a facet of their Minkowski difference, whose normals are the face normals of either set and the
+//! cross products of their edges. Trying all of them is exact for any shape, including needles and slivers. Source:
+//! Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996, for the theorem; Ericson, Real-Time Collision Detection, section
+//! 5.2.1.
 
 use super::polytope::unit_cross;
 use super::{ConvexShape, Vector};
@@ -11,8 +12,8 @@ use super::{ConvexShape, Vector};
 /// Signed separation of two shapes, m, and the unit axis from `a` to `b` on which it was found.
 ///
 /// Positive: a certified lower bound of their distance. Zero or negative: minus the depth of their overlap. Sets whose
-/// Minkowski difference is flat (two coplanar segments, for example) can touch but not overlap: the result for them is at most
-/// zero if they meet.
+/// Minkowski difference is flat (two coplanar segments, for example) can touch but not overlap: the result for them is
+/// at most zero if they meet.
 pub fn separation(a: &impl ConvexShape, b: &impl ConvexShape) -> (f64, Vector) {
     let mut best = (f64::NEG_INFINITY, Vector::x());
     visit_axes(a, b, |gap, axis| {

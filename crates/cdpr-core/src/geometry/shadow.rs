@@ -49,8 +49,8 @@ pub fn shadow(body: &Polytope, apex: &Point) -> Option<Shadow> {
     Some(Shadow { half_spaces, tilt })
 }
 
-/// Outward unit normal of the plane through the apex and an edge that runs counter-clockwise around the silhouette; `None`
-/// for an edge in line with the apex, which appears as a corner.
+/// Outward unit normal of the plane through the apex and an edge that runs counter-clockwise around the silhouette;
+/// `None` for an edge in line with the apex, which appears as a corner.
 fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
     let (a, b) = (from - apex, to - apex);
     // The side between the nearer end and the edge has the smallest rounding error.

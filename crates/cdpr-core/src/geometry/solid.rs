@@ -42,8 +42,8 @@ pub struct SignedDistance {
 }
 
 impl SignedDistance {
-    /// A surface of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. `None` without
-    /// triangles.
+    /// A surface of triangles over points; `closed` if they enclose a body, counter-clockwise seen from outside. `None`
+    /// without triangles.
     ///
     /// # Errors
     /// The errors of the watch.
@@ -132,7 +132,8 @@ impl SignedDistance {
         limit > 0.0 && self.search(point, squared, &mut (squared, usize::MAX, Feature::Face, *point), count)
     }
 
-    /// Searches for something closer than the best so far, which holds the squared distance; ends once that is below `enough`.
+    /// Searches for something closer than the best so far, which holds the squared distance; ends once that is below
+    /// `enough`.
     fn search(&self, point: &Point, enough: f64, best: &mut (f64, usize, Feature, Point), count: &mut usize) -> bool {
         let mut open = [(0u32, 0.0); DEPTH];
         let mut height = 1;

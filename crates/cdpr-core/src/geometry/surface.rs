@@ -118,8 +118,8 @@ fn enclosing(welded: &Welded, shells: &[Shell], cavity: &Shell, watch: &Watch) -
     Ok(None)
 }
 
-/// Triangles over corners in which nearly equal corners are identified, for questions of connectivity; positions use the
-/// corners as given.
+/// Triangles over corners in which nearly equal corners are identified, for questions of connectivity; positions use
+/// the corners as given.
 struct Welded {
     corners: Vec<[Point; 3]>,
     points: Vec<Point>,

@@ -1,9 +1,9 @@
 //! A convex body around points that has few faces and extends little beyond their hull.
 //!
-//! A small set of points with few corners gets its hull. Other sets are enclosed by planes that touch the points, added one by one:
-//! the corner of the body that is farthest from the hull is cut off, along the face of the hull that it is highest
-//! over. Every plane has all points behind it, so the body encloses them wherever the planes are. Its distance from the
-//! hull is largest at a corner, since the distance from a convex set is a convex function.
+//! A small set of points with few corners gets its hull. Other sets are enclosed by planes that touch the points, added
+//! one by one: the corner of the body that is farthest from the hull is cut off, along the face of the hull that it is
+//! highest over. Every plane has all points behind it, so the body encloses them wherever the planes are. Its distance
+//! from the hull is largest at a corner, since the distance from a convex set is a convex function.
 
 use super::clip::Polyhedron;
 use super::hull::flat_ring;
@@ -38,8 +38,8 @@ pub(super) struct Wrap {
     corners: Vec<Point>,
 }
 
-/// A body with volume around points that do not lie in a plane; it extends about `room` metres beyond their hull. `None` if the
-/// points lie in a plane.
+/// A body with volume around points that do not lie in a plane; it extends about `room` metres beyond their hull.
+/// `None` if the points lie in a plane.
 ///
 /// # Errors
 /// The errors of the watch.
@@ -99,8 +99,8 @@ pub(super) fn is_sound(body: &Polytope, points: &[Point]) -> bool {
     body.has_volume() && covers() && Polytope::from_vertices(body.vertices()).is_ok_and(|again| again.has_volume())
 }
 
-/// Adds planes around points until no corner of the enclosed body is farther than `room` from the triangles of the hull; also
-/// returns those corners.
+/// Adds planes around points until no corner of the enclosed body is farther than `room` from the triangles of the
+/// hull; also returns those corners.
 fn tightened(
     points: &[Point],
     aabb: &Aabb,
@@ -178,8 +178,8 @@ impl Wrap {
         }
     }
 
-    /// The planes with the allowance for rounding: what is proved of the set behind them holds for [`Wrap::polytope`], if it
-    /// reports so.
+    /// The planes with the allowance for rounding: what is proved of the set behind them holds for [`Wrap::polytope`],
+    /// if it reports so.
     pub fn widened(&self) -> (Vec<HalfSpace>, Aabb) {
         let room = Vector::repeat(ROOM);
         let aabb = Aabb { min: self.aabb.min - room, max: self.aabb.max + room };

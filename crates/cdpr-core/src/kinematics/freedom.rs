@@ -30,7 +30,8 @@ pub enum Holding {
 /// A motion of the platform that, to first order, leaves the length of every cable unchanged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FreeMotion {
-    /// Linear velocity of the platform's origin and angular velocity, world axes; the largest component is 1 (m/s or rad/s).
+    /// Linear velocity of the platform's origin and angular velocity, world axes; the largest component is 1 (m/s or
+    /// rad/s).
     pub twist: [f64; 6],
 }
 

@@ -1,8 +1,9 @@
-//! Four floating-point numbers or eight integers at a time: a kernel is written once over [`Lanes`] and compiled twice, portably and for
-//! AVX2 (selected at run time, through pulp).
+//! Four floating-point numbers or eight integers at a time: a kernel is written once over [`Lanes`] and compiled twice,
+//! portably and for AVX2 (selected at run time, through pulp).
 //!
-//! Both perform the same operations on the same numbers in the same order, without fused operations, so their results are equal
-//! to the last bit. Kernels use loops rather than closures: code that is not inlined is not compiled for AVX2.
+//! Both perform the same operations on the same numbers in the same order, without fused operations, so their results
+//! are equal to the last bit. Kernels use loops rather than closures: code that is not inlined is not compiled for
+//! AVX2.
 
 /// Numbers per group.
 pub const WIDTH: usize = 4;
@@ -267,7 +268,8 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// The fastest one that this machine supports; the portable one if the environment variable `CDPR_PORTABLE` is set, for tests.
+    /// The fastest one that this machine supports; the portable one if the environment variable `CDPR_PORTABLE` is set,
+    /// for tests.
     pub fn best() -> Self {
         if std::env::var_os("CDPR_PORTABLE").is_some() {
             return Kernel::Portable;
@@ -284,7 +286,8 @@ impl Kernel {
 pub trait Task {
     type Output;
 
-    /// The task, over any lanes; it must be `#[inline(always)]`, as must everything that it calls on the way to the lanes.
+    /// The task, over any lanes; it must be `#[inline(always)]`, as must everything that it calls on the way to the
+    /// lanes.
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
 }
 

@@ -85,7 +85,8 @@ pub trait Observer: Sync {
         false
     }
 
-    /// A better path was found: seconds since the start, its length in m, its waypoints. Called on the thread that plans.
+    /// A better path was found: seconds since the start, its length in m, its waypoints. Called on the thread that
+    /// plans.
     fn improved(&self, _seconds: f64, _cost: f64, _path: &[Point]) {}
 }
 

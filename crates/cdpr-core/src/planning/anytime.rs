@@ -1,10 +1,11 @@
-//! The anytime planner: a first path quickly, then shorter ones until a limit is reached or further search no longer pays off.
+//! The anytime planner: a first path quickly, then shorter ones until a limit is reached or further search no longer
+//! pays off.
 //!
-//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`PathOptimizer`], which knows the geometry, turns the resulting path
-//! into a locally shortest one; the shortest of these is kept. Once there is a path, or after a while without one, half of the
-//! samples also come from the optimizer, from places where shortest paths can bend: in narrow passages few other samples are useful.
-//! Samples through which no shorter path can lead are skipped (J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*",
-//! IROS 2014).
+//! Two trees grow as in the planner `two-trees`. Whenever they meet, a [`PathOptimizer`], which knows the geometry,
+//! turns the resulting path into a locally shortest one; the shortest of these is kept. Once there is a path, or after
+//! a while without one, half of the samples also come from the optimizer, from places where shortest paths can bend: in
+//! narrow passages few other samples are useful. Samples through which no shorter path can lead are skipped (J. D.
+//! Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*", IROS 2014).
 
 use rand::Rng;
 
@@ -19,8 +20,8 @@ use crate::watch::Watch;
 
 /// A string puller: what the planner needs from the geometry of the space to shorten paths and to choose samples.
 pub trait PathOptimizer<State>: Sync {
-    /// Shortens a valid path; the result is valid, has the same ends and is never longer. It is approximately locally shortest if
-    /// that may be shorter than `worth`, m.
+    /// Shortens a valid path; the result is valid, has the same ends and is never longer. It is approximately locally
+    /// shortest if that may be shorter than `worth`, m.
     ///
     /// # Errors
     /// [`Error::interrupted`] if the watch requests it; a deadline ends it early.
@@ -34,8 +35,8 @@ pub trait PathOptimizer<State>: Sync {
         self.shortened(path, f64::INFINITY, watch)
     }
 
-    /// A valid path found without sampling, usually a different one each time. `None` if this takes more effort than the given number
-    /// of samples (the next call continues), or if there are no more paths to find.
+    /// A valid path found without sampling, usually a different one each time. `None` if this takes more effort than
+    /// the given number of samples (the next call continues), or if there are no more paths to find.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -79,8 +80,8 @@ pub type Improved<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
 pub struct AnytimeOptions {
     /// The limits of the search. With `Until::FirstPath` it continues until nothing has improved for a while.
     pub limits: Limits,
-    /// The search ends when the best path exceeds a lower bound of all paths by at most this share: 0.01 for "at most 1 % too
-    /// long".
+    /// The search ends when the best path exceeds a lower bound of all paths by at most this share: 0.01 for "at most 1
+    /// % too long".
     pub gap: Option<f64>,
 }
 
@@ -92,11 +93,12 @@ impl Default for AnytimeOptions {
 
 /// Without other limits: number of samples without any path after which the search gives up.
 const HOPELESS: usize = 100_000;
-/// Without other limits: effort since the last improvement after which the search ends, in samples: this times √n for n bodies that
-/// paths may bend around, but at least `LEAST_EFFORT`.
+/// Without other limits: effort since the last improvement after which the search ends, in samples: this times √n for n
+/// bodies that paths may bend around, but at least `LEAST_EFFORT`.
 const EFFORT: f64 = 120.0;
 const LEAST_EFFORT: f64 = 500.0;
-/// Without other limits: the search continues for at least this share of the effort that led from the first path to the best one.
+/// Without other limits: the search continues for at least this share of the effort that led from the first path to the
+/// best one.
 const EFFORT_SHARE: f64 = 0.5;
 /// Effort of string pulling one path, in samples; and the same if non-polyhedral constraints block the string puller.
 const PULL: usize = 20;
@@ -121,8 +123,8 @@ const MOST_NODES: usize = 20_000;
 
 /// Searches for ever shorter paths; see the module. If interrupted, it returns the best path so far, if there is one.
 ///
-/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline, a target cost or a gap, it
-/// continues until one of these is reached; otherwise until it has found nothing better for a while.
+/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline, a target cost
+/// or a gap, it continues until one of these is reached; otherwise until it has found nothing better for a while.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
@@ -249,7 +251,8 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    /// Once there is a path, and if a gap was requested, computes the lower bound and the length that satisfies the gap.
+    /// Once there is a path, and if a gap was requested, computes the lower bound and the length that satisfies the
+    /// gap.
     fn look_at_the_gap(&mut self) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
         if self.cost.is_finite()

@@ -8,12 +8,12 @@ use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::error::Error;
 
-/// Number of nodes of each tree from which a sample is tried, nearest first. With one, a sample behind a corner of its nearest
-/// node is lost; with all, an unreachable sample costs as many motion checks as there are nodes.
+/// Number of nodes of each tree from which a sample is tried, nearest first. With one, a sample behind a corner of its
+/// nearest node is lost; with all, an unreachable sample costs as many motion checks as there are nodes.
 const NEAREST: usize = 10;
 
-/// A tree that is larger than the other by this factor grows only together with it: if the other tree is stuck, the search must
-/// make progress there.
+/// A tree that is larger than the other by this factor grows only together with it: if the other tree is stuck, the
+/// search must make progress there.
 const LOPSIDED: usize = 1;
 
 /// How the parent of a new state is chosen among the nodes that can reach it.
@@ -61,7 +61,8 @@ impl<'p, S: StateSpace> Halves<'p, S> {
         from_goal.append_chain(self.space, inner.iter().rev());
     }
 
-    /// Connects a state to both trees by straight motions; returns the path through the state if both connections succeed.
+    /// Connects a state to both trees by straight motions; returns the path through the state if both connections
+    /// succeed.
     pub fn meet(
         &mut self,
         search: &mut Search<S>,

@@ -25,9 +25,10 @@ impl Default for ModifiedRrtOptions {
 
 /// Searches for a path by Modified RRT. Stops at the first connection to the goal, or continues up to the limits.
 ///
-/// Interpretation of the pseudocode: a sample is first tested as a state, which is not counted as a motion check. When the goal is
-/// tried again after an append, it is tried from the new node only, since all others have already failed. If the search continues
-/// after the first path, a node becomes the goal's parent if it gives a shorter path than the present parent (section 4).
+/// Interpretation of the pseudocode: a sample is first tested as a state, which is not counted as a motion check. When
+/// the goal is tried again after an append, it is tried from the new node only, since all others have already failed.
+/// If the search continues after the first path, a node becomes the goal's parent if it gives a shorter path than the
+/// present parent (section 4).
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it.

@@ -1,7 +1,8 @@
-//! Nearest-neighbour search: a k-d tree of points (J. L. Bentley, 1975) that grows with the nodes, with a few points per leaf.
+//! Nearest-neighbour search: a k-d tree of points (J. L. Bentley, 1975) that grows with the nodes, with a few points
+//! per leaf.
 //!
-//! All boxes are tight, because most samples of a search are far from the whole tree. For any order of insertion, answers are exact
-//! and no function recurses.
+//! All boxes are tight, because most samples of a search are far from the whole tree. For any order of insertion,
+//! answers are exact and no function recurses.
 
 use super::space::StateSpace;
 use super::tree::Tree;
@@ -13,8 +14,8 @@ const LEAF: usize = 16;
 
 /// Points of nodes 0, 1, 2, …
 ///
-/// The caller provides distances as a function of the node; they must never be smaller than the distances of the points.
-/// Among nodes at equal distance the older one counts as nearest.
+/// The caller provides distances as a function of the node; they must never be smaller than the distances of the
+/// points. Among nodes at equal distance the older one counts as nearest.
 ///
 /// # Example
 /// ```

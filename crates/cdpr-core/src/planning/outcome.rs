@@ -25,8 +25,8 @@ pub struct Outcome<State> {
     pub status: Status,
     /// The path from start to goal; empty unless solved.
     pub waypoints: Vec<State>,
-    /// The tree at the end of the search; if solved, the goal is its last node. For planners with two trees: the tree of the start,
-    /// followed by that of the goal.
+    /// The tree at the end of the search; if solved, the goal is its last node. For planners with two trees: the tree
+    /// of the start, followed by that of the goal.
     pub tree: SearchTree<State>,
     /// Number of motion checks.
     pub motion_checks: usize,

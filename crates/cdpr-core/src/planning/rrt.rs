@@ -30,8 +30,9 @@ impl Default for RrtOptions {
 
 /// Searches for a path by RRT. Stops at the first path, or continues up to the limits and keeps the shortest path.
 ///
-/// The new state is first tested as a state, which is not counted as a motion check. Samples are not tested, since the tree may
-/// grow towards an invalid sample. The goal is tried from the start and from every new node within one step of it.
+/// The new state is first tested as a state, which is not counted as a motion check. Samples are not tested, since the
+/// tree may grow towards an invalid sample. The goal is tried from the start and from every new node within one step of
+/// it.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it.

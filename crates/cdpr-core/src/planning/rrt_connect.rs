@@ -1,5 +1,6 @@
-//! RRT-Connect: two trees take turns; one extends by one step towards a random sample, then the other steps repeatedly towards the
-//! new node (J. J. Kuffner and S. M. LaValle, "RRT-connect: an efficient approach to single-query path planning", ICRA 2000).
+//! RRT-Connect: two trees take turns; one extends by one step towards a random sample, then the other steps repeatedly
+//! towards the new node (J. J. Kuffner and S. M. LaValle, "RRT-connect: an efficient approach to single-query path
+//! planning", ICRA 2000).
 
 use rand::Rng;
 
@@ -41,10 +42,12 @@ enum Step {
     Reached(usize),
 }
 
-/// Searches for a path by RRT-Connect. Stops at the first path, or continues up to the limits and keeps the shortest path.
+/// Searches for a path by RRT-Connect. Stops at the first path, or continues up to the limits and keeps the shortest
+/// path.
 ///
-/// Like the other planners, it tries the straight line from start to goal first. A new state is first tested as a state, which is
-/// not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid sample.
+/// Like the other planners, it tries the straight line from start to goal first. A new state is first tested as a
+/// state, which is not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid
+/// sample.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it.
@@ -106,8 +109,8 @@ fn extend<S: StateSpace>(search: &mut Search<S>, half: &mut Half<S>, x: &S::Stat
     }
 }
 
-/// `CONNECT(T, x)`: steps towards a state until it is reached or a step fails. After a step the new node is the nearest one, so the
-/// tree is searched only once.
+/// `CONNECT(T, x)`: steps towards a state until it is reached or a step fails. After a step the new node is the nearest
+/// one, so the tree is searched only once.
 fn connect<S: StateSpace>(
     search: &mut Search<S>,
     trees: &mut [Half<S>; 2],

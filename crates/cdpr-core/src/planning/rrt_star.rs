@@ -1,5 +1,5 @@
-//! RRT*, Algorithm 1 of the paper: RRT that chooses the cheapest parent among the nodes near each new node, and rewires nearby
-//! nodes to the new node if that is cheaper for them (S. Karaman and E. Frazzoli, 2011).
+//! RRT*, Algorithm 1 of the paper: RRT that chooses the cheapest parent among the nodes near each new node, and rewires
+//! nearby nodes to the new node if that is cheaper for them (S. Karaman and E. Frazzoli, 2011).
 
 use rand::Rng;
 
@@ -35,9 +35,9 @@ impl Default for RrtStarOptions {
 /// Searches for a path by RRT*. Stops at the first path, or continues up to the limits while the path becomes shorter.
 ///
 /// Interpretation of the pseudocode: the new state is first tested as a state, which is not counted as a motion check
-/// (samples are not tested: Algorithm 1 steers towards any of them). The goal is tried from the start and from every new node
-/// within one step of it, and its parent is the cheapest of the nodes that reach it. Parents are tried lazily, in order of
-/// increasing cost.
+/// (samples are not tested: Algorithm 1 steers towards any of them). The goal is tried from the start and from every
+/// new node within one step of it, and its parent is the cheapest of the nodes that reach it. Parents are tried lazily,
+/// in order of increasing cost.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it.
@@ -106,8 +106,8 @@ fn grow<S: StateSpace>(
     }
 }
 
-/// `FindParent(x_near, x_nearest, x_new)`: the near node that gives the shortest path to the new state; the motion from the nearest
-/// node is known to be free.
+/// `FindParent(x_near, x_nearest, x_new)`: the near node that gives the shortest path to the new state; the motion from
+/// the nearest node is known to be free.
 fn find_parent<S: StateSpace>(
     search: &mut Search<S>,
     tree: &Tree<S>,

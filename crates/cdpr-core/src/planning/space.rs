@@ -14,8 +14,8 @@ pub trait StateSpace: Sync {
     /// A uniform random state; `None` if the space is empty.
     fn sample(&self, rng: &mut impl Rng) -> Option<Self::State>;
 
-    /// A uniform random state among those through which a path between two states can be shorter than `length`, m; `None` if the
-    /// draw fell outside the space.
+    /// A uniform random state among those through which a path between two states can be shorter than `length`, m;
+    /// `None` if the draw fell outside the space.
     fn sample_between(
         &self,
         from: &Self::State,
@@ -45,21 +45,23 @@ pub trait StateSpace: Sync {
     /// The point of a state in the neighbour index: points are never farther apart than their states.
     fn place(&self, state: &Self::State) -> Point;
 
-    /// γ (ln n / n)^(1/d), m, with γ = (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space and the volume ζ
-    /// of the unit ball. S. Karaman and E. Frazzoli (2011) use this radius in their proof that RRT* is asymptotically optimal. The
-    /// proof has a gap; K. Solovey, L. Janson, E. Schmerling, E. Frazzoli and M. Pavone ("Revisiting the asymptotic optimality of
-    /// RRT*", ICRA 2020) prove the result for the exponent 1/(d + 1) and a larger γ, which is a larger radius for large n.
+    /// γ (ln n / n)^(1/d), m, with γ = (2 (1 + 1/d) V/ζ)^(1/d) for d dimensions, the volume V of the space and the
+    /// volume ζ of the unit ball. S. Karaman and E. Frazzoli (2011) use this radius in their proof that RRT* is
+    /// asymptotically optimal. The proof has a gap; K. Solovey, L. Janson, E. Schmerling, E. Frazzoli and M. Pavone
+    /// ("Revisiting the asymptotic optimality of RRT*", ICRA 2020) prove the result for the exponent 1/(d + 1) and a
+    /// larger γ, which is a larger radius for large n.
     fn near_radius(&self, nodes: usize) -> f64;
 }
 
-/// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` towards `to`, or `to` if it is within one step.
+/// `Steer(x_rand, x_nearest)` of the paper: the state one step from `from` towards `to`, or `to` if it is within one
+/// step.
 pub fn steer<S: StateSpace>(space: &S, from: &S::State, to: &S::State, step: f64) -> S::State {
     let distance = space.distance(from, to);
     if distance <= step { *to } else { space.interpolate(from, to, step / distance) }
 }
 
-/// Positions of the platform's origin at fixed orientation; uniform over the positions at which the platform is inside the
-/// workspace.
+/// Positions of the platform's origin at fixed orientation; uniform over the positions at which the platform is inside
+/// the workspace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TranslationSpace {
     /// Smallest coordinates of a position, m.
@@ -154,7 +156,8 @@ impl TranslationSpace {
         self.max[axis] - self.min[axis] <= FLAT
     }
 
-    /// A drawn position if it is in the space; along flat axes, which a draw never hits exactly, it is clamped into the space.
+    /// A drawn position if it is in the space; along flat axes, which a draw never hits exactly, it is clamped into the
+    /// space.
     fn inside(&self, mut position: Point) -> Option<Point> {
         for axis in (0..3).filter(|&axis| self.is_flat(axis)) {
             position[axis] = position[axis].max(self.min[axis]).min(self.max[axis]);

@@ -128,8 +128,8 @@ impl<S: StateSpace> Tree<S> {
         *link = next;
     }
 
-    /// `FeasibleCheapest(T, x)` of the paper: the node that gives the shortest path to `target`, among those with a feasible motion
-    /// to it. Nodes are tried lazily, in order of increasing cost.
+    /// `FeasibleCheapest(T, x)` of the paper: the node that gives the shortest path to `target`, among those with a
+    /// feasible motion to it. Nodes are tried lazily, in order of increasing cost.
     pub fn feasible_cheapest<E>(
         &mut self,
         space: &S,

@@ -1,5 +1,5 @@
-//! Two trees, one from the start and one from the goal, with the direct connections of the paper's Modified RRT: every sample is
-//! tried with both trees. Unlike RRT-Connect it has no steps and no CONNECT.
+//! Two trees, one from the start and one from the goal, with the direct connections of the paper's Modified RRT: every
+//! sample is tried with both trees. Unlike RRT-Connect it has no steps and no CONNECT.
 
 use rand::Rng;
 
@@ -24,10 +24,11 @@ impl Default for TwoTreesOptions {
     }
 }
 
-/// Searches for a path with two trees. Stops at the first path, or continues up to the limits and keeps the shortest path.
+/// Searches for a path with two trees. Stops at the first path, or continues up to the limits and keeps the shortest
+/// path.
 ///
-/// There are no steps: engines check a motion of any length in one query, so a valid sample is connected directly to each tree, to
-/// the nearest node from which it can be reached. A sample that both trees reach joins them.
+/// There are no steps: engines check a motion of any length in one query, so a valid sample is connected directly to
+/// each tree, to the nearest node from which it can be reached. A sample that both trees reach joins them.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it.

@@ -1,8 +1,9 @@
 //! Rewinding, Algorithms 4 and 5 of the paper: shortens the path from one end, then from the other.
 //!
-//! Interpretation: as printed the algorithms never end, because the last step of a segment "rewinds" onto the neighbour that a
-//! waypoint already has; here the path must become strictly shorter. After a success the new point becomes the next reference.
-//! k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the reversed path.
+//! Interpretation: as printed the algorithms never end, because the last step of a segment "rewinds" onto the neighbour
+//! that a waypoint already has; here the path must become strictly shorter. After a success the new point becomes the
+//! next reference. k = 0 is the plain shortcut between two waypoints. Forward rewinding is backward rewinding of the
+//! reversed path.
 
 use crate::choices;
 use crate::collision::Validity;
@@ -157,8 +158,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(())
     }
 
-    /// Algorithm 4: connects every reference waypoint, starting at the last, to the earliest point of the path to which it can be
-    /// connected, and removes what lies between.
+    /// Algorithm 4: connects every reference waypoint, starting at the last, to the earliest point of the path to which
+    /// it can be connected, and removes what lies between.
     fn backward(&self, path: &mut Vec<S::State>) -> Result<(), Error> {
         let mut reference = path.len().saturating_sub(1);
         while reference >= 2 {
@@ -177,8 +178,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(())
     }
 
-    /// The first point along the path, a waypoint j or a step after it, that can be connected to the reference and shortens the
-    /// path.
+    /// The first point along the path, a waypoint j or a step after it, that can be connected to the reference and
+    /// shortens the path.
     fn earliest_connection(&self, path: &[S::State], reference: usize) -> Result<Connection<S::State>, Error> {
         let x_i = &path[reference];
         let mut old = self.space.length(&path[..=reference]); // along the path from x_j to the reference
@@ -205,8 +206,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
         Ok(None)
     }
 
-    /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it. (That piece is part
-    /// of a valid motion, but its end is rounded.)
+    /// `FeasibleToRewind`: the new connection is valid, and so is the piece of the old segment that leads to it. (That
+    /// piece is part of a valid motion, but its end is rounded.)
     fn connects(&self, x_j: &S::State, x_step: &S::State, x_i: &S::State, k: usize) -> bool {
         self.validity.motion_valid(x_step, x_i) && (k == 0 || self.validity.motion_valid(x_j, x_step))
     }

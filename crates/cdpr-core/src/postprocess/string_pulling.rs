@@ -1,16 +1,17 @@
 //! String pulling: turns any valid path into a locally shortest one, exactly.
 //!
-//! At fixed orientation the forbidden regions are convex polyhedra in the space of positions. Among polyhedra, a shortest path is
-//! straight except for bends at their edges (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces", SIAM J. Comput. 15,
-//! 1986). Two steps alternate until neither shortens the path:
+//! At fixed orientation the forbidden regions are convex polyhedra in the space of positions. Among polyhedra, a
+//! shortest path is straight except for bends at their edges (M. Sharir and A. Schorr, "On shortest paths in polyhedral
+//! spaces", SIAM J. Comput. 15, 1986). Two steps alternate until neither shortens the path:
 //!
-//! - *pull*: a bend and its neighbours span a triangle; the string is pulled tight in its plane ([`pull`]). Its new bends lie on
-//!   edges of the polyhedra.
-//! - *slide*: all bends slide along their edges to the positions that make the path through these edges shortest, a convex problem
-//!   ([`slide`]). If a segment hits something on the way, pulling leads it around the obstruction.
+//! - *pull*: a bend and its neighbours span a triangle; the string is pulled tight in its plane ([`pull`]). Its new
+//!   bends lie on edges of the polyhedra.
+//! - *slide*: all bends slide along their edges to the positions that make the path through these edges shortest, a
+//!   convex problem ([`slide`]). If a segment hits something on the way, pulling leads it around the obstruction.
 //!
-//! A change is made only if the engine finds every new segment valid and the path becomes shorter. So the result is valid and never
-//! longer, even if the polyhedra cover too much (sets fattened by a clearance) or too little (wrenches).
+//! A change is made only if the engine finds every new segment valid and the path becomes shorter. So the result is
+//! valid and never longer, even if the polyhedra cover too much (sets fattened by a clearance) or too little
+//! (wrenches).
 
 pub mod bound;
 pub mod h_polyhedra;
@@ -89,8 +90,8 @@ const ROUNDS: usize = 50;
 const WORTHWHILE: f64 = 1e-3;
 /// Share of its length that a round must gain to be followed by another, when candidate paths are compared.
 const ROUGH: f64 = 1e-4;
-/// Before each slide: the ratio of path length to `worth` above which pulling stops. A slide gains several per cent, the next one
-/// less.
+/// Before each slide: the ratio of path length to `worth` above which pulling stops. A slide gains several per cent,
+/// the next one less.
 const HOPES: [f64; 8] = [1.15, 1.04, 1.02, 1.01, 1.005, 1.002, 1.001, 1.001];
 /// Random moves of a bend per size; fewer if the path is limited by constraints that are slow to check.
 const NUDGES: usize = 12;
@@ -214,8 +215,8 @@ impl<'a> Strand<'a> {
         self.path.into_iter().map(|bend| bend.place).collect()
     }
 
-    /// How far a bend can slide along its edge in both directions before it meets another polyhedron or leaves the box; at most
-    /// `reach`, the distances to its neighbours, since no shorter path over the edge lies beyond.
+    /// How far a bend can slide along its edge in both directions before it meets another polyhedron or leaves the box;
+    /// at most `reach`, the distances to its neighbours, since no shorter path over the edge lies beyond.
     fn range(&mut self, bend: &Bend, reach: f64) -> [f64; 2] {
         let Some(along) = &bend.edge else { return [0.0; 2] };
         let [low, high] = in_box(&self.taut.low, &self.taut.high, &bend.place, along);
@@ -245,7 +246,8 @@ impl<'a> Strand<'a> {
         self.hulls.near(&[*place], &mut self.near).flat_map(|hull| hull.edges_at(place)).collect()
     }
 
-    /// Pulls and slides, then nudges: bends may block each other, or be blocked by a constraint that is not a polyhedron.
+    /// Pulls and slides, then nudges: bends may block each other, or be blocked by a constraint that is not a
+    /// polyhedron.
     fn polish(&mut self, watch: &Watch) -> Result<(), Error> {
         self.pull_and_slide(watch)?;
         let mut rng = ChaCha8Rng::seed_from_u64(0); // the result depends only on the path
@@ -403,8 +405,8 @@ impl<'a> Strand<'a> {
         Ok(length(&self.path) < (1.0 - worthwhile) * before)
     }
 
-    /// Slides the bends along their edges, all at once or, if one of them blocks the others, one by one; returns whether time ran
-    /// out.
+    /// Slides the bends along their edges, all at once or, if one of them blocks the others, one by one; returns
+    /// whether time ran out.
     fn slide(&mut self, watch: &Watch) -> Result<bool, Error> {
         if self.slide_together(watch)? {
             return Ok(false);

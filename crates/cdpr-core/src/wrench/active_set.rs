@@ -1,9 +1,9 @@
 //! The point of a slice nearest to the origin of its directions, by the dual active-set method.
 //!
 //! D. Goldfarb and A. Idnani, "A numerically stable dual method for solving strictly convex quadratic programs",
-//! Mathematical Programming 27, 1983, with the identity as Hessian. The method starts from y = 0, or from limits guessed active.
-//! It adds the most violated limit and drops limits whose multiplier would become negative. Every step increases the
-//! distance, so the method terminates: with a point, or with limits that no y satisfies together.
+//! Mathematical Programming 27, 1983, with the identity as Hessian. The method starts from y = 0, or from limits
+//! guessed active. It adds the most violated limit and drops limits whose multiplier would become negative. Every step
+//! increases the distance, so the method terminates: with a point, or with limits that no y satisfies together.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -49,8 +49,8 @@ pub(super) fn nearest(slice: &Slice, guess: &[Limit]) -> Nearest {
     Nearest::Unsettled
 }
 
-/// One run. Limits violated by at most `passing` count as met, and normals of which less than `dependent` is linearly independent
-/// count as dependent.
+/// One run. Limits violated by at most `passing` count as met, and normals of which less than `dependent` is linearly
+/// independent count as dependent.
 fn attempt(slice: &Slice, guess: &[Limit], passing: f64, dependent: f64) -> Nearest {
     let mut set = ActiveSet::start(slice, guess, dependent);
     for _ in 0..ACTIVE_SET_STEPS * (slice.point.len() + 1) {
@@ -158,8 +158,8 @@ impl<'a> ActiveSet<'a> {
         }
     }
 
-    /// Moves y onto a limit that it violates, dropping limits that block it. If the active limits contradict the new one,
-    /// returns the direction, over the entries, that proves it.
+    /// Moves y onto a limit that it violates, dropping limits that block it. If the active limits contradict the new
+    /// one, returns the direction, over the entries, that proves it.
     fn take_in(&mut self, passed: Limit) -> Result<(), DVector<f64>> {
         let normal = self.normal(passed);
         for _ in 0..=self.limits.len() {

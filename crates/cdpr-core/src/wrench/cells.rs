@@ -1,5 +1,5 @@
-//! A grid of positions, its feasible cells, and the cells that a motion crosses. Implements the paper's rule, by which the nearest
-//! grid point decides about a position, and a stricter one, by which all corners of its cell decide.
+//! A grid of positions, its feasible cells, and the cells that a motion crosses. Implements the paper's rule, by which
+//! the nearest grid point decides about a position, and a stricter one, by which all corners of its cell decide.
 
 use rayon::prelude::*;
 
@@ -57,8 +57,8 @@ impl FeasibleCells {
         Ok(FeasibleCells { membership, min, size, counts, feasible: cells.collect() })
     }
 
-    /// The fraction of a motion at which it first enters an infeasible cell or leaves the grid, and that cell; `None` if it
-    /// never does. A wall belongs to the cell above it, so a motion that ends on one enters that cell.
+    /// The fraction of a motion at which it first enters an infeasible cell or leaves the grid, and that cell; `None`
+    /// if it never does. A wall belongs to the cell above it, so a motion that ends on one enters that cell.
     pub fn first_infeasible(&self, from: &Point, to: &Point) -> Option<(f64, [i64; 3])> {
         let (start, step) = ((from - self.min) / self.size, (to - from) / self.size);
         let mut cell = self.cell_at(from);

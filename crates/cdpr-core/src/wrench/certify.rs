@@ -1,9 +1,10 @@
-//! Certificates for the slack along a straight motion: that it suffices everywhere, where it first fails, and its minimum.
+//! Certificates for the slack along a straight motion: that it suffices everywhere, where it first fails, and its
+//! minimum.
 //!
-//! Two bounds work together. Slack is computed at four positions at a time, and between two of them it cannot drop by more
-//! than [`sagging`] allows. This is cheap and decides most motions, but near the limit it would need pieces as short
-//! as the slack is small. The remaining pieces are certified facet by facet (`Facets`): there a piece may be as long as the
-//! square root of the slack, and each facet is divided only where it limits.
+//! Two bounds work together. Slack is computed at four positions at a time, and between two of them it cannot drop by
+//! more than [`sagging`] allows. This is cheap and decides most motions, but near the limit it would need pieces as
+//! short as the slack is small. The remaining pieces are certified facet by facet (`Facets`): there a piece may be as
+//! long as the square root of the slack, and each facet is divided only where it limits.
 
 use super::facets::{Bounds, FacetPair, Facets};
 use super::measure::{Measure, sagging};

@@ -95,7 +95,8 @@ pub fn required_of(scene: &Scene, force: Option<f64>, moment: Option<f64>) -> Re
 }
 
 impl WrenchConstraint {
-    /// The constraint of a scene, whose geometric conditions are `conditions`; `None` if the scene does not require one.
+    /// The constraint of a scene, whose geometric conditions are `conditions`; `None` if the scene does not require
+    /// one.
     ///
     /// # Errors
     /// As [`measures`]; a grid with too many cells.

@@ -1,10 +1,11 @@
 //! The facets of the measured set along a straight motion, each as a polynomial that is bounded from below.
 //!
-//! Without normalisation by its length, a cable's column is affine in the position. A facet's normal c is the cross product of n − 1
-//! of these columns, and c, c·wᵢ for every other column and c·w_r are polynomials of degree at most 3: in axes whose
-//! first one is along the motion, only three of the six rows depend on the position. So their values at four points determine them, and
-//! in Bernstein form their coefficients bound them. Only the lengths of the cables that are not in the facet
-//! are not polynomials: their inverses are interpolated, with a bound of the error. docs/wrench.md has the proof.
+//! Without normalisation by its length, a cable's column is affine in the position. A facet's normal c is the cross
+//! product of n − 1 of these columns, and c, c·wᵢ for every other column and c·w_r are polynomials of degree at most 3:
+//! in axes whose first one is along the motion, only three of the six rows depend on the position. So their values at
+//! four points determine them, and in Bernstein form their coefficients bound them. Only the lengths of the cables that
+//! are not in the facet are not polynomials: their inverses are interpolated, with a bound of the error. docs/wrench.md
+//! has the proof.
 
 use super::margins::Required;
 use super::measure::Measure;
@@ -313,8 +314,8 @@ impl<'a> Facets<'a> {
         true
     }
 
-    /// Whether the slack to both facets of a pair is at least `least` on a piece of the motion, between two fractions of
-    /// it, and its value in the middle.
+    /// Whether the slack to both facets of a pair is at least `least` on a piece of the motion, between two fractions
+    /// of it, and its value in the middle.
     pub fn bounds(&self, pair: &FacetPair, from: f64, to: f64, least: f64) -> Bounds {
         let whole = from == 0.0 && to == 1.0;
         let on_piece = |cubic: &Cubic| if whole { *cubic } else { restricted(cubic, from, to) };

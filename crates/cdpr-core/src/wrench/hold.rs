@@ -68,8 +68,8 @@ fn pull_against_each_other<const N: usize>(generators: &[SVector<f64, N>]) -> bo
     matches!(FeasibilityLp::new().solve(&matrix, &limits, &Vector6::zeros()), Ok(Balance::Feasible(_)))
 }
 
-/// A basis of the same space in which each vector has a 1 where all others have a 0, so that rotations about and translations along
-/// an axis appear as such.
+/// A basis of the same space in which each vector has a 1 where all others have a 0, so that rotations about and
+/// translations along an axis appear as such.
 fn reduced<const N: usize>(mut basis: Vec<SVector<f64, N>>) -> Vec<SVector<f64, N>> {
     let mut pivots: Vec<usize> = Vec::new();
     for k in 0..basis.len() {
@@ -138,7 +138,8 @@ mod tests {
 
     #[test]
     fn a_swing_turns_while_it_moves() {
-        // Four cables from the corners of an oblong ceiling to those of a square: it swings sideways and turns at the same time.
+        // Four cables from the corners of an oblong ceiling to those of a square: it swings sideways and turns at the
+        // same time.
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         let columns: Vec<_> = corners.iter().map(|[x, y]| cable([1.5 * x, *y, 1.0], [0.2 * x, 0.2 * y, 0.1])).collect();
         let hold = Hold::of(&columns, false);

@@ -1,9 +1,9 @@
 //! clarabel for repeated programs of one size: `minimise ½ h |x|² + c·x where A x <= b`,
 //! with fixed h and c, and new A and b each time.
 //!
-//! These programs have at most about ten unknowns and dense matrices of numbers near 1. A solver would spend most of its time on
-//! equilibration and iterative refinement, which they do not need: the callers verify the answers and make them
-//! exact.
+//! These programs have at most about ten unknowns and dense matrices of numbers near 1. A solver would spend most of
+//! its time on equilibration and iterative refinement, which they do not need: the callers verify the answers and make
+//! them exact.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};

@@ -1,9 +1,9 @@
 //! Capacity margins of four positions at a time, for robots of six to eight cables.
 //!
-//! A facet's normal c is orthogonal to five columns of W, so v = Wᵀc vanishes on five cables. As an element of the row space
-//! of W, v is orthogonal to its null space N. With eight cables (fewer are padded with zero columns) N has two
-//! columns, and on the three remaining cables v is the cross product of their rows of N: 28 products of two give
-//! all 56 normals. Everything else follows from v, through P = W⁺ᵀ, c = P v:
+//! A facet's normal c is orthogonal to five columns of W, so v = Wᵀc vanishes on five cables. As an element of the row
+//! space of W, v is orthogonal to its null space N. With eight cables (fewer are padded with zero columns) N has two
+//! columns, and on the three remaining cables v is the cross product of their rows of N: 28 products of two give all 56
+//! normals. Everything else follows from v, through P = W⁺ᵀ, c = P v:
 //!
 //! - the offset of the facet on both sides: Σ ρᵢ|vᵢ| ± Σ μᵢ vᵢ with μ, ρ the centre and half-width of the tensions;
 //! - c·w_r = Σ vᵢ Pᵢ·w_r.
@@ -61,8 +61,8 @@ pub struct KernelRobot {
 }
 
 impl KernelRobot {
-    /// The robot for the kernel, with balls of these radii of [force; moment / ℓ]; `None` if its number of cables is not
-    /// supported, or its platform is a point mass.
+    /// The robot for the kernel, with balls of these radii of [force; moment / ℓ]; `None` if its number of cables is
+    /// not supported, or its platform is a point mass.
     pub fn new(statics: &Statics, radii: [f64; 2]) -> Option<Self> {
         let cables = statics.cables();
         if !(ROWS..=CABLES).contains(&cables.len()) || statics.point_mass() {

@@ -1,9 +1,9 @@
 //! Two linear programs about wrenches: whether tensions within limits balance one, and how far a polytope of them can
 //! be scaled up.
 //!
-//! Both are formulated in the null space of the wrench matrix and in half ranges of the tensions (a wrench is balanced by
-//! `x = p + N y` with every entry between −1 and 1), so eight cables leave three unknowns and sixteen rows.
-//! clarabel proposes an answer; independently verified tensions, or a separating plane, decide.
+//! Both are formulated in the null space of the wrench matrix and in half ranges of the tensions (a wrench is balanced
+//! by `x = p + N y` with every entry between −1 and 1), so eight cables leave three unknowns and sixteen rows. clarabel
+//! proposes an answer; independently verified tensions, or a separating plane, decide.
 
 use clarabel::solver::DefaultInfo;
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
@@ -74,9 +74,9 @@ impl FeasibilityLp {
 
     /// Tensions t with `W t = wrench` and `t_min <= t <= t_max`, if there are any.
     ///
-    /// `wrench_matrix` is W, 6 × m, of any rank, with rows of comparable scale; `limits` is (t_min, t_max) of each cable, N;
-    /// `wrench` is what the cables have to exert on the platform, [force, N; moment, N times the length unit of W]. The
-    /// balance is accurate to [`BALANCE_RELATIVE`](crate::numerics::BALANCE_RELATIVE).
+    /// `wrench_matrix` is W, 6 × m, of any rank, with rows of comparable scale; `limits` is (t_min, t_max) of each
+    /// cable, N; `wrench` is what the cables have to exert on the platform, [force, N; moment, N times the length unit
+    /// of W]. The balance is accurate to [`BALANCE_RELATIVE`](crate::numerics::BALANCE_RELATIVE).
     ///
     /// # Errors
     /// No cable, lengths that differ, numbers that are not finite or exceed
@@ -173,9 +173,9 @@ pub enum LargestScale {
 /// Reusable solver for "by how much can this polytope of wrenches grow?".
 ///
 /// # Method
-/// One small program for each corner, the largest s with `-1 <= p + s q + N y <= 1`, unless the corner can also be balanced at the
-/// smallest scale so far (which needs no program). Its multipliers define a plane that bounds s. If the wrench at this bound cannot
-/// be balanced, the plane that separates it gives a new bound.
+/// One small program for each corner, the largest s with `-1 <= p + s q + N y <= 1`, unless the corner can also be
+/// balanced at the smallest scale so far (which needs no program). Its multipliers define a plane that bounds s. If the
+/// wrench at this bound cannot be balanced, the plane that separates it gives a new bound.
 ///
 /// # Example
 /// ```

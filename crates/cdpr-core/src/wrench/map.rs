@@ -1,7 +1,7 @@
 //! Wrench maps: margins at the nodes of a grid of positions, and the region where they are positive.
 //!
-//! The paper's wrench-feasible workspace (section 3.3) in numbers: where the cables can hold the platform and exert the required
-//! wrenches.
+//! The paper's wrench-feasible workspace (section 3.3) in numbers: where the cables can hold the platform and exert the
+//! required wrenches.
 
 use super::margins::{force_limit, moment_limit};
 use super::{CapacityMargin, MapIdentity, Required, Statics};
@@ -42,8 +42,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid that starts at the box's minimum corner; along each axis its last node is the last one in the box. If the box
-    /// is a whole number of steps long (up to a rounding error of 1e-12 steps), the last node is at its end.
+    /// The grid that starts at the box's minimum corner; along each axis its last node is the last one in the box. If
+    /// the box is a whole number of steps long (up to a rounding error of 1e-12 steps), the last node is at its end.
     ///
     /// # Errors
     /// A box that is empty or not finite, a step that is not positive, or one so small that there are more than
@@ -206,9 +206,9 @@ pub struct Place {
 
 /// The feasible region of a map in numbers.
 ///
-/// A node is feasible if its margin is positive: a set without interior, such as that of a robot which lacks a degree of
-/// freedom, has margins of at most zero. Each feasible node represents the cube of one step around it, so the
-/// volume is the count times step³; a region that extends to the side of the box is counted half a step beyond it.
+/// A node is feasible if its margin is positive: a set without interior, such as that of a robot which lacks a degree
+/// of freedom, has margins of at most zero. Each feasible node represents the cube of one step around it, so the volume
+/// is the count times step³; a region that extends to the side of the box is counted half a step beyond it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapSummary {
     /// Number of nodes.
@@ -268,7 +268,8 @@ fn replace_if(kept: &mut Option<(usize, f64)>, new: (usize, f64), beyond: impl F
     }
 }
 
-/// A number for each node; positions are processed four at a time, and the last group is padded by repeating the last node.
+/// A number for each node; positions are processed four at a time, and the last group is padded by repeating the last
+/// node.
 fn at_nodes(
     grid: &Grid,
     margins: impl Fn(&[Point; WIDTH]) -> [f64; WIDTH] + Sync,

@@ -1,4 +1,5 @@
-//! Definitions of the margins, for any robot: how far the required wrenches are from the facets of the available wrench set.
+//! Definitions of the margins, for any robot: how far the required wrenches are from the facets of the available wrench
+//! set.
 //!
 //! [`CapacityMargin`](super::CapacityMargin) computes the same numbers faster where the four-position kernel applies.
 
@@ -68,15 +69,15 @@ impl Required {
 pub struct BindingFacet<const N: usize> {
     /// Slack in the direction `normal`, N (N·m for moments); negative if a required wrench is not available.
     pub margin: f64,
-    /// Outward unit normal of the nearest facet; for [`force_limit`] and [`moment_limit`] outside the set, the direction from its
-    /// nearest point to the balancing force or moment.
+    /// Outward unit normal of the nearest facet; for [`force_limit`] and [`moment_limit`] outside the set, the
+    /// direction from its nearest point to the balancing force or moment.
     pub normal: SVector<f64, N>,
 }
 
 /// The facet of {Σ tᵢ gᵢ : t in the limits} nearest to the set around `center` with support function `reach(c)`.
 ///
-/// A set of lower rank is flat: the directions orthogonal to it count as well, with nothing available in them, including the one in
-/// which `center` is farthest from the set's span. A set without any facet is a point.
+/// A set of lower rank is flat: the directions orthogonal to it count as well, with nothing available in them,
+/// including the one in which `center` is farthest from the set's span. A set without any facet is a point.
 fn nearest_facet<const N: usize>(
     generators: &[SVector<f64, N>],
     statics: &Statics,
@@ -116,15 +117,15 @@ fn nearest_facet<const N: usize>(
     nearest
 }
 
-/// Capacity margin: the smallest slack between the available wrench set and the required one, over all facets, N, with the
-/// facet. For a point mass the three force rows count. `None` if a cable has no direction.
+/// Capacity margin: the smallest slack between the available wrench set and the required one, over all facets, N, with
+/// the facet. For a point mass the three force rows count. `None` if a cable has no direction.
 ///
 /// In the coordinates [f; m/ℓ], with a facet c·w ≤ h and the balancing wrench w_r, the slack is
 /// h − c·w_r − r_F |c_f| − r_M |c_m| / ℓ. If it is nonnegative, all required wrenches are available.
 ///
 /// # Source
-/// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances in
-/// Mechanisms, Transmissions and Applications, 2014, doi:10.1007/978-94-007-7485-8_47.
+/// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances
+/// in Mechanisms, Transmissions and Applications, 2014, doi:10.1007/978-94-007-7485-8_47.
 pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) -> Option<BindingFacet<6>> {
     let columns = statics.columns(position)?;
     let length = statics.characteristic_length();
@@ -137,19 +138,21 @@ pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) 
     Some(nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length)))
 }
 
-/// Force margin: signed distance from the balancing force to the boundary of the set of forces that the cables can exert, N,
-/// regardless of the moment. If it is positive, it is the radius of the largest ball of forces around the balancing force (the
-/// paper's effective set); if it is negative, minus the smallest missing force. `None` if a cable has no direction.
+/// Force margin: signed distance from the balancing force to the boundary of the set of forces that the cables can
+/// exert, N, regardless of the moment. If it is positive, it is the radius of the largest ball of forces around the
+/// balancing force (the paper's effective set); if it is negative, minus the smallest missing force. `None` if a cable
+/// has no direction.
 ///
-/// It is the smallest slack h(c) − c·f over *all* unit directions c, where h is the set's support function and f the balancing
-/// force: inside the set the worst direction is a facet's normal, outside it is the direction from the set's nearest point.
+/// It is the smallest slack h(c) − c·f over *all* unit directions c, where h is the set's support function and f the
+/// balancing force: inside the set the worst direction is a facet's normal, outside it is the direction from the set's
+/// nearest point.
 pub fn force_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<3>> {
     let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
     Some(signed_distance(&forces, statics, &force_part(statics.balance())))
 }
 
-/// Moment margin: like [`force_limit`], for moments about the platform's origin, N·m, regardless of the force. `None` if a
-/// cable has no direction, and for a point mass, which has no moments.
+/// Moment margin: like [`force_limit`], for moments about the platform's origin, N·m, regardless of the force. `None`
+/// if a cable has no direction, and for a point mass, which has no moments.
 pub fn moment_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<3>> {
     if statics.point_mass() {
         return None;

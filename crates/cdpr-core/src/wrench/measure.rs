@@ -1,5 +1,5 @@
-//! A requirement on the wrenches of a robot as one number: the slack (margin minus requirement) at positions, and a lower bound
-//! of it between them.
+//! A requirement on the wrenches of a robot as one number: the slack (margin minus requirement) at positions, and a
+//! lower bound of it between them.
 
 use nalgebra::Vector6;
 
@@ -106,7 +106,8 @@ impl Measure {
             let foot = (line.dot(&step) / squared).clamp(0.0, 1.0);
             let nearest = (line - step * foot).norm_squared();
             let across = (line.norm_squared() - line.dot(&step).powi(2) / squared).max(0.0);
-            // The direction turns by |step| D / l² along the piece, D the distance of the outlet from the infinite line.
+            // The direction turns by |step| D / l² along the piece, D the distance of the outlet from the infinite
+            // line.
             let turn = ((squared * across).sqrt() / nearest).min(2.0);
             let bend = squared * BEND / nearest;
             let [least, largest] = cable.tension;
@@ -116,17 +117,17 @@ impl Measure {
     }
 }
 
-/// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with x the sine
-/// of the angle between the two, x √(4 − 3x²) is largest at x² = 2/3.
+/// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with
+/// x the sine of the angle between the two, x √(4 − 3x²) is largest at x² = 2/3.
 const BEND: f64 = 1.154_700_538_379_251_5;
 
 /// Lower bound of the slack on a straight piece between two positions with slack `a` and `b` (both nonnegative), where
 /// `sag` is [`Measure::sag`] of the piece.
 ///
-/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) minus constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and the slack is the minimum over
-/// all c. Between the ends, c·wᵢ deviates from its chord by a second-order term, and |x| of a linear x is below its chord
-/// only where x changes sign, by at most 2λ(1−λ)|Δx|. So at fraction λ the slack is at least
-/// (1−λ) a + λ b − 4λ(1−λ) sag, a parabola; this function returns its minimum.
+/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) minus constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and the slack is the
+/// minimum over all c. Between the ends, c·wᵢ deviates from its chord by a second-order term, and |x| of a linear x is
+/// below its chord only where x changes sign, by at most 2λ(1−λ)|Δx|. So at fraction λ the slack is at least (1−λ) a +
+/// λ b − 4λ(1−λ) sag, a parabola; this function returns its minimum.
 pub fn sagging(a: f64, b: f64, sag: f64) -> f64 {
     let rise = b - a;
     if rise.abs() >= 4.0 * sag {

@@ -1,8 +1,9 @@
-//! The set of forces, or of moments, that the cables can exert at a position, as a surface for display (the paper, Figure 4b).
+//! The set of forces, or of moments, that the cables can exert at a position, as a surface for display (the paper,
+//! Figure 4b).
 //!
-//! Both are zonotopes in three dimensions: a centre plus half-generators ±hᵢ, one for each direction of cables. A corner is a
-//! bit pattern of signs, and a facet is spanned by the half-generators orthogonal to its normal. Corners are therefore found and
-//! matched by their bit patterns, without comparing coordinates.
+//! Both are zonotopes in three dimensions: a centre plus half-generators ±hᵢ, one for each direction of cables. A
+//! corner is a bit pattern of signs, and a facet is spanned by the half-generators orthogonal to its normal. Corners
+//! are therefore found and matched by their bit patterns, without comparing coordinates.
 
 use std::collections::BTreeMap;
 
@@ -117,8 +118,8 @@ struct Zonotope {
 type Corner = u64;
 
 impl Zonotope {
-    /// The set {Σ tᵢ gᵢ : t within limits}; generators that are negligible compared with the longest are dropped, parallel ones
-    /// are combined.
+    /// The set {Σ tᵢ gᵢ : t within limits}; generators that are negligible compared with the longest are dropped,
+    /// parallel ones are combined.
     fn new(generators: &[Vector], limits: &[[f64; 2]]) -> Result<Self, Error> {
         let each = || generators.iter().zip(limits);
         let middle = each().map(|(g, [least, greatest])| g * (0.5 * (least + greatest))).sum();
@@ -182,8 +183,9 @@ impl Zonotope {
         (0..self.halves.len()).filter(|k| given.contains(k) || level(k)).collect()
     }
 
-    /// The corners of the facet spanned by these half-generators, counter-clockwise seen from the tip of its normal: starting at the
-    /// corner that is lowest along one direction, the half-generators are added by angle, and then subtracted.
+    /// The corners of the facet spanned by these half-generators, counter-clockwise seen from the tip of its normal:
+    /// starting at the corner that is lowest along one direction, the half-generators are added by angle, and then
+    /// subtracted.
     fn ring(&self, spanning: &[usize], normal: &Vector) -> Vec<Corner> {
         let mut corner = self.farthest(normal);
         let u = self.halves[spanning[0]].normalize();

@@ -1,9 +1,9 @@
 //! The tensions that balance one wrench: an affine slice of the box of tension limits.
 //!
-//! `W t = w` has the solutions `t = p + N y`, with p in the row space of W and N an orthonormal basis of its null space, so the
-//! dimension of y is the number of cables minus the rank of W: two for eight cables. Only the limits remain, two for each cable. No
-//! result is trusted merely because an algorithm ended: a point is verified against the limits, and a "no" comes with a plane that
-//! separates the slice from the box.
+//! `W t = w` has the solutions `t = p + N y`, with p in the row space of W and N an orthonormal basis of its null
+//! space, so the dimension of y is the number of cables minus the rank of W: two for eight cables. Only the limits
+//! remain, two for each cable. No result is trusted merely because an algorithm ended: a point is verified against the
+//! limits, and a "no" comes with a plane that separates the slice from the box.
 
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
 
@@ -40,7 +40,8 @@ pub(super) fn check_numbers(place: &str, numbers: &[f64]) -> Result<(), Error> {
     }
 }
 
-/// Solver of `W x = w` for one W and any w: row space, null space and rank, by Gram-Schmidt on the rows of W, largest first.
+/// Solver of `W x = w` for one W and any w: row space, null space and rank, by Gram-Schmidt on the rows of W, largest
+/// first.
 pub(super) struct Equations {
     /// Orthonormal basis of the null space, m × (m − rank).
     pub(super) null: DMatrix<f64>,
@@ -102,7 +103,8 @@ fn row_space(matrix: &Matrix6xX<f64>, basis: &mut DMatrix<f64>) -> Vec<usize> {
     pivots
 }
 
-/// Completes the columns of `basis` from `rank` on to an orthonormal basis, always using the axis that is least covered.
+/// Completes the columns of `basis` from `rank` on to an orthonormal basis, always using the axis that is least
+/// covered.
 fn complete(basis: &mut DMatrix<f64>, rank: usize) {
     let cables = basis.nrows();
     for k in rank..cables {
@@ -167,8 +169,8 @@ impl Slice<'_> {
         DVector::from_fn(x.len(), |i, _| x[i].clamp(self.lower[i], self.upper[i]))
     }
 
-    /// Whether a direction, after its component along the null space is removed, proves that the slice misses the box: it is
-    /// then constant on the slice, and larger than anywhere in the box.
+    /// Whether a direction, after its component along the null space is removed, proves that the slice misses the box:
+    /// it is then constant on the slice, and larger than anywhere in the box.
     pub(super) fn separated_by(&self, direction: &DVector<f64>) -> bool {
         let Some(normal) = self.across(direction) else { return false };
         let slack = LIMIT_SLACK * normal.lp_norm(1);

@@ -99,8 +99,8 @@ impl Statics {
     /// The statics of a robot under these loads.
     ///
     /// # Errors
-    /// A robot without mass, a cable without tension limits, numbers that are not finite, a characteristic length that is
-    /// not positive.
+    /// A robot without mass, a cable without tension limits, numbers that are not finite, a characteristic length that
+    /// is not positive.
     pub fn new(robot: &Robot, loads: &Loads) -> Result<Self, Error> {
         let Loads { orientation, gravity, load, characteristic_length: length } = loads;
         body::positive("characteristic_length", *length)?;

@@ -1,7 +1,7 @@
 //! The tensions nearest to a reference that balance a wrench.
 //!
-//! Let `t = p + N y`, with p the balancing tensions nearest to the reference regardless of limits. The distance is then |y|, so the
-//! problem is to find the point of a polytope nearest to the origin, in two dimensions for eight cables.
+//! Let `t = p + N y`, with p the balancing tensions nearest to the reference regardless of limits. The distance is then
+//! |y|, so the problem is to find the point of a polytope nearest to the origin, in two dimensions for eight cables.
 
 use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
 

@@ -32,9 +32,9 @@ impl Statics {
         self.cables().iter().map(|cable| (cable.outlet - (position + cable.arm)).norm()).collect()
     }
 
-    /// The tensions that balance the loads at a position and are nearest to `reference` (default: the middle of the limits),
-    /// N; `None` if no tensions within the limits balance them, or if a cable has no direction. The solver is reused
-    /// from one position to the next.
+    /// The tensions that balance the loads at a position and are nearest to `reference` (default: the middle of the
+    /// limits), N; `None` if no tensions within the limits balance them, or if a cable has no direction. The solver is
+    /// reused from one position to the next.
     ///
     /// # Errors
     /// A reference of the wrong length; a solver that reached no answer.
@@ -74,10 +74,11 @@ fn undecided(position: &Point) -> Error {
 /// Everything about the wrenches of a robot at one position; see [`wrench_at`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WrenchReport {
-    /// Whether planning with the same requirement accepts the position: full rank, and all required wrenches are available.
+    /// Whether planning with the same requirement accepts the position: full rank, and all required wrenches are
+    /// available.
     pub feasible: bool,
-    /// Whether tensions within the limits balance the loads alone. At a lower rank this is possible, but the cables then resist no
-    /// disturbance along a free motion.
+    /// Whether tensions within the limits balance the loads alone. At a lower rank this is possible, but the cables
+    /// then resist no disturbance along a free motion.
     pub balanced: bool,
     /// What the cables hold regardless of their limits: the rank and its consequences.
     #[serde(flatten)]
@@ -103,8 +104,8 @@ pub struct WrenchReport {
 /// What the cables of a robot can do at a position, judged by `margin`.
 ///
 /// # Errors
-/// A position where a cable has no direction; a moment required of a point mass, or a moment of its weight; a solver that
-/// reached no answer.
+/// A position where a cable has no direction; a moment required of a point mass, or a moment of its weight; a solver
+/// that reached no answer.
 ///
 /// # Example
 /// ```
@@ -195,7 +196,8 @@ impl Place {
     }
 }
 
-/// Positions and cable lengths at equal steps along a path, including its end. They need neither mass nor tension limits.
+/// Positions and cable lengths at equal steps along a path, including its end. They need neither mass nor tension
+/// limits.
 ///
 /// # Errors
 /// A step that is not positive or gives too many rows.
@@ -221,8 +223,8 @@ pub fn lengths_along(
 /// Positions, lengths, tensions and margins at equal steps along a path, including its end; uses all cores.
 ///
 /// # Errors
-/// A step that is not positive or gives too many rows, a reference of the wrong length, a moment required of a point mass,
-/// [`Error::interrupted`].
+/// A step that is not positive or gives too many rows, a reference of the wrong length, a moment required of a point
+/// mass, [`Error::interrupted`].
 pub fn tensions_along(
     statics: &Statics,
     required: &Required,
@@ -296,8 +298,8 @@ pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
 pub struct PathWrench {
     /// The smallest slack.
     pub min_wrench_margin: MarginPlace,
-    /// Minimum and maximum of the tensions nearest to the middle of their limits; `None` if the loads cannot be balanced
-    /// everywhere.
+    /// Minimum and maximum of the tensions nearest to the middle of their limits; `None` if the loads cannot be
+    /// balanced everywhere.
     pub tension_range: Option<TensionRange>,
 }
 
@@ -340,8 +342,9 @@ pub struct TensionPlace {
 /// Number of steps into which a path is divided to find the range of tensions.
 const RANGE_STEPS: f64 = 1000.0;
 
-/// The wrenches of a whole path, by the measures of its scene; `None` if it has no measures. Margins are minima to within
-/// [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are evaluated at a thousand equal steps and at the waypoints.
+/// The wrenches of a whole path, by the measures of its scene; `None` if it has no measures. Margins are minima to
+/// within [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are evaluated at a thousand equal steps and at the
+/// waypoints.
 ///
 /// # Errors
 /// A solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].

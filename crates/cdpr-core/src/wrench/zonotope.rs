@@ -1,20 +1,20 @@
 //! Facets of a zonotope {W t : t_min ≤ t ≤ t_max} in N dimensions, by hyperplane shifting.
 //!
 //! A facet of a set of rank n is spanned by n − 1 generators (columns of W), so every choice of n − 1 independent ones
-//! gives a normal, and the other generators determine the offsets of its two parallel facets. The choices are visited as a tree:
-//! each level keeps an orthonormal basis of the space orthogonal to the generators chosen so far, one vector fewer each time,
-//! until only the normal is left. Dependent choices span no facet and are skipped. If W does not have full rank, the tree
-//! starts from a basis of its column space, and the set is flat in the remaining directions.
+//! gives a normal, and the other generators determine the offsets of its two parallel facets. The choices are visited
+//! as a tree: each level keeps an orthonormal basis of the space orthogonal to the generators chosen so far, one vector
+//! fewer each time, until only the normal is left. Dependent choices span no facet and are skipped. If W does not have
+//! full rank, the tree starts from a basis of its column space, and the set is flat in the remaining directions.
 //!
-//! Source: hyperplane shifting after Gouttefarde and Krut, "Characterization of parallel manipulator available wrench set
-//! facets", Advances in Robot Kinematics, 2010, doi:10.1007/978-90-481-9262-5_51.
+//! Source: hyperplane shifting after Gouttefarde and Krut, "Characterization of parallel manipulator available wrench
+//! set facets", Advances in Robot Kinematics, 2010, doi:10.1007/978-90-481-9262-5_51.
 
 use nalgebra::SVector;
 
 use crate::numerics::{DEPENDENT, RANK_RELATIVE};
 
-/// An orthonormal basis of N dimensions, split: the first `rank` vectors span the generators, the others are orthogonal to
-/// all of them.
+/// An orthonormal basis of N dimensions, split: the first `rank` vectors span the generators, the others are orthogonal
+/// to all of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<const N: usize> {
     basis: [SVector<f64, N>; N],

@@ -1,9 +1,9 @@
 //! A lower bound of the length of all paths.
 //!
 //! Every path from start to goal crosses any plane that separates them, at a point that is not forbidden. So it is at
-//! least as long as the minimum of |x - start| + |x - goal| over the part of the plane that the forbidden polygons leave
-//! free. That function is convex, so the minimum is at the crossing of the straight line or on a side of a polygon, where
-//! it is known in closed form. Any plane gives a bound; the best of many is used.
+//! least as long as the minimum of |x - start| + |x - goal| over the part of the plane that the forbidden polygons
+//! leave free. That function is convex, so the minimum is at the crossing of the straight line or on a side of a
+//! polygon, where it is known in closed form. Any plane gives a bound; the best of many is used.
 
 use super::h_polyhedra::{HPolyhedra, Near};
 use super::h_polyhedron::{HPolyhedron, edge_direction, in_box, meeting_line};
@@ -98,8 +98,8 @@ struct Side<'a> {
 const POLL: usize = 64;
 
 impl<'a> Section<'a> {
-    /// Length of the shortest path from start through a free point of a plane to the goal; `None` if the plane gives no bound
-    /// above `known`, m, or time runs out.
+    /// Length of the shortest path from start through a free point of a plane to the goal; `None` if the plane gives no
+    /// bound above `known`, m, or time runs out.
     fn beyond(&mut self, plane: &HalfSpace, known: f64, watch: &Watch) -> Result<Option<f64>, Error> {
         let (below, above) = (plane.height(self.start), plane.height(self.goal));
         let way = self.goal - self.start;
@@ -108,8 +108,8 @@ impl<'a> Section<'a> {
         if !(below < 0.0 && above > 0.0 && self.hulls.near(&[crossing], &mut self.near).any(hidden)) {
             return Ok(None);
         }
-        // A path through a point at distance h from the straight line of length d has at least the length √(d² + 4h²), and
-        // a point of the plane at distance r from the crossing has h ≥ r sin(angle of line and plane).
+        // A path through a point at distance h from the straight line of length d has at least the length √(d² + 4h²),
+        // and a point of the plane at distance r from the crossing has h ≥ r sin(angle of line and plane).
         let steepness = plane.normal.dot(&way) / way.norm();
         let radius_of = |length: f64| 0.5 * (length * length - way.norm_squared()).max(0.0).sqrt() / steepness;
         let everything = (self.high - self.low).norm();
@@ -126,8 +126,8 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// The shortest path through free points on sides of the hulls within `radius` of a point of the plane, or any path no
-    /// longer than `known`; `None` if time runs out.
+    /// The shortest path through free points on sides of the hulls within `radius` of a point of the plane, or any path
+    /// no longer than `known`; `None` if time runs out.
     fn shortest_within(
         &mut self,
         plane: &HalfSpace,
@@ -180,7 +180,8 @@ impl<'a> Section<'a> {
         Some(sides)
     }
 
-    /// The point on the line of a side through which a path from start to goal is shortest: it is straight in the unfolding.
+    /// The point on the line of a side through which a path from start to goal is shortest: it is straight in the
+    /// unfolding.
     fn unfolded(&self, side: &Side) -> f64 {
         let [(s, ds), (g, dg)] = [self.start, self.goal].map(|end| {
             let t = side.along.dot(&(end - side.point));

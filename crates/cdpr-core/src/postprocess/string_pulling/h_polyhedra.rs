@@ -1,5 +1,5 @@
-//! A spatial index of the hulls of a scene: an octree over the box of positions, refined only where it is queried. A path meets only
-//! a few of the thousands of hulls of a large scene, and only these cost time.
+//! A spatial index of the hulls of a scene: an octree over the box of positions, refined only where it is queried. A
+//! path meets only a few of the thousands of hulls of a large scene, and only these cost time.
 
 use std::sync::OnceLock;
 
@@ -78,8 +78,8 @@ impl HPolyhedra {
         near.found.iter().map(|&index| &self.list[index as usize])
     }
 
-    /// A promising point on a free piece of an edge; `None` if none is found soon. First draws a promising point on an edge, then one
-    /// of the free pieces near it, so that narrow pieces are hardly less likely than wide ones.
+    /// A promising point on a free piece of an edge; `None` if none is found soon. First draws a promising point on an
+    /// edge, then one of the free pieces near it, so that narrow pieces are hardly less likely than wide ones.
     pub fn sample(
         &self,
         promising: &dyn Fn(&Point) -> bool,
@@ -109,8 +109,8 @@ impl HPolyhedra {
         (self.high - self.low).min() <= FLAT
     }
 
-    /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and rounding leaves nothing of the face
-    /// itself; in this case the face is first cut by a thicker box.
+    /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and rounding leaves nothing of
+    /// the face itself; in this case the face is first cut by a thicker box.
     fn edges(&self, hull: &HPolyhedron, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         if !self.is_flat() {
             return hull.face_edges(face, &self.low, &self.high, polygon, edges);
@@ -218,7 +218,8 @@ impl Query {
         if (0..3).any(beside) {
             return true;
         }
-        // If the segment has no extent along an axis, values are infinite, or NaN on the box's surface; min and max ignore NaN.
+        // If the segment has no extent along an axis, values are infinite, or NaN on the box's surface; min and max
+        // ignore NaN.
         let missed = |(from, inverse): &(Point, Vector)| {
             let (mut first, mut last) = (0.0f64, 1.0f64);
             for axis in 0..3 {

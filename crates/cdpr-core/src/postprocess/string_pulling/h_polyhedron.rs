@@ -98,8 +98,8 @@ impl HPolyhedron {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// The edges of one of its faces, clipped to a box. If several planes coincide up to rounding, the face belongs to the
-    /// first of them.
+    /// The edges of one of its faces, clipped to a box. If several planes coincide up to rounding, the face belongs to
+    /// the first of them.
     pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
         edges.clear();
         let own = &self.planes[face];
@@ -190,8 +190,8 @@ impl Piece {
 /// The whole line.
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// The interval of a line in an intersection of half-spaces and a window; `None` if it is empty. If a plane is parallel to the line,
-/// the line counts as outside if it is higher than `rim`, m.
+/// The interval of a line in an intersection of half-spaces and a window; `None` if it is empty. If a plane is parallel
+/// to the line, the line counts as outside if it is higher than `rim`, m.
 fn inside(planes: &[HalfSpace], from: &Point, along: &Vector, window: [f64; 2], rim: f64) -> Option<[f64; 2]> {
     let [mut low, mut high] = window;
     for plane in planes {

@@ -1,5 +1,5 @@
-//! Convex polygons in a plane, clipped by half-spaces: I. E. Sutherland and G. W. Hodgman (1974). Every side keeps the plane that cut
-//! it, so that corners can be traced back to the edges of a polyhedron.
+//! Convex polygons in a plane, clipped by half-spaces: I. E. Sutherland and G. W. Hodgman (1974). Every side keeps the
+//! plane that cut it, so that corners can be traced back to the edges of a polyhedron.
 
 use crate::geometry::{HalfSpace, Point, Vector};
 
@@ -26,7 +26,8 @@ impl Frame {
     }
 }
 
-/// A corner of a polygon, and the plane that cut the side from it to the next one; `None` for a side of the original polygon.
+/// A corner of a polygon, and the plane that cut the side from it to the next one; `None` for a side of the original
+/// polygon.
 #[derive(Debug, Clone, Copy)]
 pub struct Corner {
     pub place: Place,

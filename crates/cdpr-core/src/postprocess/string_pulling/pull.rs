@@ -1,9 +1,9 @@
 //! A string over a triangle: the shortest path from one corner to another that passes the forbidden polyhedra on the
 //! side of the third.
 //!
-//! A plane cuts convex polyhedra in convex polygons. If the path u → v → w is free, the region that they leave on the side of v
-//! is bounded by the convex hull of u, w and the polygons inside the triangle, and so is the string. Its corners
-//! are corners of polygons, which lie on edges of polyhedra.
+//! A plane cuts convex polyhedra in convex polygons. If the path u → v → w is free, the region that they leave on the
+//! side of v is bounded by the convex hull of u, w and the polygons inside the triangle, and so is the string. Its
+//! corners are corners of polygons, which lie on edges of polyhedra.
 
 use super::Bend;
 use super::h_polyhedra::{HPolyhedra, Near};

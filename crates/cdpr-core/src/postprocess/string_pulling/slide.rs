@@ -1,7 +1,7 @@
 //! Bends that slide along their edges: the shortest path through a given sequence of lines.
 //!
-//! The length of a path is a convex function of the positions of its bends, so Newton's method finds their best positions on their
-//! edges. The Hessian is tridiagonal, because a bend interacts only with its neighbours.
+//! The length of a path is a convex function of the positions of its bends, so Newton's method finds their best
+//! positions on their edges. The Hessian is tridiagonal, because a bend interacts only with its neighbours.
 
 use super::Bend;
 use crate::geometry::{Point, Vector};
@@ -116,7 +116,8 @@ mod tests {
 
     #[test]
     fn a_bend_goes_where_the_unfolded_path_is_straight() {
-        // Ends at 1 m and 3 m from a vertical edge, 4 m apart in height: unfolded, a line of slope 1 that meets it at 1.
+        // Ends at 1 m and 3 m from a vertical edge, 4 m apart in height: unfolded, a line of slope 1 that meets it at
+        // 1.
         let path =
             [bend([1.0, 0.0, 0.0], None), bend([0.0, 0.0, 3.5], Some([0.0, 0.0, 1.0])), bend([0.0, 3.0, 4.0], None)];
         let slides = best_slides(&path, &[FREE; 3]);
