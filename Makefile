@@ -1,4 +1,4 @@
-# `make test` sets up everything it needs (Rust and Python 3.11 or later must be there) and passes every test.
+# `make test` sets up everything it needs (except Rust and Python 3.11 or later) and runs every test.
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 BIN := $(VENV)/bin
@@ -11,7 +11,7 @@ SITE := target/site
 
 test: lint rust-test python-test docs workflows
 
-# What takes too long to wait for, after `make test`.
+# Tests that take too long for everyday use, after `make test`.
 long-test: portable-test release-test wheel-test wasm-check
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
@@ -20,28 +20,29 @@ lint:
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 
-# A test binary that hangs is ended, where coreutils are there; by then libtest has named the test, as every one that runs
-# for over 60 s. `--foreground` lets Ctrl-C through.
+# Ends a test binary that hangs, if coreutils are installed; by then libtest has named the test, as it does for every
+# test that runs over 60 s. `--foreground` lets Ctrl-C through.
 TEST_SECONDS := 1800
 ifneq ($(shell command -v timeout),)
 LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbose $(TEST_SECONDS)'"
 endif
 
-# Unit, property and integration tests and the examples in the documentation. The benchmarks have none; clippy compiles them.
+# Unit, property and integration tests and the examples in the documentation. The benchmarks have no tests; clippy
+# compiles them.
 TESTED := --workspace --exclude cdpr-benches
 
 rust-test:
 	cargo test $(LIMITED) $(TESTED) --locked
 
-# What rests on the kernels once more by the portable ones, as on a machine without AVX2.
+# Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
 portable-test:
 	CDPR_PORTABLE=1 cargo test $(LIMITED) $(TESTED) --locked --test oracles
 
-# The oracles once more on the code that people use: release, without debug assertions.
+# The oracles once more on the code that users run: release, without debug assertions.
 release-test:
 	cargo test $(LIMITED) --release --locked -p cdpr-tests --test oracles
 
-# The core must build for the browser; left out where rustup has not installed that target.
+# The core must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown
 
 wasm-check:
@@ -54,8 +55,8 @@ verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-tests --test oracles -- engines_agree --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-tests --test oracles -- wrench_oracle --nocapture
 
-# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. What was learnt
-# stays in target/fuzz, so that the next run goes on from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
+# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. The corpus
+# stays in target/fuzz, so that the next run continues from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
 FUZZ_SECONDS ?= 600
 FUZZ_READERS ?= $(notdir $(wildcard fuzz/seeds/*))
 FUZZ_HOST = $(shell rustc -vV | sed -n 's/^host: //p')
@@ -78,30 +79,30 @@ $(VENV)/ready: requirements-dev.txt requirements-docs.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -r requirements-docs.txt
 	touch $@
 
-# A wheel of the tests' own profile, with every check of a debug build, in an environment of its own.
+# A wheel in the tests' own profile, with every check of a debug build, in its own environment.
 wheel: $(VENV)/ready
 	rm -rf $(WHEELS)
 	$(BIN)/maturin build --profile dev --locked --out $(WHEELS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
 
-# The wheel as people install it.
+# The wheel as users install it.
 release-wheel: $(VENV)/ready
 	rm -rf $(WHEELS)
 	$(BIN)/maturin build --profile dist --locked --out $(WHEELS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
 
-# The browser that the page is tested in: the one that is there; as root on Debian it is installed, elsewhere the tests
-# are left out, or fail where CI is set.
+# The browser for the tests of the page: an existing one; as root on Debian, one is installed; otherwise these tests are
+# skipped, or fail if CI is set.
 browser:
 	@[ -n "$$CDPR_CHROMIUM" ] || command -v chromium || command -v google-chrome || command -v chromium-browser || \
 		{ [ "$$(id -u)" = 0 ] && [ -e /etc/debian_version ] && apt-get update -q && apt-get install -qy chromium; } || \
 		echo "no Chromium: install the package chromium or Google Chrome, or name its program in CDPR_CHROMIUM"
 
-# The program as the tests have it, target/debug/cdpr: nothing to do after them.
+# The program as the tests use it, target/debug/cdpr; up to date after the tests.
 program:
 	cargo test $(TESTED) --locked --no-run --quiet
 
-# A process for each core; tests of one file stay together where they share what takes long to make.
+# One process per core; tests of one file stay together if they share data that takes long to make.
 PARALLEL := -n auto --dist worksteal
 
 python-test: wheel browser program
@@ -110,16 +111,16 @@ python-test: wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
 
-# The Python tests once more with the wheel as people install it.
+# The Python tests once more with the wheel as users install it.
 wheel-test: release-wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) python/tests
 
-# Wheel and source archive, each installed into a fresh environment outside of the checkout, where a scene is planned;
-# the source archive is built there from nothing, which takes some minutes.
+# Wheel and source archive, each installed into a fresh environment outside the checkout, in which a scene is planned;
+# the source archive is built from scratch, which takes some minutes.
 package-test: release-wheel
 	$(BIN)/python -m pytest -m "sdist or not sdist" python/tests/test_package.py
 
-# The pages of docs/reference that are made from help, schemas and docstrings; they are under version control.
+# The generated pages of docs/reference (from help, schemas and docstrings); they are under version control.
 reference: wheel program
 	CDPR=target/debug/cdpr $(BIN)/python docs/reference/make.py
 
@@ -129,15 +130,15 @@ docs: wheel
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 	rm -rf $(SITE)/rust && cp -r target/doc $(SITE)/rust
 
-# What CI runs elsewhere, checked against GitHub's schema, offline.
+# Checks the CI workflows against GitHub's schema, offline.
 workflows: $(VENV)/ready
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
-# The crates as they would be published: each packed, unpacked and built on its own.
+# The crates as published: each packed, unpacked and built separately.
 packages:
 	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-view -p cdpr-files -p cdpr-study -p cdpr-cli
 
-# Licences, sources, doubled crates and known holes of all that is built in; compiles cargo-deny the first time.
+# Licences, sources, duplicate crates and known vulnerabilities of all dependencies; compiles cargo-deny the first time.
 deny:
 	cargo deny --version >/dev/null 2>&1 || cargo install --locked cargo-deny@0.20.2
 	cargo deny --workspace check
@@ -146,7 +147,7 @@ deny:
 demo:
 	cargo run --release --locked -p cdpr-cli -- plan testdata/scenes/hard1.toml -o path.json --html view.html
 
-# Every picture of the documentation, drawn by cdpr.figures; the experiments behind them take some minutes.
+# All figures of the documentation, drawn by cdpr.figures; the experiments behind them take some minutes.
 # `make figures FIGURES="fig3 fig5"` draws some of them.
 figures: release-wheel browser
 	$(BIN)/python docs/figures/make.py $(FIGURES)
