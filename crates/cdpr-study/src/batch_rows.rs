@@ -1,4 +1,4 @@
-//! Rows in memory: what one process hands to another.
+//! Rows in memory, for exchange between processes.
 
 use std::io::Read;
 use std::ops::Range;
@@ -15,8 +15,8 @@ use cdpr_core::error::Error;
 
 /// The rows of a range of trials, in memory.
 ///
-/// The rows of each group (a method in a scenario) are lines of CSV; those of ranges that follow each other, one after
-/// the other, are the rows of the whole.
+/// The rows of each group (a method in a scenario) are lines of CSV; concatenating those of consecutive ranges gives
+/// the rows of the whole.
 ///
 /// # Example
 /// ```
@@ -47,7 +47,7 @@ pub struct Tables {
     pub trials: Vec<u8>,
     /// `timings.csv`
     pub timings: Vec<u8>,
-    /// `history.csv`, if the experiment asks for it.
+    /// `history.csv`, if the experiment requests it.
     pub history: Option<Vec<u8>>,
     /// `summary.json`
     pub summary: Value,
@@ -72,7 +72,7 @@ impl BatchRows {
     /// Rows that were run elsewhere, by group.
     ///
     /// # Errors
-    /// Another number of groups, or of rows in one of them; no trials.
+    /// Wrong number of groups, or of rows in one of them; no trials.
     pub fn new(experiment: &Experiment, trials: Range<usize>, groups: Vec<Vec<u8>>) -> Result<Self, Error> {
         let mut run = RunFile::of(experiment, &trials)?;
         run.ran_on(origin_here(None));
@@ -93,7 +93,7 @@ impl BatchRows {
     /// The tables, the same bytes as in a folder of the run.
     ///
     /// # Errors
-    /// Rows that are not those of the trials.
+    /// Rows of other trials.
     pub fn tables(&self) -> Result<Tables, Error> {
         let (mut trials, mut timings) = (Vec::new(), Vec::new());
         let mut history = self.run.layout.history.then(Vec::new);

@@ -69,7 +69,7 @@ impl RunFile {
         self.first_trial..self.end_trial
     }
 
-    /// Records what ran the trials.
+    /// Records the program and machine that ran the trials.
     pub fn ran_on(&mut self, origin: Origin) {
         if !self.origins.contains(&origin) {
             self.origins.push(origin);

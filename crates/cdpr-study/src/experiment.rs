@@ -125,7 +125,7 @@ pub struct Rules {
     /// Time limit of a trial, ms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
-    /// What is swept.
+    /// The swept parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepSpec>,
 }
@@ -291,10 +291,10 @@ impl Method {
     }
 }
 
-/// A way of rewinding, its name in tables, and its place in the sweep.
+/// A rewinding mode, its name in tables, and its place in the sweep.
 type Variant = ((String, Processing), Swept);
 
-/// All combinations of a sweep, or the single way of rewinding of a method without one.
+/// All combinations of a sweep, or the single rewinding mode of a method without one.
 fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
     let (post, repeats) = (post_of(spec, planner), repeats_of(spec));
     let sweep = spec.sweep.clone().unwrap_or_default();

@@ -22,7 +22,7 @@ use cdpr_core::watch::{Interrupt, Watch, thread_count};
 
 /// Maximum number of trials finished ahead of the oldest unfinished one; limits memory.
 const AHEAD: usize = 4096;
-/// Time between two checks whether the caller wants to stop.
+/// Time between two polls of the interrupt.
 const PATIENCE: Duration = Duration::from_millis(20);
 
 /// How a trial ended.
@@ -265,7 +265,7 @@ impl<'a> Queue<'a> {
     }
 
     fn stop(&self) {
-        let _state = self.state.lock().unwrap_or_else(PoisonError::into_inner); // nobody is about to wait
+        let _state = self.state.lock().unwrap_or_else(PoisonError::into_inner); // no thread is between its check and its wait
         self.stop.store(true, Ordering::Relaxed);
         self.moved.notify_all();
     }

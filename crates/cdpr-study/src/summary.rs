@@ -12,7 +12,7 @@ use crate::experiment_spec::Measure;
 /// Quantiles of every summary, besides median, minimum and maximum.
 const QUANTILES: [(&str, f64); 4] = [("q05", 0.05), ("q25", 0.25), ("q75", 0.75), ("q95", 0.95)];
 
-/// Gathers rows, one method of one scenario after the other.
+/// Gathers rows, one method of one scenario after another.
 #[derive(Debug, Default)]
 pub struct Summary {
     methods: Vec<Value>,

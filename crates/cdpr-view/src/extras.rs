@@ -29,13 +29,13 @@ pub(super) struct Motion {
     s: Vec<f32>,
     /// Length of each cable, m.
     lengths: Vec<Vec<f32>>,
-    /// Gap of the pair with the smallest room beyond its required gap, m; empty if there are no pairs to check.
+    /// Gap of the pair with the smallest slack beyond its required gap, m; empty if there are no pairs to check.
     clearance: Vec<f32>,
     /// Required gap of that pair, m.
     required: Vec<f32>,
     /// That pair, as an index into `pairs`.
     tightest: Vec<usize>,
-    /// Names of the pairs that have the smallest room somewhere.
+    /// Names of the pairs that have the smallest slack somewhere.
     pairs: Vec<Vec<String>>,
     /// Tension of each cable, N, `None` where the loads cannot be balanced; empty if the robot has no mass or no
     /// tension limits.

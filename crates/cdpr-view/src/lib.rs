@@ -1,4 +1,4 @@
-//! One self-contained HTML page that shows a scene with its path or its forbidden regions; it opens offline.
+//! One self-contained HTML page that shows a scene with its path or its forbidden regions; it works offline.
 //!
 //! Additional contents are computed here: plots along the path, shadows, the wrench-feasible workspace. A part that
 //! cannot be computed is left out; callers have already checked path and scene.

@@ -118,7 +118,7 @@ pub struct Described {
 pub struct TestSummary {
     /// Its letter.
     pub group: String,
-    /// What was compared.
+    /// The compared measure.
     pub measure: Measure,
     /// Scenario and method.
     pub a: [String; 2],
@@ -193,7 +193,7 @@ pub(super) struct OrderGap<'a> {
 pub(super) const APART: [f64; 3] = [0.01, 1.0, 5.0];
 
 impl<'a> OrderGap<'a> {
-    /// `None` without a trial that both solved.
+    /// `None` without a trial that both orders solved.
     fn of(name: &'a MethodSummary, backward: &[Cost], forward: &[Cost]) -> Option<Self> {
         let known: BTreeMap<usize, f64> = forward.iter().map(|c| (c.trial, c.reduction())).collect();
         let pairs = backward.iter().filter_map(|c| Some(c.reduction() - known.get(&c.trial)?));
