@@ -1,4 +1,4 @@
-//! Scenes and motions that the benchmarks share.
+//! Scenes and motions shared by the benchmarks.
 
 use std::path::Path;
 
@@ -11,8 +11,9 @@ use cdpr_study::{RandomScenes, RandomScenesSpec};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The paper's robot among random upright prisms (the paper, Table 1): 0.1 to 0.3 m wide, 0.5 to 1.5 m high; smaller
-/// ones where there are many, so that room is left. With `obstacles_only`, cables may meet each other and the platform.
+/// The paper's robot among random upright prisms (the paper, Table 1): 0.1 to 0.3 m wide, 0.5 to 1.5 m high; if there
+/// are many, they are smaller, so that free space is left. With `obstacles_only`, cables may meet each other and the
+/// platform.
 pub fn random_scene(count: usize, seed: u64, obstacles_only: bool) -> Scene {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let shrink = if count >= 10 { [0.15, 0.3] } else { [1.0, 1.0] };
@@ -36,7 +37,7 @@ pub fn scattered_scene(count: usize, seed: u64) -> Scene {
     scattered_with_clearance(count, seed, 0.0)
 }
 
-/// The same with a demanded clearance, m.
+/// The same with a required clearance, m.
 pub fn scattered_with_clearance(count: usize, seed: u64, clearance: f64) -> Scene {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut number = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
@@ -58,8 +59,8 @@ pub enum Motions {
     Anywhere,
 }
 
-/// Motions that start in valid states; where there are many obstacles, they stand on the floor and motions stay above
-/// 0.8 m, so that enough of them are valid.
+/// Motions that start in valid states; if there are many obstacles, they are on the floor and motions stay above 0.8 m,
+/// so that enough of them are valid.
 pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: usize, seed: u64) -> Vec<(Point, Point)> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed ^ 0x5eed);
     let space = TranslationSpace::of(engine.conditions());
@@ -87,8 +88,8 @@ pub fn motions(engine: &dyn Checker, kind: Motions, above_floor: bool, count: us
     motions
 }
 
-/// A hall of 12 × 8 × 6 m with a half-size CoGiRo among `count` floating boxes that together hide as much from the
-/// outlets, whatever their number; the straight line from start to goal is not free.
+/// A hall of 12 × 8 × 6 m with a half-size CoGiRo among `count` floating boxes that together occlude the same share of
+/// the outlets' view for any number; the straight line from start to goal is not free.
 pub fn hall(count: usize, clearance: f64, seed: u64) -> Scene {
     let forest =
         cdpr_files::load_scene(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml")));

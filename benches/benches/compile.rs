@@ -1,5 +1,5 @@
-//! Time to compile a scene for the cspace engine, whole and after one obstacle moved, and to get the polyhedra that
-//! paths are pulled taut around; prints the memory it takes.
+//! Time to compile a scene for the cspace engine, in full and after one obstacle moved, and to compute the polyhedra
+//! for string pulling; prints the memory used.
 
 use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance};
 use cdpr_core::Scene;
@@ -11,7 +11,7 @@ fn compiled(scene: &Scene) -> CspaceEngine {
     CspaceEngine::new(scene, Interference::Exact).expect("no wrench")
 }
 
-/// The same scene with its first obstacle a centimetre aside.
+/// The same scene with its first obstacle moved by a centimetre.
 fn one_moved(scene: &Scene) -> Scene {
     let mut spec = scene.spec().clone();
     spec.obstacles[0].position.as_mut().expect("blocks have positions")[0] += 0.01;

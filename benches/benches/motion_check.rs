@@ -1,4 +1,4 @@
-//! Time of one motion check by either engine, in random scenes of the paper's kind: one thread.
+//! Time of one motion check with either engine, in random scenes like the paper's; one thread.
 
 use cdpr_benches::{Motions, motions, random_scene, scattered_scene};
 use cdpr_core::Scene;
@@ -13,7 +13,7 @@ const SHORT: Motions = Motions::Valid(0.1);
 
 type Case = (Box<dyn Checker>, Vec<(Point, Point)>);
 
-/// Engines of random scenes, each with motions to check.
+/// Engines of random scenes, with motions to check for each.
 fn cases(engine: Engine, kind: Motions, scenes: impl Fn(u64) -> Scene) -> Vec<Case> {
     let case = |seed| {
         let scene = scenes(seed);

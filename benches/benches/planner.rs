@@ -1,5 +1,5 @@
-//! Times of planners on the paper's kind of scenes, over many seeds: Modified RRT with rewinding by either engine,
-//! first answers, the anytime planner until it is content, pulling taut, the lower bound.
+//! Times of planners on scenes like the paper's, over many seeds: Modified RRT with rewinding on either engine, first
+//! paths, the anytime planner until it stops, string pulling, the lower bound.
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
@@ -35,7 +35,7 @@ fn compiled(scene: &Scene) -> Box<dyn Checker> {
     engine_for(scene, Engine::Cspace, Interference::Exact).expect("sound")
 }
 
-/// One call each of many seeds, by an engine that is there already.
+/// One call for each of many seeds, on a compiled engine.
 fn planners(c: &mut Criterion) {
     let mut group = c.benchmark_group("one planner, engine compiled, no rewinding");
     group.sample_size(10).throughput(Throughput::Elements(SEEDS));

@@ -72,7 +72,7 @@ fn wrench_map(c: &mut Criterion) {
     group.finish();
 }
 
-/// Certified motions of 0.1 m from feasible positions of robots as built, accepted ones and all.
+/// Certified motions of 0.1 m from feasible positions of existing robots: the accepted ones, and all.
 fn certified_motions(c: &mut Criterion) {
     let mut group = c.benchmark_group("certified motion of 0.1 m");
     for (name, force, moment, within) in [
@@ -113,7 +113,7 @@ fn motions_from_feasible(measure: &Measure, within: &[[f64; 2]; 3], count: usize
     motions
 }
 
-/// The accepted motion that takes as long as half of them.
+/// The accepted motion with the median time.
 fn median(measure: &Measure, mut motions: Vec<(Point, Point)>) -> (Point, Point) {
     motions.retain(|(from, to)| certified(measure, from, to));
     motions.sort_by_cached_key(|(from, to)| {
@@ -124,7 +124,7 @@ fn median(measure: &Measure, mut motions: Vec<(Point, Point)>) -> (Point, Point)
     motions[motions.len() / 2]
 }
 
-/// Planning on CoGiRo in its hall, certified: scene compiled, planned, rewound, checked.
+/// Planning on CoGiRo in its hall, certified: includes compiling, planning, rewinding, checking.
 fn planning(c: &mut Criterion) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes/cogiro.toml");
     let scene = load_scene(&path).expect("a sound scene");

@@ -1,4 +1,4 @@
-//! Time of one wrench question on a solver that is kept: random robots, each question with a wrench matrix of its own.
+//! Time of one wrench query on a reused solver: random robots, with a different wrench matrix for each query.
 
 use cdpr_core::wrench::linear_program::{FeasibilityLp, ScaleLp};
 use cdpr_core::wrench::tension_qp::{QpMethod, TensionQp};
@@ -16,8 +16,8 @@ struct Question {
     wrench: Vector6<f64>,
 }
 
-/// Wrenches of tensions drawn in their limits widened `reach` times about the middle; with `hard`, only such as neither
-/// the least-squares tensions nor the plane across them settle.
+/// Wrenches of random tensions within limits that are widened by `reach` about their middle; with `hard`, only those
+/// that neither the least-squares tensions nor the plane across them decide.
 fn questions(cables: usize, reach: f64, hard: bool) -> Vec<Question> {
     let mut rng = ChaCha8Rng::seed_from_u64(cables as u64);
     let mut draw = move |half: f64| half * (2.0 * rng.random::<f64>() - 1.0);
@@ -78,7 +78,7 @@ fn ask_all(group: &mut BenchmarkGroup<WallTime>, kind: &str, questions: &[Questi
     }
 }
 
-/// The cube of 64 corners about a wrench.
+/// The cube of 64 corners around a wrench.
 fn scale(group: &mut BenchmarkGroup<WallTime>, questions: &[Question]) {
     let corner = |k: usize| Vector6::from_fn(|i, _| if k >> i & 1 == 1 { 1.0 } else { -1.0 });
     let corners: Vec<_> = (0..64).map(corner).collect();

@@ -1,4 +1,4 @@
-//! Writes `fuzz/seeds`, a few sound files for each reader: `cargo run -p cdpr-fuzz --example seeds`.
+//! Writes `fuzz/seeds`, a few valid files for each reader: `cargo run -p cdpr-fuzz --example seeds`.
 
 use std::error::Error;
 use std::fs;
@@ -142,7 +142,7 @@ fn maps() -> Result<(), Box<dyn Error>> {
     Ok(cdpr_files::save_wrench_map(&inputs("seeds/wrench_map_npz/map.npz"), &map)?)
 }
 
-/// A run that a report is made of, and a smaller one to be merged.
+/// A run to report on, and a smaller one to be merged.
 fn runs() -> Result<(), Box<dyn Error>> {
     let text = EXPERIMENT.replace("\"scene.toml\"", &format!("{:?}", testdata("scenes/hard1.toml")));
     let experiment = cdpr_study::experiment_from_text(&text, cdpr_files::text::Notation::Toml, None)?;

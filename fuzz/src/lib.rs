@@ -1,8 +1,8 @@
-//! Every reader of cdpr, fed with bytes as a file's contents.
+//! Every reader of cdpr, applied to bytes as the contents of a file.
 //!
-//! What a reader refuses must be refused with words; what it accepts must be of use: scenes answer a motion, paths are
-//! checked, meshes become obstacles, runs become reports. Panics, inputs that take longer than [`TIME`] and ones that
-//! take more memory than [`MEMORY`] are defects.
+//! A reader must reject invalid input with a message, and what it accepts must be usable: scenes check a motion, paths
+//! are checked, meshes become obstacles, runs become reports. Panics, and inputs that take longer than [`TIME`] or more
+//! memory than [`MEMORY`], are defects.
 
 mod readers;
 
@@ -12,10 +12,10 @@ use std::time::Duration;
 
 pub use readers::{READERS, Reader, inputs, reader};
 
-/// Memory that reading a file may take in all, bytes.
+/// Total memory that reading a file may take, bytes.
 pub const MEMORY: usize = 1 << 30;
 
-/// Time that reading a file of up to 1 MB may take: 10 s, and patience for a machine that has other things to do.
+/// Time that reading a file of up to 1 MB may take: 10 s, with allowance for a busy machine.
 pub const TIME: Duration = Duration::from_secs(60);
 
 /// Allocator that fails beyond a limit.
@@ -24,7 +24,7 @@ pub type Memory = cap::Cap<std::alloc::System>;
 /// Reads an input as [`Reader::read`] does, but fails if that takes too long.
 ///
 /// # Panics
-/// If the reader does, or takes longer than [`TIME`].
+/// If the reader panics, or takes longer than [`TIME`].
 pub fn read_in_time(reader: Reader, input: Vec<u8>) {
     let (done, waits) = channel::<()>();
     let thread = std::thread::spawn(move || {

@@ -1,4 +1,4 @@
-//! The readers, and what is done with what they accept.
+//! The readers, and the use made of the input that they accept.
 
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -19,7 +19,7 @@ use tempfile::TempDir;
 pub struct Reader {
     /// Name.
     pub name: &'static str,
-    /// Reads bytes as a file, and uses what comes out.
+    /// Reads bytes as a file, and uses the result.
     pub read: fn(&[u8]),
 }
 
@@ -44,31 +44,31 @@ pub const READERS: [Reader; 17] = [
     Reader { name: "trials_csv", read: |bytes| study(&seed("summary_json/summary.json"), bytes) },
 ];
 
-/// The reader of a name.
+/// The reader with this name.
 ///
 /// # Panics
-/// If there is none.
+/// If there is no such reader.
 pub fn reader(name: &str) -> Reader {
     *READERS.iter().find(|reader| reader.name == name).unwrap_or_else(|| panic!("no reader is called {name}"))
 }
 
-/// Inputs of this package, a folder for each reader: `seeds` are sound files, `regressions` were defects once.
+/// Inputs of this package, a folder for each reader: `seeds` are valid files, `regressions` once revealed defects.
 pub fn inputs(kind: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(kind)
 }
 
-/// What stands beside a file that is fuzzed, where a reader needs two.
+/// The second file of readers that need two.
 fn seed(name: &str) -> Vec<u8> {
     std::fs::read(inputs("seeds").join(name)).expect("a seed")
 }
 
-/// A scene or robot with more than these is only read: no engine is meant for them.
+/// A scene or robot with more than these is only read, since engines are not designed for them.
 const MOST_CABLES: usize = 10;
 const MOST_BODIES: usize = 60;
 /// Waypoints of a path that are checked.
 const MOST_WAYPOINTS: usize = 200;
 
-/// A folder of files, gone with the value.
+/// A temporary folder of files.
 struct Folder(TempDir);
 
 impl Folder {
@@ -88,7 +88,7 @@ impl Folder {
     }
 }
 
-/// What was accepted; a refusal must have words.
+/// The accepted value; a rejection must have a message.
 fn accepted<T>(result: Result<T, Error>) -> Option<T> {
     result.map_err(|error| assert!(error.to_string().contains(' '), "refused with \"{error}\"")).ok()
 }
@@ -98,8 +98,8 @@ fn scene(name: &str, bytes: &[u8]) {
     accepted(cdpr_files::load_scene(&folder.path(name))).iter().for_each(ask);
 }
 
-/// Asks both engines for the motion of a scene's query, or for one across its workspace, and for its wrenches at the
-/// start. How long a motion is certified depends on more than the size of a file.
+/// Checks the motion of a scene's query, or one across its workspace, with both engines, and the wrenches at the start.
+/// The time to certify a motion depends on more than the size of a file.
 fn ask(scene: &Scene) {
     serde_json::to_string(scene.spec()).expect("a scene can be written");
     let bodies = scene.robot().parts().len() + scene.obstacles().iter().map(|o| o.parts.len()).sum::<usize>();
@@ -183,7 +183,7 @@ fn mesh(name: &str, bytes: &[u8]) {
     accepted(cdpr_files::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
 }
 
-/// Parts kept beside a mesh, with the key and the sum that they would be found by; without these nothing is read.
+/// Parts cached beside a mesh, with the key and checksum by which they are found; without these, nothing is read.
 fn parts(bytes: &[u8]) {
     static KEY: LazyLock<String> = LazyLock::new(|| {
         let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"));
@@ -221,13 +221,13 @@ fn wrench_map(bytes: &[u8]) {
     }
 }
 
-/// The folder of a run, which merging reads.
+/// The folder of a run to be merged.
 fn run(about: &[u8], rows: &[u8]) {
     let folder = Folder::new().with("run/run.json", about).with("run/rows/0000.csv", rows);
     accepted(cdpr_study::merge(&[folder.path("run")], &folder.path("merged")));
 }
 
-/// What a run left, which a report is made of.
+/// The results of a run to report on.
 fn study(summary: &[u8], trials: &[u8]) {
     let folder = Folder::new().with("summary.json", summary).with("trials.csv", trials);
     if let Some(study) = accepted(cdpr_study::load_study(folder.0.path())) {

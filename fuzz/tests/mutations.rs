@@ -1,5 +1,5 @@
-//! A short fuzz without instrumentation: seeds with a few changes, the same ones every time. `CDPR_FUZZ_CASES=N` makes
-//! N times as many. A failure is shrunk to the fewest changes, and kept as a file.
+//! A short fuzz without instrumentation: seeds with a few changes, always the same ones. `CDPR_FUZZ_CASES=N` makes N
+//! times as many. A failure is shrunk to the fewest changes and saved as a file.
 
 use std::fs;
 
@@ -12,14 +12,14 @@ use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 #[global_allocator]
 static ALLOCATOR: Memory = Memory::new(std::alloc::System, MEMORY);
 
-/// Cases of each reader: some seconds.
+/// Cases per reader: some seconds.
 const CASES: u32 = 1500;
 
-/// Cases where what is accepted takes long to use: meshes are decomposed, plots drawn.
+/// Cases for readers whose results take long to use: meshes are decomposed, plots drawn.
 const FEW_CASES: u32 = 300;
 const SLOW: [&str; 5] = ["mesh_stl", "mesh_obj", "parts_json", "summary_json", "trials_csv"];
 
-/// Numbers that nobody types.
+/// Unusual numbers.
 const NUMBERS: [&str; 18] = [
     "0",
     "-0.0",
@@ -41,7 +41,7 @@ const NUMBERS: [&str; 18] = [
     "18446744073709551615",
 ];
 
-/// Words that mean something to one format or another.
+/// Keywords of the formats.
 const WORDS: [&str; 28] = [
     "[",
     "[[",
@@ -73,7 +73,7 @@ const WORDS: [&str; 28] = [
     "solid",
 ];
 
-/// A change of a file.
+/// A change to a file.
 #[derive(Debug, Clone)]
 enum Change {
     Byte(Index, u8),
@@ -130,7 +130,7 @@ impl Change {
     }
 }
 
-/// Where the numbers of a text stand.
+/// The positions of the numbers in a text.
 fn numbers(bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
     let of_number = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-');
     let runs = bytes.chunk_by(|a, b| of_number(a) == of_number(b));

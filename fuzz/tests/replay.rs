@@ -1,4 +1,4 @@
-//! Sound files, and inputs that were defects once, go through their readers.
+//! Runs valid files, and inputs that once revealed defects, through their readers.
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use cdpr_fuzz::{MEMORY, Memory, READERS, inputs, read_in_time, reader};
 #[global_allocator]
 static ALLOCATOR: Memory = Memory::new(std::alloc::System, MEMORY);
 
-/// The inputs of a kind, with the reader that each is for.
+/// The inputs of a kind, each with its reader.
 fn all(kind: &str) -> Vec<(String, PathBuf)> {
     let folders = fs::read_dir(inputs(kind)).unwrap().map(|folder| folder.unwrap().path());
     let files = folders.flat_map(|folder| {

@@ -44,7 +44,7 @@ fn random_scenes(count: usize) -> RandomScenes {
     RandomScenes::new(empty(), spec).unwrap()
 }
 
-/// Obstacles that only the platform has to keep away from.
+/// Obstacles that only the platform must avoid.
 fn platform_only(obstacles: Vec<BodySpec>) -> Scene {
     let mut spec = paper_scene("platform only", obstacles);
     let names: Vec<String> = spec.obstacles.iter().filter_map(|o| o.name.clone()).collect();
@@ -262,7 +262,7 @@ fn a_time_budget_is_used_and_honoured() {
             assert_eq!(found.status, status);
             clock.elapsed()
         };
-        // Other programs may hold the processor for a while: one run that is left alone is enough.
+        // Other programs may occupy the processor for a while: one undisturbed run is enough.
         let on_time = (0..100).map(|_| run()).find(|time| {
             assert!(*time >= budget, "{time:?}");
             *time <= budget + Duration::from_millis(2)
@@ -388,7 +388,7 @@ fn limits_and_settings_end_it() {
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
 }
 
-/// A guide without information that counts how often samples are requested.
+/// A guide without information that counts requests for samples.
 #[derive(Default)]
 struct Asked(std::sync::atomic::AtomicUsize);
 
@@ -454,7 +454,7 @@ fn a_budget_counts_from_the_call() {
     assert_eq!((found.status, found.stats.samples), (Status::BudgetSpent, 0)); // over before the scene was compiled
 }
 
-/// A wall with a corridor for the platform, `play` wider than it, in a workspace with so much room above the platform.
+/// A wall with a corridor for the platform, wider by `play`, in a workspace with this much space above the platform.
 fn corridor(play: f64, room: f64) -> Scene {
     let half = |name: &str, from: f64, to: f64| block(name, [0.4, to - from, 1.0], [1.0, 0.5 * (from + to), 0.5]);
     let gap = 0.15 + play;

@@ -1,5 +1,4 @@
-//! Clearances by kind and by pair, pairs that may touch, and pairs that are exempt: what is demanded, measured and
-//! listed.
+//! Clearances by kind and by pair, pairs that may touch, and exempt pairs: requirements, measurements and lists.
 
 use cdpr_core::collision::path_check::{Nearest, nearest};
 use cdpr_core::collision::{Checker, Engine, Interference, Kind, Reason, check_path};
@@ -39,7 +38,7 @@ fn with(clearances: ClearancesSpec) -> SceneSpec {
     SceneSpec { clearances: Some(clearances), ..pillar() }
 }
 
-/// The paper's robot with thick cables: some pairs can be no farther apart than their attachments.
+/// The paper's robot with thick cables: for some pairs, the distance of their attachments is the largest possible.
 fn thick(diameter: f64, clearance: f64) -> SceneSpec {
     let mut spec = SceneSpec { clearance: Some(clearance), ..paper_scene("thick", Vec::new()) };
     let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
@@ -75,7 +74,7 @@ fn a_demand_that_no_position_keeps_hides_no_gap() {
 
 #[test]
 fn exempt_cables_must_still_not_touch() {
-    // The cables are at most 50 mm apart; as thick as that they can never keep from overlapping.
+    // The cables are at most 50 mm apart; at this diameter they always overlap.
     for (diameter, overlaps) in [(0.03, false), (0.06, true)] {
         let mut spec = thick(diameter, 0.3);
         let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
@@ -129,7 +128,7 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
         };
         assert_eq!(required, expected, "{culprits:?}");
     }
-    // What is planned keeps each of them, and no path is shorter than its bound.
+    // A planned path keeps all of them, and is not shorter than its bound.
     let scene = scene(spec);
     let found = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(found.status, Status::Solved);
@@ -145,13 +144,13 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
             assert!(gap.unwrap().unwrap().value >= required - 1e-7, "{:?}", conditions.culprits(condition));
         }
     }
-    // 0.2 m from the platform alone cost more than 0.01 m from all.
+    // 0.2 m from the platform alone increase the length more than 0.01 m from everything.
     let narrow =
         plan(&self::scene(SceneSpec { clearance: Some(0.01), ..pillar() }), &PlanOptions::default(), &|| false);
     assert!(narrow.unwrap().result.cost < found.cost - 0.05);
 }
 
-/// A platform 0.05 m high that stands on a conveyor 0.2 m high at the start.
+/// A platform 0.05 m high that starts on a conveyor 0.2 m high.
 fn conveyor() -> SceneSpec {
     let mut spec = paper_scene("conveyor", vec![block("conveyor", [0.5, 2.0, 0.2], [0.3, 1.0, 0.1])]);
     spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.225]);
@@ -176,7 +175,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
         let along = [Point::new(0.3, 0.6, 0.225), Point::new(0.3, 1.4, 0.225)];
         assert!(engine.motion_valid(&along[0], &along[1]));
         assert!(!engine.motion_valid(&along[0], &(along[1] - cdpr_core::geometry::Vector::z() * 1e-6)));
-        // The cables keep their distance from it all the same.
+        // The cables still keep their distance from it.
         let demands = engine.conditions().list.iter().filter(|c| engine.conditions().kind(c) == Kind::CableObstacle);
         assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.conditions().required(c) == Some(0.02)));
     }
@@ -188,7 +187,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
     assert_eq!(exempt.exemption.pair, ["platform", "conveyor"]);
     assert!(exempt.gap.unwrap().abs() < 1e-9 && found.min_clearance.unwrap().value.abs() < 1e-9);
     assert!(found.min_clearance_not_exempt.unwrap().value >= 0.02 - 1e-7);
-    // `ignore` lets it through, and says so.
+    // `ignore` permits it, and is listed.
     let ignoring = SceneSpec { ignore: vec![between("platform", "conveyor")], ..conveyor() };
     let unchecked = |engine: &dyn Checker| {
         let conditions = engine.conditions();
@@ -201,7 +200,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
 
 #[test]
 fn an_outlet_nearer_than_the_clearance_needs_one_of_its_own() {
-    // The outlet of cable 0 is 10 mm beside a mast.
+    // The outlet of cable 0 is 10 mm from a mast.
     let mast = SceneSpec {
         clearance: Some(0.03),
         ..paper_scene("mast", vec![block("mast", [0.1, 0.1, 1.0], [-0.06, 0.0, 0.0])])

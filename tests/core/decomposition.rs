@@ -1,4 +1,4 @@
-//! Ways through cells against the engines and the planners.
+//! Paths through cells against the engines and the planners.
 
 use cdpr_core::collision::{Checker, CspaceEngine, Interference, Validity};
 use cdpr_core::decomposition::{Decomposition, Taste, Way};
@@ -37,7 +37,7 @@ fn a_wall_across_the_workspace_leaves_no_way() {
     let wall =
         |height: f64| scene(paper_scene("wall", vec![block("wall", [0.1, 2.0, height], [1.0, 1.0, 0.5 * height])]));
     assert_eq!(way(&wall(2.0), TASTE, MUCH), Way::None);
-    assert_eq!(way(&wall(0.2), TASTE, MUCH), Way::None); // it hides the lower outlets behind it
+    assert_eq!(way(&wall(0.2), TASTE, MUCH), Way::None); // it hides the lower outlets
     assert!(matches!(way(&empty(), TASTE, MUCH), Way::Path(_)));
 }
 

@@ -1,4 +1,4 @@
-//! Planning, checking and wrenches: known answers, properties, and wrong answers that were found once.
+//! Planning, checking and wrenches: known answers, properties, and former wrong answers.
 
 mod anytime;
 mod clearances;

@@ -1,4 +1,4 @@
-//! Orientations: honoured by everything, named, chosen by planning, kept by path files.
+//! Orientations: respected everywhere, named, chosen by planning, recorded in path files.
 
 use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
@@ -95,7 +95,7 @@ fn same_wrenches(turned: &Scene, built: &Scene, rng: &mut ChaCha8Rng) {
     }
 }
 
-/// A plank, 0.8 m long, and a wall with an upright slot 0.5 m wide: it does not pass across.
+/// A plank, 0.8 m long, and a wall with an upright slot 0.5 m wide, which it does not pass when turned across.
 fn plank() -> SceneSpec {
     let mut spec = testing::paper_scene(
         "slot",
@@ -130,7 +130,7 @@ fn planning_takes_the_orientation_with_the_shortest_path() {
     let least = alone.iter().filter(|r| r.status == Status::Solved).map(|r| r.cost).fold(f64::INFINITY, f64::min);
     assert!(alone[0].status != Status::Solved && planned.result.cost == least, "{} {least}", planned.result.cost);
     assert_eq!(planned.turned.unwrap().orientation_name(), Some("along"));
-    // The straight line is free there, so that the third orientation is not searched at all.
+    // The straight line is free there, so the third orientation is not searched.
     assert_eq!(planned.result.stats.samples, alone[0].stats.samples + alone[1].stats.samples);
     let askew = scene.turned(OrientationSource::Named("askew".to_string())).unwrap();
     assert!(choose(&askew).turned.is_none());
@@ -140,7 +140,7 @@ fn planning_takes_the_orientation_with_the_shortest_path() {
 fn without_a_path_the_answer_is_that_of_the_orientation_that_came_farthest() {
     let mut spec = plank();
     spec.orientations = vec![named("blocked", 0.9), named("across", std::f64::consts::FRAC_PI_2)];
-    spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid across only
+    spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid only when turned across
     let planned = choose(&Scene::new(spec).unwrap());
     assert_eq!(
         (planned.result.status, planned.turned.unwrap().orientation_name()),

@@ -35,8 +35,8 @@ fn star(near_radius: Option<f64>) -> PlannerOptions {
     PlannerOptions::RrtStar(RrtStarOptions { near_radius, ..RrtStarOptions::default() })
 }
 
-/// Means over many seeds lie within four standard errors of what another implementation found over 1000 runs, whose own
-/// standard error adds to ours.
+/// Means over many seeds lie within four standard errors of those of another implementation over 1000 runs, whose
+/// standard error is added to ours.
 fn costs_are(scene: &Scene, planner: &PlannerOptions, raw: f64, rewound: f64) {
     const SEEDS: u64 = 200;
     let results: Vec<PlanResult> = (0..SEEDS).into_par_iter().map(|seed| planned(scene, planner, seed)).collect();
@@ -81,7 +81,7 @@ fn every_path_is_valid_by_both_engines_and_every_seed_has_a_tree_of_its_own() {
                 assert!(path.windows(2).all(valid), "{planner:?}, seed {seed}");
             }
             assert_eq!(found.waypoints, planned(scene, &planner, seed).waypoints);
-            // Of the anytime planner only the tree: it may find the same path, pulled taut, from any seed.
+            // Compare only the tree of the anytime planner: string pulling may give the same path for any seed.
             assert_ne!(found.tree.states, planned(scene, &planner, seed + 100).tree.states);
         }
     }

@@ -1,4 +1,4 @@
-//! Planning and rewinding: the figures of the study, reproducibility, and how a run can end.
+//! Planning and rewinding: the results of the study, reproducibility, and the outcomes of a run.
 
 use std::time::{Duration, Instant};
 
@@ -27,7 +27,7 @@ fn samples(max_samples: usize) -> PlannerOptions {
     planner
 }
 
-/// Every segment valid, and every state in steps of a millimetre.
+/// Every segment is valid, and so is every state in steps of a millimetre.
 fn assert_valid(engine: &GjkEngine, path: &[Point]) {
     for pair in path.windows(2) {
         assert!(engine.motion_valid(&pair[0], &pair[1]));
@@ -38,7 +38,7 @@ fn assert_valid(engine: &GjkEngine, path: &[Point]) {
     }
 }
 
-/// Another implementation found these mean costs over 1000 runs: raw, and after rewinding in steps of 0.1 m.
+/// Mean costs of another implementation over 1000 runs: raw, and after rewinding in steps of 0.1 m.
 fn mean_costs_are_near(scene: &Scene, raw: f64, rewound: f64) {
     const SEEDS: u64 = 1000;
     let engine = GjkEngine::new(scene, Interference::Exact).unwrap();
@@ -103,12 +103,12 @@ fn invalid_ends_are_answers_with_reasons() {
     }
 }
 
-/// A slab across the whole workspace: no way through.
+/// A slab across the whole workspace, which blocks all paths.
 fn walled() -> Scene {
     scene(paper_scene("walled", vec![block("wall", [0.05, 2.0, 2.0], [1.0, 1.0, 1.0])]))
 }
 
-/// The walled scene with cables that may pass the wall, so that only the platform is held back.
+/// The walled scene with cables that may pass through the wall, so that only the platform is blocked.
 fn walled_platform() -> Scene {
     let mut spec = walled().spec().clone();
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
@@ -247,7 +247,7 @@ fn a_report_names_segment_place_culprits_and_nearest_approach() {
     let report = check_path(&engine, &path, &Watch::NONE).unwrap();
     assert!(!report.valid && report.violations.iter().all(|v| v.segment == 1));
     let platform = report.violations.iter().find(|v| v.violation.culprits == ["platform", "pillar"]).unwrap();
-    // The platform's face x = p.x + 0.075 reaches the pillar's side x = 0.85 where p.x = 0.775.
+    // The platform's face x = p.x + 0.075 touches the pillar's side x = 0.85 at p.x = 0.775.
     assert!((platform.violation.at - (0.775 - 0.3) / 1.4).abs() < 1e-8, "{platform:?}");
     assert!(report.nearest.min_clearance.unwrap().value < -0.1);
 }
@@ -266,7 +266,7 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
         let scene = scene(spec);
         let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
         let found = planned(&scene, PlanOptions { seed, planner: samples(500), ..PlanOptions::paper() });
-        // As in the paper, only scenes count whose start and goal are free.
+        // As in the paper, only scenes with free start and goal count.
         asked += usize::from(matches!(found.status, Status::Solved | Status::BudgetSpent));
         if found.status == Status::Solved {
             solved += 1;

@@ -1,4 +1,4 @@
-//! Properties that hold for all input, hostile numbers included: an answer or a named error, never a panic.
+//! Properties that hold for all input, including hostile numbers: an answer or a named error, never a panic.
 
 use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::gjk::{overlap, shape_distance};
@@ -98,7 +98,7 @@ proptest! {
         let (from, to) = (from + Vector::repeat(1.0), to + Vector::repeat(1.0));
         spec.clearance = Some(c + more);
         let strict = motion_of(&spec, &from, &to);
-        // Pairs that cannot keep a clearance are exempt from it; so compare only where none is.
+        // Pairs that cannot keep a clearance are exempt from it, so compare only if there are none.
         let exempt = !GjkEngine::new(&Scene::new(spec.clone()).unwrap(), Interference::Exact).unwrap().conditions().exempt.is_empty();
         spec.clearance = Some(c);
         prop_assert!(exempt || !strict || motion_of(&spec, &from, &to));
@@ -114,7 +114,7 @@ proptest! {
 
     #[test]
     fn hostile_scenes_are_answered_or_refused(slips in prop::collection::vec((0..20usize, hostile()), 1..4), from in place(), to in place()) {
-        // A sound scene with one to three numbers replaced: box sides, position and turn, clearance, an outlet, an
+        // A valid scene with one to three numbers replaced: box sides, position and rotation, clearance, an outlet, an
         // attachment, a diameter, platform sides.
         let mut numbers = [0.3, 0.3, 1.5, 1.0, 1.0, 0.75, 0.0, 0.1, 0.2, 0.0, 0.0, 0.0, 0.0, 0.075, -0.075, -0.025, 0.0, 0.15, 0.15, 0.05];
         slips.iter().for_each(|(k, number)| numbers[*k] = *number);

@@ -1,4 +1,4 @@
-//! Random scenes: sizes and places as asked for, start and goal free, the same for the same seed.
+//! Random scenes: sizes and places as requested, start and goal free, the same for the same seed.
 
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
@@ -18,7 +18,7 @@ fn refused(base: Scene, text: &str) -> String {
     RandomScenes::new(base, spec(text)).unwrap_err().to_string()
 }
 
-/// Least and largest corner of every obstacle.
+/// Smallest and largest corner of every obstacle.
 fn boxes(scene: &Scene) -> Vec<(Point, Point)> {
     let corners = |k: usize| scene.obstacles()[k].parts[0].vertices();
     let fold = |k: usize| corners(k).iter().fold((corners(k)[0], corners(k)[0]), |(lo, hi), v| (lo.inf(v), hi.sup(v)));
@@ -47,7 +47,8 @@ fn the_papers_prisms_have_its_sizes_stand_on_the_floor_and_leave_the_ends_free()
     }
     for (sizes, least, largest) in [(widths, 0.1, 0.3), (heights, 0.5, 1.5)] {
         assert!(sizes.iter().all(|s| (least - 1e-12..=largest + 1e-12).contains(s)));
-        // Low ones leave the ends free more often, so the mean is below the middle; both ends of the interval occur.
+        // Low ones leave start and goal free more often, so the mean is below the middle; both ends of the interval
+        // occur.
         let spread = 0.1 * (largest - least);
         assert!(sizes.iter().any(|s| *s < least + spread) && sizes.iter().any(|s| *s > largest - spread));
     }
@@ -99,7 +100,7 @@ fn with_the_filter_no_scene_is_solved_by_a_straight_line() {
 
 #[test]
 fn what_can_never_be_free_is_given_up_with_a_reason() {
-    // A prism as wide as the workspace stands on everything.
+    // A prism as wide as the workspace covers everything.
     let scenes = scenes(empty(), "count = 1\nwidth = [2.0, 2.0]\nheight = [1.0, 1.0]\nattempts = 20");
     let told = scenes.draw(0).unwrap_err().to_string();
     assert!(told.contains("found no free scene in 20 draws") && told.contains("the start is not valid"), "{told}");

@@ -67,7 +67,7 @@ fn positions_are_in_the_meshes_of_exactly_those_pairs_that_the_engine_names() {
     assert_eq!(hit, BTreeSet::from([Kind::CablePlatform, Kind::PlatformObstacle, Kind::CableObstacle]));
 }
 
-/// The paper's robot, turned, with a mast and a fin of no volume on the platform, between two obstacles.
+/// The paper's robot, rotated, with a mast and a fin without volume on the platform, between two obstacles.
 fn turned_with_a_mast() -> Scene {
     let mut robot = paper_robot();
     robot.platform.push(block("mast", [0.05, 0.05, 0.3], [0.0, 0.0, 0.175]));
@@ -105,7 +105,7 @@ fn the_shadow_in_the_space_of_positions_is_the_one_of_the_attachment_moved() {
 #[test]
 fn the_shadow_of_the_pillar_has_the_volume_of_its_columns() {
     // Over each point of the floor, seen from a corner of the floor: nothing is hidden beside the pillar [0.85, 1.15]²
-    // or before it; behind it, all below the ray over its near upper edge, which is 1.5 m high.
+    // or in front of it; behind it, everything below the ray over its near upper edge, which is 1.5 m high.
     let found = regions(&hard1(), &RegionOptions::default()).unwrap();
     let n = 2000;
     let (low, side) = (0.85 / 1.15, 2.0 / f64::from(n));
@@ -194,7 +194,7 @@ fn cables_cross_in_two_flat_wedges() {
     let found = regions(&crossing, &all()).unwrap();
     let flat: Vec<_> = found.meshes.iter().filter(|r| r.kind == Kind::CableCable).collect();
     assert!(!flat.is_empty() && flat.iter().all(|r| r.mesh.is_watertight() && r.mesh.area() > 0.01));
-    // Where the wedges are, a small step across them makes the cables cross.
+    // Within the wedges, a small step across them makes the cables cross.
     let engine = GjkEngine::new(&crossing, Interference::Exact).unwrap();
     for region in flat {
         for t in &region.mesh.triangles {

@@ -1,4 +1,4 @@
-//! Wrong answers that were found once, each by its smallest input.
+//! Former wrong answers, each with its smallest input.
 
 use std::time::{Duration, Instant};
 
@@ -193,7 +193,7 @@ fn crawling_through_the_plane_of_two_cables_inside_the_wedge_is_seen() {
     assert!(!engine.motion_valid(&at(0.5, 0.5, 0.9e-9), &at(3.0, 0.5, -1.1e-9)));
 }
 
-/// The pair of cables 0 and 1, held to `demanded`.
+/// The pair of cables 0 and 1 with the required distance `demanded`.
 fn pair(outlets: [[f64; 3]; 2], q: [f64; 3], demanded: f64) -> GjkEngine {
     let cables = vec![cable(outlets[0], [0.0; 3]), cable(outlets[1], q)];
     engine(vec![part([1e-4; 3], [0.0, 0.0, 0.5])], cables, Vec::new(), demanded)
@@ -350,7 +350,7 @@ fn what_is_too_small_is_named() {
         let told = with(change).unwrap_err().to_string();
         assert!(words.iter().all(|word| told.contains(word)), "{words:?} in {told}");
     }
-    // A point is no small body, a part of a body no body, and one cable has no extent.
+    // A point does not count as a small body, nor does a part of a body, and one cable has no extent.
     let sliver = BodySpec {
         name: Some("pillar".into()),
         cuboid: Some([2e-6, 2e-6, 2e-6]),

@@ -66,7 +66,7 @@ fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_tha
     let limit = reason.wrench.clone().expect("a wrench limit");
     assert_eq!((reason.kind, reason.margin), (Kind::Wrench, None));
     assert!(limit.wrench_margin.unwrap() < -1000.0);
-    assert_eq!(limit.at_greatest.len() + limit.at_least.len(), 3); // eight cables less the five that span the facet
+    assert_eq!(limit.at_greatest.len() + limit.at_least.len(), 3); // eight cables minus the five that span the facet
     assert_eq!(reason.culprits.len(), 3);
     assert!(
         reason.sentence().starts_with("the cables cannot balance the required wrenches by "),
@@ -80,7 +80,7 @@ fn the_grid_rule_tells_the_corner_that_it_refuses_for() {
     let scene = cogiro(WrenchSpec { rule: Some(RuleSpec::Grid), grid: Some(0.25), ..balls(60.0, 10.0) });
     let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
     let start = Point::new(-4.0, 0.0, 0.5);
-    assert!(measures(&scene).unwrap()[0].slack(&start) > 0.0); // the position itself would do
+    assert!(measures(&scene).unwrap()[0].slack(&start) > 0.0); // the position itself is feasible
     let violation = engine.explain(&start, &start).expect("refused");
     let limit = violation.wrench.clone().unwrap();
     let corner = Point::from(limit.corner.unwrap());
@@ -176,7 +176,7 @@ fn a_position_is_feasible_where_planning_allows_it() {
         }
     }
     assert!(feasible[0] > 0 && feasible[1] == 0 && feasible[2] > 0, "{feasible:?}");
-    // In the middle the four cables carry the weight, and nothing else.
+    // In the middle, the four cables carry exactly the weight.
     let statics = Statics::of(&scenes[1]).unwrap();
     let middle = Point::new(3.0, 2.0, 1.0);
     let report = wrench_at(&statics, &Required::default(), MarginSpec::Capacity, &middle).unwrap();
@@ -313,7 +313,8 @@ fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positiv
 #[test]
 fn slack_that_is_next_to_nothing_is_told_apart_from_slack_that_is_lacking() {
     let here = Point::new(0.5, 1.0, 2.0);
-    // Slack falls as the demand grows (up to rounding), so some demand leaves a slack between zero and the floor.
+    // Slack falls as the requirement grows (up to rounding), so some requirement leaves a slack between zero and the
+    // floor.
     let (mut low, mut high) = (0.0, 1e4);
     let slack = |force: f64| {
         let measure = &measures(&cogiro(balls(force, 10.0))).unwrap()[0];

@@ -1,4 +1,5 @@
-//! How long it takes to turn a mesh into convex parts, how many there are, and how far they reach beyond it.
+//! Measures how long it takes to turn meshes into convex parts, how many there are, and how far they extend beyond
+//! them.
 //!
 //! `cargo run --release -p cdpr-tests --example mesh_parts -- [NAME ...]`: all meshes, or those with these names.
 
@@ -35,13 +36,13 @@ fn torus(around: usize, across: usize) -> TriangleMesh {
     })
 }
 
-/// A closed surface around the z axis: radius and height by the way from one pole to the other.
+/// A closed surface around the z axis: radius and height as functions of the fraction from one pole to the other.
 fn turned(around: usize, across: usize, outline: impl Fn(f64, f64) -> [f64; 2]) -> TriangleMesh {
     let mut mesh = grid(around, across, false, |u, v| {
         let [radius, height] = outline(u, v);
         [radius * (TAU * u).cos(), radius * (TAU * u).sin(), height]
     });
-    // The corners at a pole are one.
+    // The corners at a pole are identified.
     let rows = across + 1;
     let pole = |i: usize| match i % rows {
         0 => 0,
@@ -116,7 +117,7 @@ fn random(triangles: usize, points: usize) -> TriangleMesh {
     TriangleMesh { vertices, triangles }
 }
 
-/// A closed surface that runs through itself over and over.
+/// A closed surface that intersects itself over and over.
 fn tangled(around: usize, across: usize) -> TriangleMesh {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let mut mesh = sphere(around, across);
@@ -129,7 +130,7 @@ fn holed(mut mesh: TriangleMesh) -> TriangleMesh {
     mesh
 }
 
-/// A name, and what makes its mesh.
+/// A name, and the function that makes its mesh.
 type Case = (&'static str, fn() -> TriangleMesh);
 
 const CASES: &[Case] = &[

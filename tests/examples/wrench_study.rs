@@ -1,5 +1,5 @@
-//! Plans scenes with and without their [wrench] over many seeds; prints lengths, times, and how far the paths break the
-//! demand, measured by the capacity margin.
+//! Plans scenes with and without their [wrench] over many seeds; prints lengths, times, and how far the paths fall
+//! short of the requirement, measured by the capacity margin.
 //!
 //! `cargo run --release -p cdpr-tests --example wrench_study -- 51 testdata/scenes/cogiro.toml ...`
 
@@ -16,7 +16,7 @@ fn main() -> Result<(), cdpr_core::Error> {
     for file in arguments {
         let scene = load_scene(file.as_ref())?;
         let mut spec = scene.spec().clone();
-        // Whatever rule a scene is planned by, the capacity margin judges the paths.
+        // The paths are judged by the capacity margin, whatever rule a scene uses for planning.
         spec.wrench.as_mut().expect("a scene with [wrench]").margin = Some(MarginSpec::Capacity);
         let measures = measures(&Scene::new(spec.clone())?)?;
         spec.wrench = None;
@@ -56,7 +56,7 @@ fn report(name: &str, scene: &Scene, measures: &[Measure], seeds: u64) -> Result
     Ok(())
 }
 
-/// The least slack at 1001 places of each segment.
+/// The smallest slack at 1001 points of each segment.
 fn least_slack(measures: &[Measure], path: &[Point]) -> f64 {
     let points = path.windows(2).flat_map(|s| (0..=1000).map(|k| s[0] + (s[1] - s[0]) * (f64::from(k) / 1000.0)));
     points.flat_map(|p| measures.iter().map(move |m| m.slack(&p))).fold(f64::INFINITY, f64::min)

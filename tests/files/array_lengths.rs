@@ -1,5 +1,5 @@
-//! Arrays of a fixed length in every file format: one element too many or too few is refused by key and number, and
-//! never dropped or filled in.
+//! Arrays of fixed length in every file format: with one element too many or too few they are rejected by key and
+//! number, never truncated or filled in.
 
 use cdpr_core::Error;
 use cdpr_files::text::Notation;
@@ -163,7 +163,7 @@ fn fixed_arrays(value: &Value, pointer: &str, key: &str, found: &mut Vec<String>
     }
 }
 
-/// "/robot/cables/0/outlet" as messages have it: "robot.cables[0].outlet".
+/// "/robot/cables/0/outlet" as in messages: "robot.cables[0].outlet".
 fn place(pointer: &str) -> String {
     let step = |step: &str| match step.parse::<usize>() {
         Ok(index) => format!("[{index}]"),

@@ -1,4 +1,4 @@
-//! Experiments: the same rows for any threads and interruptions, rows that can be planned again, and bad input.
+//! Experiments: the same rows for any threads and interruptions, reproducible rows, and bad input.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -93,7 +93,7 @@ fn threads_and_interruptions_change_no_byte() {
     while let Err(error) = run(&torn, &experiment, 1 + interruptions % 3, 5, true) {
         assert_eq!(error.class(), cdpr_core::ErrorClass::Interrupted);
         interruptions += 1;
-        // Complete rows stay behind; then a kill in the middle of a write.
+        // Complete rows remain; then a kill in the middle of a write.
         assert!(table(&torn).lines().all(|line| line.split(',').count() >= 11));
         let rows = torn.join("rows/0000.csv");
         let text = fs::read_to_string(&rows).unwrap();
@@ -137,7 +137,7 @@ fn a_history_tells_when_each_path_got_better() {
     assert!(improved > 12, "{improved}");
     let mut solved = 0;
     for row in rows(&with).iter().filter(|row| row.raw_cost.is_some()) {
-        let name = row.method.split(',').next().unwrap(); // of variants of a sweep, that of the method
+        let name = row.method.split(',').next().unwrap(); // for variants of a sweep, that of the method
         let mut of = history.iter().filter(|h| (&h.0 as &str, &h.1 as &str, h.2) == (&row.scenario, name, row.trial));
         let last = of.next_back().unwrap();
         assert!((Some(last.5), last.3 <= row.planning_seconds.unwrap()) == (row.raw_cost, true), "{row:?}");
@@ -272,7 +272,7 @@ fn run_and_summary_record_program_machine_and_rules() {
         assert_eq!(["method", "planner", "post"].map(|key| of(rrt, key)), ["rrt", "rrt", "forward"]);
         assert_eq!((&rrt["options"]["goal_bias"], &sweep["sweep"]["repeats"][1]), (&0.05.into(), &10.into()));
     }
-    // A complete run that is resumed ran nothing; a merged one ran wherever its parts did.
+    // A complete run that is resumed computed nothing; a merged run has the origins of its parts.
     merge(&paths[..2], &paths[2]).unwrap();
     let origins = json(&paths[2].join("summary.json"))["origins"].clone();
     let threads: Vec<_> = origins.as_array().unwrap().iter().map(|origin| origin["threads"].clone()).collect();
@@ -439,7 +439,7 @@ fn rows_travel_as_bytes_and_the_experiment_as_text() {
     rows.save(&saved).unwrap();
     assert_eq!(table(&saved), table(&whole));
     assert_eq!(rows.tables().unwrap().trials, table(&whole).into_bytes());
-    run(&saved, &experiment, 1, usize::MAX, true).unwrap(); // a folder like any other
+    run(&saved, &experiment, 1, usize::MAX, true).unwrap(); // usable like any other folder
     let summary: Value = serde_json::from_str(&fs::read_to_string(saved.join("summary.json")).unwrap()).unwrap();
     let method = |name: &str| summary["methods"].as_array().unwrap().iter().find(|m| m["method"] == name).unwrap();
     assert_eq!(method("sweep, step 0.02, repeats 10")["sweep"]["repeats"], 10);

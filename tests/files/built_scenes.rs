@@ -1,5 +1,5 @@
-//! Scenes of built robots: the shortest path around the obstacles leaves the wrench-feasible positions, the planned one
-//! does not.
+//! Scenes of existing robots: the shortest path around the obstacles leaves the wrench-feasible positions, the planned
+//! path does not.
 
 use std::path::Path;
 
@@ -22,13 +22,13 @@ fn planned(scene: &Scene, seed: u64) -> PlanResult {
     plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &|| false).expect("a well-posed question").result
 }
 
-/// The least slack at 1001 places of each segment.
+/// The smallest slack at 1001 points of each segment.
 fn least_slack(measures: &[Measure], path: &[Point]) -> f64 {
     let points = path.windows(2).flat_map(|s| (0..=1000).map(|k| s[0] + (s[1] - s[0]) * (f64::from(k) / 1000.0)));
     points.flat_map(|p| measures.iter().map(move |m| m.slack(&p))).fold(f64::INFINITY, f64::min)
 }
 
-/// Plans with and without [wrench]; `share` of the demanded force is missing somewhere on every path planned without.
+/// Plans with and without [wrench]; every path planned without it lacks `share` of the required force somewhere.
 fn detour(name: &str, share: f64) {
     let scene = load(name);
     let wrench = scene.wrench().expect("a demand");

@@ -40,7 +40,7 @@ const READERS: [(&str, Reader); 14] = [
     }),
 ];
 
-/// The message of every reader about a file that `make` creates; no reader may take long.
+/// The message of every reader for a file that `make` creates; no reader may take long.
 fn refusals(make: impl Fn(&Path)) -> Vec<(&'static str, String)> {
     let refusal = |(name, reader): (&'static str, Reader)| {
         let folder = tempfile::tempdir().unwrap();
@@ -117,7 +117,7 @@ fn bytes_that_are_no_text_are_refused_by_every_reader() {
 
 #[test]
 fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
-    let sparse = |path: &Path| fs::File::create(path).unwrap().set_len(10_000_000_000).unwrap(); // takes no room
+    let sparse = |path: &Path| fs::File::create(path).unwrap().set_len(10_000_000_000).unwrap(); // takes no space
     for (name, message) in refusals(sparse) {
         if name != "map.npz" {
             assert!(message.contains(" MB, expected at most"), "{name}: {message}");
@@ -125,7 +125,7 @@ fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
     }
 }
 
-/// The message of refusing a scene with this text; it must not take long, even where other tests run.
+/// The message that rejects a scene with this text; it must not take long, even while other tests run.
 fn refusal(name: &str, text: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);

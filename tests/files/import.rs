@@ -44,7 +44,7 @@ fn every_caspr_model_is_the_robot_it_is_known_to_be() {
         assert!((condition(&found) / expected - 1.0).abs() < 1e-9, "{model}: {}", condition(&found));
         assert_eq!(robot.mass(), known.mass(), "{model}");
         assert_eq!(robot.center_of_mass(), known.center_of_mass(), "{model}");
-        // IPAnema's least tension is a placeholder of the source, and stands as 0 in the stored robot.
+        // IPAnema's minimum tension is a placeholder in the source, and is 0 in the stored robot.
         let limits = |robot: &Robot| robot.cables().iter().map(|c| c.tension.unwrap()).collect::<Vec<_>>();
         if model != "IPAnema_2" {
             assert_eq!(limits(&robot), limits(&known), "{model}");
@@ -166,7 +166,7 @@ fn models_that_make_no_sense_are_refused_with_element_and_line() {
     }
 }
 
-/// The message about a cables file with this text.
+/// The message for a cables file with this text.
 fn refusal(text: &[u8]) -> String {
     let folder = tempfile::tempdir().unwrap();
     let (cables, bodies) = (folder.path().join("a_cables.xml"), folder.path().join("a_bodies.xml"));

@@ -1,4 +1,4 @@
-//! Meshes cut out of a box: closed whatever the planes are, and the set that the half-spaces say.
+//! Meshes cut out of a box: closed for any planes, and equal to the set that the half-spaces define.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ fn euler_characteristic(mesh: &TriangleMesh) -> i64 {
     mesh.vertices.len() as i64 - edges.len() as i64 + mesh.triangles.len() as i64
 }
 
-/// Closed, a sphere, outward, and where the half-spaces and the box put it.
+/// Closed, a sphere, oriented outward, and where the half-spaces and the box put it.
 fn assert_sound(mesh: &TriangleMesh, half_spaces: &[HalfSpace], within: &Aabb) {
     assert!(mesh.is_watertight(), "{mesh:?}");
     assert_eq!(euler_characteristic(mesh), 2);
@@ -37,7 +37,7 @@ fn unit_vector() -> impl Strategy<Value = Vector> {
     any.prop_filter_map("no direction", |v| (v.norm() > 0.1).then(|| v.normalize()))
 }
 
-/// Planes anywhere, and planes that ask for trouble: along the axes, through corners, a few ulps from one another.
+/// Random planes, and difficult ones: along the axes, through corners, a few ulps apart.
 fn planes() -> impl Strategy<Value = Vec<HalfSpace>> {
     let axis = (0..6usize).prop_map(|k| Vector::ith(k % 3, if k < 3 { 1.0 } else { -1.0 }));
     let diagonal = prop::array::uniform3(-1..=1i32)
@@ -92,7 +92,7 @@ proptest! {
             && let Some(mesh) = convex_mesh(&found.half_spaces, &UNIT)
         {
             assert_sound(&mesh, &found.half_spaces, &UNIT);
-            // Faces between corners that coincide are gone, so no triangle is narrower than that.
+            // Faces between coinciding corners are removed, so no triangle is narrower than that.
             prop_assert!(mesh.edges().all(|[i, j]| (mesh.vertices[j] - mesh.vertices[i]).norm() > 1e-9));
             prop_assert!(mesh.in_single_precision().is_watertight());
         }

@@ -1,4 +1,4 @@
-//! Meshes as bodies: the convex parts cover the mesh, and paths planned around them keep clear of its own triangles.
+//! Meshes as bodies: the convex parts cover the mesh, and paths planned around them avoid its triangles.
 
 use std::fs;
 use std::path::Path;
@@ -84,7 +84,7 @@ fn concave_obstacles_are_planned_around_through_their_hollow() {
         assert!((2..=most).contains(&parts), "{name}: {parts} parts, {:?}", scene.notes());
         let waypoints = solved(&scene);
         assert!(clear_of_triangles(&scene, &mesh, &waypoints), "{name}");
-        // Its hull, which fills the hollow, leaves no such path.
+        // Its hull, which fills the hollow, blocks every such path.
         let blocked = match with_hull(&mesh, start, goal) {
             Err(error) => error.to_string().contains("inside obstacle"),
             Ok(scene) => plan(&scene, &PlanOptions::default(), &|| false).unwrap().result.status != Status::Solved,
@@ -260,7 +260,7 @@ fn parts_are_kept_beside_the_file_and_found_again_only_if_they_are_right() {
     assert_eq!(kept().len(), 2);
     write_obj(&mesh, &turned(&angle(), &Rotation::from_euler_angles(0.0, 0.0, 0.01)), 1.0);
     assert_ne!(scene("").obstacles(), first.obstacles());
-    // Where the name is taken by something else nothing can be kept, and nothing is lost.
+    // If the name is already taken by something else, nothing is cached and nothing is lost.
     kept().iter().for_each(|p| fs::remove_file(p).unwrap());
     write_obj(&mesh, &angle(), 1.0);
     fs::create_dir(&path).unwrap();
@@ -319,7 +319,7 @@ fn concave_polygons_of_obj_files_keep_their_notches() {
     }
 }
 
-/// A ball of many corners stays one part.
+/// A ball with many corners stays one part.
 #[test]
 fn a_fine_ball_is_convex() {
     let (rings, around) = (20, 40);
@@ -461,7 +461,7 @@ fn platforms_may_be_meshes_too() {
     assert!((scene.robot().parts()[0].volume() / (0.15 * 0.15 * 0.05) - 1.0).abs() < 1e-9);
 }
 
-/// A hall of about 50 000 triangles: walls with a floor in one piece, round columns, pipes of many sides, angles,
+/// A hall of about 50 000 triangles: walls with a floor in one piece, round columns, pipes with many sides, angles,
 /// rings.
 fn hall() -> TriangleMesh {
     let mut parts = vec![joined(&[
@@ -482,7 +482,7 @@ fn hall() -> TriangleMesh {
         for j in 0..14 {
             let (x, y) = (-9.0 + 1.3 * f64::from(i), -9.0 + 1.3 * f64::from(j));
             if [x, y].iter().all(|c| (-1.0..3.0).contains(c)) {
-                continue; // the robot stands here
+                continue; // the position of the robot
             }
             parts.push(match (i + j) % 4 {
                 0 => column(x, y, 48, 0.2, 3.0),

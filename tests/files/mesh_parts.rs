@@ -1,5 +1,5 @@
-//! Convex parts of a mesh: they cover it, reach no farther than stated, are few, and are the same every time. What is
-//! stated is checked by means that share no code with it: solid angles for the inside, all triangles one by one for
+//! Convex parts of a mesh: they cover it, extend no farther than stated, are few, and are reproducible. These claims
+//! are checked by methods that share no code with the parts: solid angles for the inside, all triangles one by one for
 //! distances.
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -54,7 +54,7 @@ fn covered(bodies: &[Polytope], p: &Point) -> bool {
     bodies.iter().any(|body| body.depth_of(p) >= -GAP_TOLERANCE)
 }
 
-/// Corners of the parts and random places in them are within the stated reach; random places on the surface and inside
+/// Corners of the parts and random points in them are within the stated reach; random points on the surface and inside
 /// are in a part.
 fn assert_honest(name: &str, mesh: &TriangleMesh, parts: &ConvexParts, closed: bool, samples: usize) {
     let mut rng = rng(11);
@@ -102,7 +102,7 @@ fn round_meshes_become_few_parts_within_the_tolerance() {
     }
 }
 
-/// A closed surface around the origin with hills, hollows and corners anywhere.
+/// A closed surface around the origin with random hills, hollows and corners.
 fn potato(around: usize, across: usize, bumps: &[[f64; 4]]) -> TriangleMesh {
     let mut mesh = cdpr_tests::meshes::ball(around, across);
     for v in &mut mesh.vertices {
@@ -192,7 +192,7 @@ fn a_missed_tolerance_is_stated_with_numbers() {
     let notes = scene.notes().join("; ");
     assert!(notes.contains("the tolerance is missed in 1 piece, by up to"), "{notes}");
     assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
-    // More cells than there may be parts were made, and cuts undone again: the parts must still cover all.
+    // More cells were made than there may be parts, and cuts were undone again: the parts must still cover everything.
     let parts = parts_of(&mesh, 0.02);
     assert!((MOST_PARTS / 2..=MOST_PARTS).contains(&parts.bodies.len()), "{}", parts.bodies.len());
     assert_honest("undone", &mesh, &parts, false, 3);

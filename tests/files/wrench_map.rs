@@ -1,5 +1,5 @@
-//! Wrench maps: margins against the definition, summaries by hand, files that come back bit for bit and files that do
-//! not; wrench sets as surfaces against the exact volume and the margins.
+//! Wrench maps: margins against the definition, summaries by hand, valid files read back bit for bit and invalid ones
+//! rejected; wrench sets as surfaces against the exact volume and the margins.
 
 use std::io::{Cursor, Read, Write};
 use std::path::Path;
@@ -89,7 +89,7 @@ fn every_number_of_threads_gives_the_same_map() {
 
 #[test]
 fn the_feasible_region_of_a_point_between_far_outlets_is_known() {
-    // Outlets so far away that directions hardly turn: the margin is 10 N − 3.924 N − 2 N all over a small box.
+    // Outlets so far away that directions hardly change: the margin is 10 N − 3.924 N − 2 N throughout a small box.
     let within = Aabb { min: Point::new(-0.2, -0.2, -0.2), max: Point::new(0.2, 0.2, 0.2) };
     let map = map(&orthogonal(1e5), &Required::balls(2.0, 0.0).unwrap(), &within, 0.1, true);
     let summary = map.summary();
@@ -218,7 +218,7 @@ fn a_file_cut_short_or_altered_anywhere_is_refused() {
         tried += 1;
         refused += usize::from(read.is_err());
         if let Ok(read) = read {
-            // Times and attributes of the archive's entries mean nothing to a map; numbers stand under checksums.
+            // Times and attributes of the archive's entries do not matter to a map; numbers are protected by checksums.
             assert_eq!(bits(&read.margins().capacity), bits(&extreme_map().margins().capacity), "byte {at}");
             assert_eq!((read.grid(), read.identity()), (extreme_map().grid(), extreme_map().identity()));
         }

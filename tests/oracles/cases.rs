@@ -1,4 +1,4 @@
-//! The known answers of `testdata/cases`, by the library. Python and the command line run the same list.
+//! The known answers of `testdata/cases`, checked by the library. Python and the command line run the same list.
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Engine, Interference};
@@ -70,7 +70,7 @@ fn scene(name: &str) -> Scene {
     load_scene(&scene_file(name)).unwrap()
 }
 
-/// A value by its name, or the default.
+/// The value with this name, or the default.
 fn choice<T: Choice + Default>(name: &Option<String>) -> T {
     name.as_ref().map_or_else(T::default, |name| T::named(name).unwrap())
 }

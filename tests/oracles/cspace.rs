@@ -1,4 +1,4 @@
-//! The cspace engine where planes degenerate, when a scene changes, without SIMD, and in memory.
+//! The cspace engine with degenerate planes, after changes of a scene, without SIMD, and its memory.
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
@@ -75,7 +75,7 @@ fn coplanar_facets_and_duplicate_vertices() {
     points.extend(cube([0.8, 0.8, 0.0], 0.4));
     points.extend([[1.0, 0.8, 0.2], [1.0, 1.0, 0.4], [0.8, 0.9, 0.0]]); // on facets and edges
     assert_agree("duplicates", paper_scene("duplicates", vec![hull(points)]));
-    // Two obstacles whose facets lie in one plane, and in the plane of the outlets (z = 0).
+    // Two obstacles with facets in one plane, which is also the plane of the outlets (z = 0).
     let row = vec![block("a", [0.4, 0.4, 0.4], [0.6, 1.0, 0.2]), block("b", [0.4, 0.4, 0.4], [1.4, 1.0, 0.2])];
     assert_agree("coplanar", paper_scene("coplanar", row));
 }
@@ -103,7 +103,7 @@ fn platforms_without_volume() {
 
 #[test]
 fn outlets_beside_obstacles() {
-    // An edge in line with an outlet, a facet in whose plane one lies, an obstacle that one stands on.
+    // An edge in line with an outlet, an outlet in the plane of a facet, an outlet on an obstacle.
     assert_agree("edge in line", paper_scene("in line", vec![block("post", [0.4, 0.4, 1.0], [0.2, 0.2, 1.0])]));
     assert_agree("facet plane", paper_scene("plane", vec![block("wall", [0.2, 1.0, 1.0], [1.9, 1.0, 1.0])]));
     assert_agree("bolted", paper_scene("bolted", vec![block("base", [0.4, 0.4, 0.2], [1.8, 1.8, -0.1])]));
@@ -123,7 +123,7 @@ fn cables_side_by_side_crosswise_and_on_edges() {
     };
     assert_agree("parallel", with_robot(parallel, vec![pillar()]));
     let crosswise = |robot: &mut RobotSpec| {
-        robot.cables[0].attachment = [0.05, -0.075, 0.02]; // both on the face towards their outlets
+        robot.cables[0].attachment = [0.05, -0.075, 0.02]; // both on the face that faces their outlets
         robot.cables[5].attachment = [-0.05, -0.075, -0.02];
     };
     assert_agree("crosswise", with_robot(crosswise, vec![pillar()]));
@@ -134,7 +134,7 @@ fn cables_side_by_side_crosswise_and_on_edges() {
 #[test]
 fn motions_along_a_facet_and_none_at_all() {
     let (cspace, gjk) = engines(&hard1());
-    // The side of the pillar is at x = 1.15, the platform reaches 0.075 m further.
+    // The side of the pillar is at x = 1.15; the platform extends 0.075 m further.
     for (offset, free) in [(0.0, true), (1e-6, true), (-1e-6, false)] {
         let (p, q) = (Point::new(1.225 + offset, 0.9, 1.0), Point::new(1.225 + offset, 1.1, 1.0));
         for engine in [&cspace as &dyn Validity, &gjk] {
@@ -199,7 +199,7 @@ fn both(scene: &Scene, rule: Interference, p: [f64; 3], q: [f64; 3]) -> [bool; 2
 
 #[test]
 fn swept_cables_that_are_parallel_half_way() {
-    // 10 mm apart where 50 mm are demanded; the common normal of the lines half way is rounding.
+    // 10 mm apart where 50 mm are required; the common normal of the axes halfway is a rounding error.
     let (o, w) = ([-0.08160447454932651, 0.3, 4.0], [0.3638711867570829, -0.09945442189428133, -0.25716628767667166]);
     let q = [0.4237797607540267, -0.05240228634478725, 0.3379782824085175];
     let second = [o[0] + w[0], o[1] + w[1], o[2] + w[2]];
@@ -209,7 +209,7 @@ fn swept_cables_that_are_parallel_half_way() {
         [-0.011251981954628731, -0.0037519844096714355, 0.9924575843674471],
     );
     assert_eq!(both(&scene, Interference::Swept, p, q), [false; 2]);
-    // Parallel all the way, typed with two decimals.
+    // Parallel throughout, given with two decimals.
     let cables = [[[-1.33, 0.65, 3.0], [0.1, 0.2, -0.26]], [[-1.03, 0.72, 2.97], [0.4, 0.27, -0.29000000000000004]]];
     let (p, q) = (
         [1.7419167147301629, 1.2576838846506337, -0.8037014711059494],
@@ -220,11 +220,11 @@ fn swept_cables_that_are_parallel_half_way() {
 
 #[test]
 fn thin_obstacles_far_from_the_outlet_have_ends() {
-    // A rod of 1 µm, 11 km away: beside its end nothing is hidden.
+    // A rod of 1 µm, 11 km away: nothing is hidden beyond its end.
     let slender = |x: f64, y: f64, z: f64| hull(cube_like([x, y, z]));
     let scene = hung(&[[[1.1e4, 0.0, 0.0], [0.0; 3]]], vec![slender(5e-7, 5e-7, 0.5)], [50.0; 3], 0.0);
     assert_eq!(both(&scene, Interference::Exact, [-10.0, 0.0, 20.0], [-10.0, 0.0, 20.0]), [true; 2]);
-    // A blade that is 0.1 mm thick below and 5 nm above, 60 m away, passed 20 µm above its edge.
+    // A blade that is 0.1 mm thick at the bottom and 5 nm at the top, 60 m away, passed 20 µm above its edge.
     let thickness = |z: f64| if z < 0.0 { 0.5e-4 } else { 2.5e-9 };
     let blade = cube_like([0.05, 1.0, 0.5]).into_iter().map(|[x, y, z]| [x, y * thickness(z), z]).collect();
     let scene = hung(&[[[60.0, 0.0, 0.0], [0.0; 3]]], vec![hull(blade)], [30.0; 3], 0.0);
@@ -255,7 +255,7 @@ fn a_path_through_nan_is_not_valid() {
 
 #[test]
 fn round_bodies_with_a_clearance_compile_soon() {
-    // Fattened before the hull, their differences would be 40,000 points, compared pair by pair for minutes.
+    // If fattened before the hull, their differences would be 40,000 points, compared pair by pair for minutes.
     let ball = |count: usize, radius: f64| {
         let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
         let point = |k: usize| {
@@ -385,7 +385,7 @@ fn a_motion_is_free_up_to_its_first_contact() {
                 let conditions = engine.conditions();
                 let condition = &conditions.list[index];
                 if condition.details().closes_seam(&conditions.bodies) {
-                    seams += 1; // the violation is reported of a part beside it, which is met later
+                    seams += 1; // the violation is reported for a part beside it, which is met later
                     assert!(violations.iter().all(|violation| t <= violation.at));
                     continue;
                 }
@@ -410,7 +410,7 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
         let pieces = cspace.pieces(&Watch::NONE).unwrap();
         let outer = cspace.polyhedra(&Watch::NONE).unwrap();
         let certain = cspace.certain_polyhedra(&Watch::NONE).unwrap();
-        // What the fast engine has compiled is what the conditions give, except what reaches into no position.
+        // The engine has compiled exactly what the conditions give, except for regions that contain no position.
         let of_conditions = gjk.pieces(&Watch::NONE).unwrap();
         assert!(pieces.iter().all(|piece| of_conditions.contains(piece)));
         assert!(

@@ -55,7 +55,7 @@ fn a_motion_is_as_near_as_its_nearest_state_and_kept_to_the_demand() {
             let q = p + direction(&mut rng) * 10f64.powf(uniform(&mut rng, -3.0, 0.0));
             let Some(found) = engine.clearance(&p, &q) else { continue };
             if found.value < -0.5 * diameter {
-                continue; // overlap: how deep the swept bodies overlap is not how deep a state does
+                continue; // overlap: the depth of the swept bodies differs from that of a state
             }
             let sample = |k: usize| p + (q - p) * (k as f64 / SAMPLES as f64);
             let states = (0..=SAMPLES).map(|k| engine.clearance(&sample(k), &sample(k)).unwrap().value);

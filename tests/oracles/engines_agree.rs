@@ -1,6 +1,6 @@
 //! The cspace engine against the gjk engine and against exact tests, on random and degenerate states and motions of
-//! random scenes: turned general polytopes, platforms of several parts, flat ones, attachments off a part, outlets on
-//! obstacles, abutting parts, limits of length, clearances, diameters, small and large workspaces.
+//! random scenes: rotated general polytopes, platforms of several parts, flat ones, attachments off a part, outlets on
+//! obstacles, abutting parts, cable length limits, clearances, diameters, small and large workspaces.
 //!
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 
@@ -15,7 +15,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// How many times the everyday number of cases.
+/// Factor on the everyday number of cases.
 fn effort() -> u64 {
     std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
 }
@@ -33,7 +33,7 @@ impl Engines {
         Engines { cspace: CspaceEngine::new(scene, interference).unwrap(), gjk, space }
     }
 
-    /// A position where validity changes, to the last bit, or just some position.
+    /// A position where validity changes, to the last bit, or a random position.
     fn contact(&self, rng: &mut ChaCha8Rng) -> Point {
         let mut ends = [self.space.sample(rng).unwrap(), self.space.sample(rng).unwrap()];
         let valid = ends.map(|p| self.gjk.state_valid(&p));
@@ -61,12 +61,11 @@ impl Engines {
         (from, to)
     }
 
-    /// Whether the engines may differ on a motion: no gap is missed by more than the tolerance.
+    /// Whether the engines may differ on a motion: no gap is violated by more than the tolerance.
     fn may_differ(&self, (p, q): (Point, Point), rng: &mut ChaCha8Rng) -> bool {
         let by_little = |margin: f64| margin.abs() <= GAP_TOLERANCE;
         let told = [self.gjk.violations(&p, &q), self.cspace.violations(&p, &q)];
-        // The margin of a crossing is 0 whatever the cables do, so there the answer must change when the motion is
-        // shifted.
+        // The margin of a crossing is always 0, so there the answer must change when the motion is shifted.
         let crossing = told.iter().flatten().any(|v| v.kind == ViolationKind::CableCable);
         told.iter().flatten().all(|v| v.margin.is_some_and(by_little)) && (!crossing || self.on_an_edge(&p, &q, rng))
     }

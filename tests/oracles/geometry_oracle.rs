@@ -1,4 +1,4 @@
-//! GJK with separating axes against clipping, an independent exact method, on the hard shapes: cables metres long and
+//! GJK with separating axes against clipping, an independent exact method, on difficult shapes: cables metres long and
 //! down to a nanometre thin, touching, nearly parallel to a facet.
 
 use cdpr_core::geometry::gjk::{nearer_than, overlap, shape_distance};
@@ -77,11 +77,11 @@ fn swept_platforms_against_bodies_agree_with_clipping_in_configuration_space() {
     assert!(hits > 5_000 && free > 5_000 && near > 100);
 }
 
-/// A lower and an upper bound of the distance that hold however the distance was found: a plane between the shapes and
-/// a point of each. Where both meet, the distance is proved.
+/// A lower and an upper bound of the distance, valid however the distance was found: a plane between the shapes and a
+/// point of each. If both agree, the distance is proved.
 fn proves(distance: f64, on_a: &Point, on_b: &Point, a: &impl ConvexShape, b: &impl ConvexShape) -> bool {
     let axis = (on_b - on_a).normalize();
-    // Points micrometres apart fix their axis only to a microradian; a face or edge pair fixes it better.
+    // Points micrometres apart determine their axis only to a microradian; a face or edge pair determines it better.
     let gap = gap_along(a, b, &axis).max(separation(a, b).0);
     (distance - gap).abs() < 0.5 * GAP_TOLERANCE && ((on_b - on_a).norm() - distance).abs() < 1e-12
 }
@@ -96,7 +96,7 @@ fn distances_are_proved_by_their_witness_points() {
         let cable = Triangle::new(b, p, q);
         let found = shape_distance(&cable, &obstacle);
         if found.distance < 1e-6 {
-            continue; // the axis between witness points so near is made of rounding
+            continue; // the axis between points this close is a rounding error
         }
         apart += 1;
         assert!(proves(found.distance, &found.on_a, &found.on_b, &cable, &obstacle), "case {case}: {found:?}");

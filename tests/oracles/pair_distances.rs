@@ -1,6 +1,6 @@
-//! Both engines against distances that are minimised here by brute force, pair by pair, with the demand of each pair
-//! read from the scene's spec: clearances by kind and by pair, pairs that may touch, pairs that can never be far enough
-//! apart.
+//! Both engines against distances that are minimised here by brute force, pair by pair, with the requirement for each
+//! pair read from the scene's spec: clearances by kind and by pair, pairs that may touch, pairs that can never be far
+//! enough apart.
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference};
@@ -11,7 +11,7 @@ use cdpr_core::plan::engine_for;
 use cdpr_tests::scenes::{Kind, scene};
 use cdpr_tests::{direction, rng, uniform, vector};
 
-/// Least value of a convex function on [0, 1].
+/// Smallest value of a convex function on [0, 1].
 fn least(value: impl Fn(f64) -> f64) -> f64 {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (0.0, 1.0);
@@ -30,7 +30,7 @@ fn point_segment(p: &Point, a: &Point, b: &Point) -> f64 {
     (p - (a + (b - a) * t)).norm()
 }
 
-/// Distance of a point from a body with volume, 0 inside.
+/// Distance of a point from a body with volume; 0 inside.
 fn point_body(p: &Point, body: &Polytope) -> f64 {
     let mut nearest = f64::INFINITY;
     let mut outside = false;
@@ -58,7 +58,8 @@ fn segment_segment(a: &Point, b: &Point, c: &Point, d: &Point) -> f64 {
     least(|t| point_segment(&(a + (b - a) * t), c, d))
 }
 
-/// What the spec demands of a pair of names: its own clearance, none if it may touch, that of its kind, the default.
+/// The spec's requirement for a pair of names: its own clearance, none if it may touch, that of its kind, or the
+/// default.
 fn demanded(spec: &SceneSpec, names: [&str; 2], of_kind: impl Fn(&ClearancesSpec) -> Option<f64>) -> f64 {
     let same = |pair: &[String; 2]| names == [&pair[0], &pair[1]] || names == [&pair[1], &pair[0]];
     let clearances = spec.clearances.clone().unwrap_or_default();
@@ -74,14 +75,14 @@ fn demanded(spec: &SceneSpec, names: [&str; 2], of_kind: impl Fn(&ClearancesSpec
 /// A pair of the scene, or of a cable and one part.
 struct Pair {
     names: [String; 2],
-    /// Distance of lines and bodies to keep, m.
+    /// Required distance of axes and bodies, m.
     demand: f64,
     radii: f64,
     distance: Box<dyn Fn(&Point) -> f64 + Sync>,
 }
 
 impl Pair {
-    /// What is left of a demand where only so much can be had: without clearance, the radii; without those, nothing.
+    /// The requirement reduced to an attainable one: without clearance, the radii; if even that is too much, nothing.
     fn kept(clearance: f64, radii: f64, attainable: f64) -> f64 {
         if attainable >= clearance + radii {
             clearance + radii
@@ -93,7 +94,7 @@ impl Pair {
     }
 }
 
-/// All pairs that do not touch by construction. None for scenes with parts that have no volume.
+/// All pairs that do not touch by construction; empty for scenes with parts that have no volume.
 fn pairs(scene: &Scene) -> Option<Vec<Pair>> {
     let spec = scene.spec();
     let turn = *scene.orientation();

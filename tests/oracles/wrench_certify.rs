@@ -1,4 +1,4 @@
-//! Certified motions: what is accepted holds at every point, what dips is refused, the places that are told are right.
+//! Certified motions: accepted ones hold at every point, motions that dip are rejected, and reported places are right.
 
 use cdpr_core::Robot;
 use cdpr_core::geometry::{Point, Vector};
@@ -7,7 +7,7 @@ use cdpr_tests::{built_robot, direction, rng};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// Robots as built with a box of positions and balls that leave room.
+/// Existing robots with a box of positions and balls that leave slack.
 fn robots() -> Vec<(Measure, [[f64; 2]; 3])> {
     let of = |name: &str, force, moment, box_| {
         let statics = Statics::new(&built_robot(name), &Loads::default()).unwrap();
@@ -30,7 +30,7 @@ fn within(rng: &mut ChaCha8Rng, box_: &[[f64; 2]; 3]) -> Point {
     Point::from(box_.map(|[low, high]| rng.random_range(low..high)))
 }
 
-/// The least slack among points of a motion, by brute force.
+/// The smallest slack among points of a motion, by brute force.
 fn sampled(measure: &Measure, from: &Point, to: &Point, points: usize) -> f64 {
     let at = |k: usize| from + (to - from) * (k.min(points) as f64 / points as f64);
     let fours = (0..=points / 4).map(|n| measure.slack_at_four(&std::array::from_fn(|k| at(4 * n + k))));
@@ -90,7 +90,7 @@ fn a_motion_is_refused_iff_it_dips_and_the_place_is_told() {
 
 #[test]
 fn a_dip_of_a_millimetre_is_found() {
-    // Motions that graze the boundary: the lowest point of the margin along a chord is put a hair below the demand.
+    // Motions that graze the boundary: the minimum of the margin along a chord is slightly below the requirement.
     let mut rng = rng(13);
     let (mut found, mut spared) = (0, 0);
     for (measure, box_) in robots() {
@@ -103,7 +103,7 @@ fn a_dip_of_a_millimetre_is_found() {
             if !(least > 1e3 * plain.floor() && at > 0.01 && at < 0.99) {
                 continue;
             }
-            // Force balls that the lowest place alone cannot hold: |c_f| <= 1, so a ball above `least` may still fit.
+            // Force balls larger than the minimum alone would allow: |c_f| <= 1, so a ball above `least` may still fit.
             let mut force = [least, 100.0 * least];
             let slack_at =
                 |force: f64| capacity(margin.statics().clone(), force, moment).slack(&(from + (to - from) * at));
@@ -147,7 +147,7 @@ fn forces_and_moments_alone_are_certified_too() {
     let statics = Statics::new(&built_robot("cogiro"), &Loads::default()).unwrap();
     let box_ = [[-7.0, 7.0], [-5.2, 5.2], [0.5, 5.0]];
     for measure in [Measure::Force(statics.clone(), 0.0), Measure::Moment(statics, 0.0)] {
-        // A demand that half of the positions meet.
+        // A requirement that half of the positions meet.
         let mut margins: Vec<f64> = (0..99).map(|_| measure.slack(&within(&mut rng, &box_))).collect();
         margins.sort_by(f64::total_cmp);
         let measure = match measure {

@@ -1,4 +1,4 @@
-//! Margins: the kernel of four positions against the definition, worked examples, robots as built.
+//! Margins: the four-position kernel against the definition, worked examples, existing robots.
 
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::kinematics::{condition, rank, wrench_matrix};
@@ -76,7 +76,7 @@ fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
 
 #[test]
 fn what_is_missing_outside_is_a_distance() {
-    // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight asks for +z, but the
+    // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight requires +z, but the
     // cables pull towards -x, -y and -z; and one cable alone, along x, for which two directions are missing.
     let loads = |x: f64, y: f64, z: f64| Loads { gravity: Vector::new(x, y, z), ..Loads::default() };
     let three = [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0]].map(|outlet| (outlet, [0.0; 3], [0.0, 10.0]));
@@ -84,7 +84,8 @@ fn what_is_missing_outside_is_a_distance() {
         let statics = Statics::new(&point_robot(cables, 1.0), &loads).unwrap();
         force_limit(&statics, &Point::origin()).unwrap().margin
     };
-    // 100 N towards each axis' negative end are to be balanced along (-1, -1, -1): the nearest force is none.
+    // 100 N towards the negative end of each axis must be balanced along (-1, -1, -1): the nearest available force is
+    // zero.
     assert!((margin(&three, loads(100.0, 100.0, 100.0)) + 100.0 * 3.0_f64.sqrt()).abs() < 1e-9);
     // Beyond one face, one edge, one corner of the cube.
     assert!((margin(&three, loads(-13.0, -5.0, -5.0)) + 3.0).abs() < 1e-9);
@@ -106,7 +107,7 @@ fn the_papers_robot_holds_its_weight_with_no_margin_and_no_moment_at_all() {
     for _ in 0..200 {
         let p = Point::from(std::array::from_fn(|_| rng.random_range(0.3..1.7)));
         assert!(weight_alone.at(&p).abs() < 1e-9 * 1000.0);
-        assert!((-1.0..-0.5).contains(&with_moment.at(&p))); // it lacks yaw, or a screw near it
+        assert!((-1.0..-0.5).contains(&with_moment.at(&p))); // it lacks yaw, or nearly does
         assert!(force_limit(&statics, &p).unwrap().margin > 0.0);
     }
 }
@@ -124,7 +125,7 @@ fn a_cube_of_forces_has_the_margin_of_its_nearest_required_corner() {
 
 #[test]
 fn facts_of_the_robots_as_built_hold() {
-    // Condition numbers and wrench closure as published beside the models' geometry; all carry their weight there.
+    // Condition numbers and wrench closure as published with the models' geometry; all carry their weight there.
     let facts = [
         ("acrobot", [0.5, 0.5, 0.5], 6.884635942562862, false),
         ("caroca", [0.0, 0.0, 1.0], 8.700747952307106, false),
@@ -142,8 +143,7 @@ fn facts_of_the_robots_as_built_hold() {
             CapacityMargin::new(statics, Required::default()).unwrap().at(&position)
         };
         assert!(margin(&robot, Loads::default().gravity) >= 0.0, "{name}");
-        // Any wrench can be had from cables that only pull: nothing is on the boundary of what they can do slack or
-        // taut.
+        // Wrench closure: with tensions from 0 to 1 N, the zero wrench is strictly inside the available set.
         let mut spec = robot.spec().clone();
         spec.cables.iter_mut().for_each(|cable| cable.tension = Some([0.0, 1.0]));
         let any_pull = margin(&Robot::try_from(spec).unwrap(), Vector::zeros());

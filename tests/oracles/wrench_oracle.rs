@@ -1,9 +1,9 @@
-//! Closed-form margins against linear programs, support functions and random samples, on robots as built and random
+//! Closed-form margins against linear programs, support functions and random samples, on existing robots and random
 //! ones of 3 to 12 cables: point masses, layouts of lower rank, poses on the boundary, any load, mass off the origin,
 //! polytopes and balls.
 //!
-//! A yes of a program counts by its tensions, which are checked here; a no of a margin by its plane, whose height is
-//! computed afresh. `CDPR_VERIFY=n` runs n times as many poses (`make verify`).
+//! A program's "yes" counts only with its tensions, which are checked here, and a margin's "no" only with its plane,
+//! whose height is recomputed. `CDPR_VERIFY=n` runs n times as many poses (`make verify`).
 
 use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec};
@@ -21,10 +21,10 @@ use rand_chacha::ChaCha8Rng;
 /// Margins beyond this share of the largest tension must agree in sign with the programs.
 const CLEAR: f64 = 1e-7;
 
-/// Rounding of a height over a plane, as a share of the largest tension times the longest column.
+/// Rounding error of a height above a plane, as a share of the largest tension times the longest column.
 const ROUNDING: f64 = 1e-11;
 
-/// Balance of tensions that are told, as a share of the larger of the wrench and the largest tension times the longest
+/// Balance error of reported tensions, as a share of the larger of the wrench and the largest tension times the longest
 /// column (of moments over a short characteristic length).
 const BALANCE: f64 = 1e-9;
 
@@ -50,8 +50,8 @@ impl Pose {
         Some(Pose { robot, loads, statics, position, columns })
     }
 
-    /// The same with a load that these cables balance by tensions around the middle of their limits, `reach` half
-    /// ranges off at most.
+    /// The same with a load that these cables balance by tensions at most `reach` half ranges from the middle of their
+    /// limits.
     fn balanced(self, rng: &mut ChaCha8Rng, reach: f64) -> Self {
         let tension = |[lo, hi]: [f64; 2]| 0.5 * (lo + hi) + 0.5 * (hi - lo) * reach * uniform(rng, -1.0, 1.0);
         let tensions: Vec<f64> = self.statics.cables().iter().map(|c| c.tension).map(tension).collect();
@@ -83,7 +83,7 @@ impl Pose {
         Matrix6xX::from_columns(&self.columns.iter().map(|w| self.counted(w)).collect::<Vec<_>>())
     }
 
-    /// A wrench of [N, N·m] in the measure of the margins.
+    /// A wrench of [N, N·m] in the coordinates of the margins.
     fn measured(&self, w: &Vector6<f64>) -> Vector6<f64> {
         let (f, m) = (w.fixed_rows::<3>(0), w.fixed_rows::<3>(3) / self.length());
         Vector6::new(f.x, f.y, f.z, m.x, m.y, m.z)
@@ -102,7 +102,7 @@ impl Pose {
         support(&columns, &self.limits(), c) - c.dot(&self.required_centre()) - reach(required, c, self.length())
     }
 
-    /// Rounding of slack here.
+    /// Rounding error of slack here.
     fn rounding(&self) -> f64 {
         let longest = self.columns.iter().map(|w| w.norm()).fold(1.0, f64::max);
         ROUNDING * longest * self.scale().max(self.required_centre().norm())
@@ -113,12 +113,12 @@ impl Pose {
     }
 }
 
-/// How far the wrenches of tensions within limits reach in a direction.
+/// How far the wrenches of tensions within limits extend in a direction.
 fn support<const N: usize>(columns: &[SVector<f64, N>], limits: &[[f64; 2]], c: &SVector<f64, N>) -> f64 {
     columns.iter().zip(limits).map(|(w, [lo, hi])| w.dot(c) * if w.dot(c) > 0.0 { hi } else { lo }).sum()
 }
 
-/// How far required wrenches reach in a direction of [force; moment / length].
+/// How far required wrenches extend in a direction of [force; moment / length].
 fn reach(required: &Required, c: &Vector6<f64>, length: f64) -> f64 {
     let (f, m) = (c.fixed_rows::<3>(0).norm(), c.fixed_rows::<3>(3).norm() / length);
     let scaled = Vector6::new(c[0], c[1], c[2], c[3] / length, c[4] / length, c[5] / length);
@@ -129,7 +129,7 @@ fn reach(required: &Required, c: &Vector6<f64>, length: f64) -> f64 {
 }
 
 fn random_robot(rng: &mut ChaCha8Rng, cables: usize, point_mass: bool) -> Robot {
-    let size = 10f64.powi(rng.random_range(-1..2)); // of the frame, m
+    let size = 10f64.powi(rng.random_range(-1..2)); // size of the frame, m
     let strength = 10f64.powi(rng.random_range(0..5));
     let point = vector(rng, 0.1 * size);
     let cable = |_| {
@@ -151,7 +151,7 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize, point_mass: bool) -> Robot 
     Robot::try_from(RobotSpec { version: None, name: None, mass, center_of_mass, platform, cables }).unwrap()
 }
 
-/// Between the outlets, and a little beyond them.
+/// Between the outlets, or slightly beyond them.
 fn some_position(rng: &mut ChaCha8Rng, robot: &Robot) -> Point {
     let outlets = || robot.cables().iter().map(|cable| cable.outlet.coords);
     let (low, high) = (outlets().reduce(|a, b| a.inf(&b)).unwrap(), outlets().reduce(|a, b| a.sup(&b)).unwrap());
@@ -202,13 +202,13 @@ fn poses(seed: u64, count: u64, mut each: impl FnMut(&mut ChaCha8Rng, Pose)) {
         };
         let position = some_position(&mut rng, &robot);
         let Some(pose) = Pose::new(robot, loads, position) else { continue };
-        // Random robots seldom carry their load; give most of them one that they nearly carry or just do not.
+        // Random robots seldom carry their load; most of them get a load near the limit of what they can carry.
         let pose = if kind >= 5 && rng.random_bool(0.8) { pose.balanced(&mut rng, 1.3) } else { pose };
         each(&mut rng, pose);
     }
 }
 
-/// Whether tensions within limits balance a wrench; those that are told are checked.
+/// Whether tensions within limits balance a wrench; reported tensions are checked.
 #[track_caller]
 fn feasible(lp: &mut FeasibilityLp, matrix: &Matrix6xX<f64>, limits: &[[f64; 2]], wrench: &Vector6<f64>) -> bool {
     let longest = matrix.column_iter().map(|w| w.norm()).fold(1.0, f64::max);
@@ -225,7 +225,7 @@ fn feasible(lp: &mut FeasibilityLp, matrix: &Matrix6xX<f64>, limits: &[[f64; 2]]
     }
 }
 
-/// How often yes, no, and too near to either was right.
+/// How often "yes", "no" and "too close to call" were right.
 #[derive(Debug, Default)]
 struct Tally {
     yes: usize,
@@ -264,7 +264,7 @@ fn margins_and_programs_agree_on_every_pose() {
         let BindingFacet { margin, normal } = pose.limit(&required);
         let fast = CapacityMargin::new(pose.statics.clone(), required.clone()).unwrap().at(&pose.position);
         assert!((fast - margin).abs() <= 100.0 * pose.rounding(), "{fast} by the kernel, {margin}: {}", pose.told());
-        // The plane that is told has that slack.
+        // The reported plane has that slack.
         let by_plane = pose.slack(&normal, &required);
         assert!((by_plane - margin).abs() <= pose.rounding(), "{by_plane} for {margin}: {}", pose.told());
         let yes = feasible(&mut lp, &pose.matrix(), &pose.limits(), &pose.required_centre());
@@ -304,7 +304,7 @@ fn margins_and_programs_agree_where_the_boundary_is_crossed() {
     tally.done("across the boundary", 500);
 }
 
-/// Tensions that reach farthest along a direction, with those of cables in the facet in the middle, and their wrench.
+/// The wrench farthest along a direction, and its tensions, with those of cables in the facet in the middle.
 fn farthest(pose: &Pose, c: &Vector6<f64>) -> Vector6<f64> {
     let tension = |w: &Vector6<f64>, [lo, hi]: [f64; 2]| match w.dot(c) {
         height if height.abs() < 1e-9 * w.norm() => 0.5 * (lo + hi),
@@ -326,7 +326,7 @@ fn a_facet_is_where_the_set_ends() {
     poses(3, 2_000 * effort(), |_, pose| {
         let BindingFacet { normal, .. } = pose.limit(&Required::default());
         if normal.norm() < 0.5 {
-            return; // no facet at all
+            return; // there is no facet at all
         }
         let (matrix, limits) = (pose.matrix(), pose.limits());
         let edge = farthest(&pose, &normal);
@@ -354,7 +354,7 @@ fn a_positive_margin_is_the_least_slack_over_all_directions() {
             let (f, m) = (direction(rng), direction(rng));
             let blend = uniform(rng, 0.0, 1.0);
             let random = Vector6::new(f.x, f.y, f.z, blend * m.x, blend * m.y, blend * m.z);
-            // Half of them near the normal that is told.
+            // Half of them near the reported normal.
             let c = if k % 2 == 0 { random } else { normal + random * 10f64.powi(-rng.random_range(1..8)) };
             let c = pose.counted(&c).normalize();
             let slack = pose.slack(&c, &required);
@@ -364,7 +364,7 @@ fn a_positive_margin_is_the_least_slack_over_all_directions() {
     assert!(positive > 300, "{positive}");
 }
 
-/// A polytope of [N, N·m] around a centre, or off it.
+/// A polytope of [N, N·m] around a centre, or away from it.
 fn some_polytope(rng: &mut ChaCha8Rng, pose: &Pose, around: bool) -> Vec<Vector6<f64>> {
     let size = pose.scale() * 10f64.powf(uniform(rng, -3.0, 0.0));
     let reach = pose.robot.cables().iter().map(|c| c.attachment.coords.norm()).fold(0.0, f64::max);
@@ -442,7 +442,7 @@ fn balls_are_available_iff_all_their_wrenches_are() {
         let at_worst = feasible(&mut lp, &matrix, &limits, &(centre + worst(&normal)));
         tally.compare(margin, CLEAR * pose.scale(), at_worst, || pose.told());
         if margin > CLEAR * pose.scale() {
-            // No more than the margin fits along the normal that is told.
+            // Along the reported normal, no more than the margin fits.
             let beyond = centre + worst(&normal) + normal * (margin + CLEAR * pose.scale().max(centre.norm()));
             assert!(!feasible(&mut lp, &matrix, &limits, &beyond), "{}", pose.told());
         }
@@ -450,7 +450,7 @@ fn balls_are_available_iff_all_their_wrenches_are() {
     tally.done("balls", 200);
 }
 
-/// A set of three rows in six: the others are empty.
+/// A set of three rows as six: the others are zero.
 fn padded(columns: &[Vector3<f64>]) -> Matrix6xX<f64> {
     Matrix6xX::from_columns(&columns.iter().map(|w| w.push(0.0).push(0.0).push(0.0)).collect::<Vec<_>>())
 }

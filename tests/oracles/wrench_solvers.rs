@@ -116,7 +116,7 @@ fn wrenches_on_the_boundary_are_balanced() {
     robots(|rng, w, limits| {
         let (mut t, _) = farthest(&w, &limits, &some_direction(rng));
         if rng.random() {
-            let free = rng.random_range(0..limits.len()); // inside of an edge rather than at a corner
+            let free = rng.random_range(0..limits.len()); // inside an edge rather than at a corner
             t[free] = uniform(rng, limits[free][0], limits[free][1]);
         }
         let wrench = &w * t;
@@ -158,13 +158,13 @@ fn every_wrench_is_decided_and_alike() {
 }
 
 /// Stationarity, signs and complementarity, without the solver's own multipliers: t − ref must be Wᵀλ plus outward
-/// pulls of active limits, so the part of it that free cables see must come from λ alone.
+/// pulls of active limits, so its part on free cables must come from λ alone.
 fn assert_nearest(w: &Matrix6xX<f64>, limits: &[[f64; 2]], reference: &DVector<f64>, t: &DVector<f64>) {
     let gradient = t - reference;
     let scale = greatest(limits);
     let at = |i: usize, side: usize| (t[i] - limits[i][side]).abs() <= 1e-9 * scale;
-    // Among directions that keep the wrench and lead inside, none descends: coordinate pairs would not do for six rows,
-    // so project the descent onto that cone by Dykstra's alternating projections.
+    // Among directions that keep the wrench and point inside, none descends: coordinate pairs are not enough for six
+    // rows, so project the descent onto that cone by Dykstra's alternating projections.
     let range = w.clone().svd(true, true);
     let rank = range.singular_values.iter().filter(|s| **s > 1e-9 * range.singular_values.max()).count();
     let rows = range.v_t.expect("asked for").rows(0, rank).into_owned();
@@ -172,7 +172,7 @@ fn assert_nearest(w: &Matrix6xX<f64>, limits: &[[f64; 2]], reference: &DVector<f
     let mut kept = DVector::zeros(d.len());
     for _ in 0..200_000 {
         if (&rows * &d).norm() + d.norm() <= 1e-4 * scale {
-            break; // it goes slowly where limits are nearly parallel
+            break; // convergence is slow where limits are nearly parallel
         }
         d -= rows.tr_mul(&(&rows * &d));
         let before = &d + &kept;
@@ -203,7 +203,7 @@ fn tensions_are_the_nearest_to_their_reference() {
         assert!((&one - other).norm() <= 1e-8 * greatest(&limits), "the methods differ");
         assert_nearest(&w, &limits, &reference, &one);
         for _ in 0..20 {
-            // No other balancing tensions are nearer: t* is the projection, so (ref − t*)·(t − t*) <= 0.
+            // No other balancing tensions are closer: t* is the projection, so (ref − t*)·(t − t*) <= 0.
             let other = DVector::from_fn(one.len(), |i, _| uniform(rng, limits[i][0], limits[i][1]));
             let elsewhere = ask_for(&w, &limits, &wrench, &other);
             assert!((&reference - &one).dot(&(elsewhere - &one)) <= 1e-7 * greatest(&limits).powi(2));
@@ -234,7 +234,7 @@ fn tensions_move_continuously_along_a_line_of_wrenches() {
                 before = Some(t);
             }
         }
-        // Piecewise linear: a tenth but for pieces shorter than a step.
+        // Piecewise linear: a tenth except for pieces shorter than a step.
         assert!(largest[1] <= 0.5 * largest[0], "a tenth of the step moves {largest:?} N");
     }
 }

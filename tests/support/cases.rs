@@ -1,6 +1,6 @@
 //! The known answers of `testdata/cases/cases.toml`, for the tests of the library and of the command line.
 //!
-//! Cases judge results in their JSON form, which both have in common.
+//! Cases are compared with results in their JSON form, which both share.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use serde_json::Value;
 
-/// How far numbers may be from the known ones, unless the case has a tolerance of its own.
+/// Tolerance of the known numbers, unless the case has its own.
 const TOLERANCE: f64 = 1e-6;
 
 /// All known answers.
@@ -27,7 +27,7 @@ impl Cases {
     }
 }
 
-/// The file of a scene, which cases name relative to their folder.
+/// The file of a scene; cases name it relative to their folder.
 pub fn scene_file(scene: &str) -> PathBuf {
     folder().join(scene)
 }
@@ -48,7 +48,7 @@ pub struct MotionCase {
     pub violation: Option<Violation>,
 }
 
-/// A query, and how planning ends.
+/// A query, and the expected outcome of planning.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanCase {
@@ -103,7 +103,7 @@ pub struct Violation {
     pub margin: Option<f64>,
 }
 
-/// The nearest approach of a path.
+/// The closest approach of a path.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Nearest {
@@ -113,7 +113,7 @@ pub struct Nearest {
 }
 
 impl MotionCase {
-    /// Whether the first violation that was found, or null, is the known one.
+    /// Whether the first violation, or null, is the known one.
     pub fn agrees(&self, found: &Value) -> bool {
         is_violation(self.violation.as_ref(), found)
     }
@@ -162,7 +162,7 @@ fn is_violation(expected: Option<&Violation>, found: &Value) -> bool {
         && near(violation.margin, &found["margin"], None)
 }
 
-/// Whether a number is near the known one, if one is known.
+/// Whether a number is close to the known one, if one is given.
 fn near(expected: Option<f64>, found: &Value, tolerance: Option<f64>) -> bool {
     let within = |e: f64, f: f64| (e - f).abs() <= tolerance.unwrap_or(TOLERANCE);
     expected.is_none_or(|e| found.as_f64().is_some_and(|f| within(e, f)))

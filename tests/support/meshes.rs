@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cdpr_core::geometry::{Point, Rotation, TriangleMesh, Vector};
 
-/// Faces of a body made by pushing a polygon (counter-clockwise) up from one height to another.
+/// Faces of a body made by extruding a polygon (counter-clockwise) from one height to another.
 pub fn prism(base: &[[f64; 2]], from: f64, to: f64, caps: &[[usize; 3]]) -> TriangleMesh {
     let n = base.len();
     let vertices = [from, to].iter().flat_map(|z| base.iter().map(|[x, y]| Point::new(*x, *y, *z))).collect();
@@ -40,7 +40,7 @@ pub fn inside_out(mut mesh: TriangleMesh) -> TriangleMesh {
     mesh
 }
 
-/// A column with a foot, one body: an L pushed 0.3 m along y.
+/// A column with a foot, one body: an L extruded 0.3 m along y.
 pub fn angle() -> TriangleMesh {
     let outline = [[0.85, 0.0], [1.6, 0.0], [1.6, 0.1], [1.15, 0.1], [1.15, 1.5], [0.85, 1.5]];
     let caps = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
@@ -124,7 +124,8 @@ pub fn write_stl(path: &Path, mesh: &TriangleMesh) {
     fs::write(path, bytes).unwrap();
 }
 
-/// A closed surface of revolution around the z axis: radius and height by the way from one pole to the other, 0 to 1.
+/// A closed surface of revolution around the z axis: radius and height as functions of the fraction from one pole to
+/// the other, 0 to 1.
 pub fn revolved(around: usize, across: usize, outline: impl Fn(f64) -> [f64; 2]) -> TriangleMesh {
     let mut vertices = Vec::new();
     for i in 1..across {

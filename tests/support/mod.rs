@@ -106,8 +106,8 @@ fn prism(rng: &mut impl Rng) -> Polytope {
 
 /// The part of a convex polygon where every facet's height is at most `margin`; empty if there is none.
 ///
-/// An exact test, independent of GJK and of separating axes: with `margin = -t` a non-empty rest proves that the
-/// polygon reaches deeper than t into the body, with `margin = t` an empty rest proves a gap larger than t.
+/// An exact test, independent of GJK and of separating axes: with `margin = -t`, a non-empty rest proves that the
+/// polygon is deeper than t inside the body; with `margin = t`, an empty rest proves a gap larger than t.
 pub fn clipped(polygon: &[Point], body: &Polytope, margin: f64) -> Vec<Point> {
     let mut polygon = polygon.to_vec();
     for facet in body.facets() {
@@ -154,7 +154,7 @@ pub fn triangle(rng: &mut impl Rng, body: &Polytope) -> [Point; 3] {
         let to = if rng.random_bool(0.1) { from } else { from + direction(rng) * width };
         return [outlet, from, to];
     }
-    // Through a point at a chosen tiny height over the surface, along a facet or tilted a little.
+    // Through a point at a given tiny height above the surface, along a facet or slightly tilted.
     let facet = &body.facets()[rng.random_range(0..body.facets().len())];
     let height = match rng.random_range(0..4) {
         0 => 0.0,

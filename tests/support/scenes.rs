@@ -1,8 +1,8 @@
-//! Random scenes, hostile ones included, and slow exact tests of whole scenes that share no code with the engines:
+//! Random scenes, including hostile ones, and slow exact tests of whole scenes that share no code with the engines:
 //! clipping for cables against bodies, hulls of Minkowski differences for the platform, dense sampling for pairs of
 //! cables.
 //!
-//! The oracle answers hit or free only where that is proved by more than the tolerance; in between either is right.
+//! The oracle answers "hit" or "free" only if this is proved by more than the tolerance; otherwise either is right.
 
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{
@@ -55,12 +55,12 @@ fn attachment(rng: &mut ChaCha8Rng, parts: &[Polytope]) -> Point {
     }
 }
 
-/// What random scenes are like.
+/// Options for random scenes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Kind {
     pub clearance: f64,
     pub diameter: f64,
-    /// Outlets on obstacles, obstacles of abutting parts, limits of length, small workspaces.
+    /// Outlets on obstacles, obstacles of abutting parts, cable length limits, small workspaces.
     pub special: bool,
     /// Clearances by kind and by pair, and pairs that may touch.
     pub mixed: bool,
@@ -74,7 +74,7 @@ pub fn scene(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
     }
 }
 
-/// Random clearances of some kinds and pairs, and pairs that may touch: each pair in one place at most.
+/// Random clearances for some kinds and pairs, and pairs that may touch: each pair occurs at most once.
 fn mixed(rng: &mut ChaCha8Rng, spec: SceneSpec) -> SceneSpec {
     let demand = |rng: &mut ChaCha8Rng| [0.0, 0.001, 0.02, 0.1][rng.random_range(0..4)];
     let kind = |rng: &mut ChaCha8Rng| rng.random_bool(0.6).then(|| demand(rng));
@@ -171,7 +171,7 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
     }
 }
 
-/// What a scene is to the oracle: rotated arms and parts, hulls of obstacle minus part.
+/// The oracle's view of a scene: rotated arms and parts, hulls of obstacle minus part.
 pub struct Oracle {
     outlets: Vec<Point>,
     arms: Vec<Vector>,
@@ -220,7 +220,7 @@ impl Oracle {
         }
     }
 
-    /// Two cables by the sign of the volume they span, and their distance at its zero.
+    /// Two cables by the sign of the volume that they span, and their distance at its zero.
     fn cables(&self, i: usize, j: usize, p: &Point, q: &Point) -> Verdict {
         let ends = |t: f64| {
             let at = p + (q - p) * t;
@@ -239,7 +239,7 @@ impl Oracle {
             return Verdict::Free;
         }
         let (a, d) = ends(start / (start - end));
-        // Coplanar segments: they cross, or an end is nearest. Ends that nearly touch are left open.
+        // Coplanar segments: they cross, or an end is closest. Ends that nearly touch are left undecided.
         let end_distance = nearest_end(&b, &a, &c, &d);
         match cross(&b, &a, &c, &d) {
             true if end_distance > GAP_TOLERANCE => Verdict::Hit,
@@ -255,11 +255,11 @@ fn against(polygon: &[Point], body: &Polytope) -> Verdict {
     } else if clipped(polygon, body, GAP_TOLERANCE).is_empty() {
         Verdict::Free
     } else {
-        Verdict::Either // touches; so does every cable its own part
+        Verdict::Either // touches, as every cable touches its own part
     }
 }
 
-/// A cable against a part without volume: thickened by the tolerance it must be missed to be free.
+/// A cable against a part without volume: it is free if it misses the part thickened by the tolerance.
 fn near_flat(triangle: &[Point; 3], part: &Polytope) -> Verdict {
     let thick = part.vertices().iter().flat_map(|v| {
         (0..8).map(move |k| {
@@ -278,7 +278,7 @@ fn cross(a: &Point, b: &Point, c: &Point, d: &Point) -> bool {
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-/// Least distance of an end of two segments from the other segment.
+/// Smallest distance of an end of two segments from the other segment.
 fn nearest_end(a: &Point, b: &Point, c: &Point, d: &Point) -> f64 {
     let to = |p: &Point, q: &Point, r: &Point| {
         let t = ((p - q).dot(&(r - q)) / (r - q).norm_squared()).clamp(0.0, 1.0);
