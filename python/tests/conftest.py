@@ -1,4 +1,4 @@
-"""Shared by the tests: where the test data is, and Ctrl-C that arrives."""
+"""Shared by the tests: the location of the test data, and delivery of Ctrl-C."""
 
 import signal
 from pathlib import Path
@@ -12,7 +12,7 @@ TESTDATA = ROOT / "testdata"
 
 
 def pytest_configure() -> None:
-    # A shell ignores SIGINT in what a script starts in the background, and everything started there inherits that.
+    # A shell ignores SIGINT in processes that a script starts in the background, and their children inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 

@@ -1,9 +1,9 @@
-"""The Rust sources keep the order that ARCHITECTURE.md shows.
+"""The Rust sources keep the structure that ARCHITECTURE.md describes.
 
-- No circle of imports, in any crate: among the modules that one module declares, none imports itself through others. A name
-  that a module only re-exports belongs to the module that defines it. A module may use what the modules around it define, and
-  tests may use anything.
-- No two files of one name in a crate.
+- No import cycles, in any crate: among the modules that one module declares, none imports itself through others. A
+  re-exported name belongs to the module that defines it. A module may use what its parent modules define, and tests
+  may use anything.
+- No two files with the same name in a crate.
 - ARCHITECTURE.md names every top-level module of the core.
 """
 
@@ -39,7 +39,7 @@ def code(text: str) -> str:
 
 
 def used(tree: str) -> Iterator[tuple[UsePath, str]]:
-    """The paths of a `use` and the names that they get: `a::{b, c as d}` gives a::b as b and a::c as d."""
+    """The paths of a `use` and the names that they bind: `a::{b, c as d}` gives a::b as b and a::c as d."""
     start, brace, rest = tree.partition("{")
     if brace:
         for branch in re.findall(BRANCH, rest[: rest.rindex("}")]):
@@ -61,14 +61,14 @@ class Crate:
         }
 
     def needs(self, module: Module) -> set[Module]:
-        """The modules of the crate that define what a module uses."""
+        """The modules of the crate that define the names that a module uses."""
         paths = [path for path, _ in self.imports[module]]
         paths += [path.split("::") for path in re.findall(INLINE_PATH, self.modules[module])]
         found = {self.defining(module, path) for path in paths}
         return {other for other in found if other not in (None, module)}
 
     def defining(self, module: Module, path: UsePath) -> Module | None:
-        """The module that defines what a path leads to, seen from a module; None outside of the crate."""
+        """The module that defines the target of a path, seen from a module; None outside the crate."""
         here, names = module, list(path)
         while names and names[0] in ("crate", "super"):
             here = () if names.pop(0) == "crate" else here[:-1]
@@ -77,12 +77,12 @@ class Crate:
         while names and (*here, names[0]) in self.modules:
             here = (*here, names.pop(0))
         imported = next((path for path, name in self.imports[here] if [name] == names[:1] != ["*"]), None)
-        if imported in (None, path):  # the same path: repeated by a module inside of the same file
+        if imported in (None, path):  # the same path: repeated by a module within the same file
             return here
         return self.defining(here, imported + names[1:]) or here
 
     def circles(self) -> Iterator[str]:
-        """A circle among the modules that a module declares, for each module where there is one."""
+        """For each module, an import cycle among the modules that it declares, if there is one."""
         arrows = sorted((module, other) for module in self.modules for other in self.needs(module))
         for parent in self.modules:
             depth = len(parent)

@@ -85,8 +85,8 @@ def test_engines_by_name_give_the_same_answers(hard1, motions, engine):
 
 def test_clearance_is_the_gap_in_the_world(hard1):
     points = [[0.3, 1.0, 0.3], [1.0, 1.0, 1.7], [1.0, 1.0, 0.75]]
-    # Two cables end 0.05 m above each other; one passes the pillar's corner (0.85, 0.85, 1.5) on its way from the origin to
-    # (0.925, 0.925, 1.675): |corner x way| / |way| = 0.0241215 m; the last is deep inside.
+    # Two cables end 0.05 m above each other; one passes the pillar's corner (0.85, 0.85, 1.5) on its way from the
+    # origin to (0.925, 0.925, 1.675): |corner x way| / |way| = 0.0241215 m; the last is deep inside.
     found = hard1.clearance(points)
     assert found[:2] == pytest.approx([0.05, 0.0241215], abs=1e-7)
     assert found[2] < -0.15
@@ -105,7 +105,7 @@ def test_c_contiguous_input_is_not_copied(hard1):
     hard1.states_valid(points, threads=1)
     used = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert used < 2 * len(points)  # the answers and little more
+    assert used < 2 * len(points)  # the answers and little else
 
 
 def test_the_interpreter_is_released_during_long_calls(hard1):

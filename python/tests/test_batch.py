@@ -21,7 +21,7 @@ EXPERIMENT = {
     "version": 1,
     "name": "small",
     "seed": 5,
-    "trials": 70,  # more than there are ranges: some hold one trial, the last one fewer than the others
+    "trials": 70,  # more than there are ranges: some have one trial, the last one fewer than the others
     "scenarios": [
         {"name": "hard1", "scene": TESTDATA / "scenes/hard1.toml"},
         {"name": "drawn", "scene": str(TESTDATA / "scenes/empty.toml"), "random": {"count": 2}},
@@ -198,7 +198,7 @@ def test_what_progress_raises_ends_the_run_and_ctrl_c_too():
         "t_tests": [],
     }
     assert_ctrl_c_is_answered_at_once(lambda: cdpr.run_batch(endless, threads=2), threads=2)
-    # On an executor what waits is cancelled and what runs ends by itself.
+    # On an executor, waiting work is cancelled and running work finishes.
     brief = {**endless, "methods": [{"name": "brief", "options": {"max_samples": 10**12}, "budget_ms": 300.0}]}
     with ThreadPoolExecutor(1) as pool:
         began = time.perf_counter()

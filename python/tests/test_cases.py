@@ -25,7 +25,7 @@ def scene_of(case):
 
 
 def assert_agrees(found, expected, tolerance=TOLERANCE):
-    """Every expected key is an attribute of what was found, numbers within the tolerance."""
+    """Asserts that every expected key is an attribute of the result, with numbers within the tolerance."""
     for key, value in expected.items():
         actual = getattr(found, key)
         if isinstance(value, float):
@@ -35,7 +35,7 @@ def assert_agrees(found, expected, tolerance=TOLERANCE):
 
 
 def assert_violation(found, case):
-    """What was found is the violation of the case, or None like it."""
+    """Asserts that the violation is that of the case, or None if it has none."""
     assert (found is None) == ("violation" not in case)
     if found is not None:
         assert_agrees(found, case["violation"])

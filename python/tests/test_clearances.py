@@ -1,4 +1,4 @@
-"""Clearances by kind and by pair, pairs that may touch, and what is exempt."""
+"""Clearances by kind and by pair, pairs that may touch, and exempt pairs."""
 
 import json
 import warnings

@@ -1,4 +1,4 @@
-"""Reprs, equality, hashing, pickling and copying of everything that the package hands out."""
+"""Reprs, equality, hashing, pickling and copying of all objects that the package returns."""
 
 import concurrent.futures
 import copy
@@ -18,7 +18,7 @@ EXPERIMENT = {
     "scenarios": [{"name": "pillar", "scene": str(TESTDATA / "scenes/hard1.toml")}],
     "methods": [{"name": "RRT", "planner": "rrt"}],
 }
-# What each one says of itself; the whole of it, so that it stays short.
+# The complete repr of each class, which must stay short.
 REPRS = {
     "Robot": "Robot('paper', 8 cables)",
     "Scene": "Scene('hard1', 8 cables, 1 obstacle)",
@@ -41,7 +41,7 @@ REPRS = {
 
 
 def make(name):
-    """An object of each kind; the same every time."""
+    """An object of each kind; always the same."""
     scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
     empty = cdpr.Scene.load(TESTDATA / "scenes/empty.toml")
     along = [[0.3, 1, 0.3], [0.3, 1, 0.5]]
@@ -117,7 +117,7 @@ def test_each_is_equal_by_value_and_to_nothing_else(name):
 def test_each_survives_pickling_and_copying(name):
     one = make(name)
     with warnings.catch_warnings():
-        warnings.simplefilter("error")  # a copy has nothing new to tell
+        warnings.simplefilter("error")  # a copy has nothing new to report
         copies = [pickle.loads(pickle.dumps(one, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
         copies += [copy.copy(one), copy.deepcopy(one), copy.deepcopy([one])[0]]
     for again in copies:
@@ -139,7 +139,7 @@ def test_small_differences_are_seen():
     assert cdpr.Path(np.zeros((2, 3)), 0.0) != cdpr.Path(np.zeros((3, 3)), 0.0)
     assert cdpr.Path(np.zeros((2, 3)), 0.0) != result
     unsolved = [cdpr.Result(np.empty((0, 3)), float("nan"), status="budget_spent") for _ in range(2)]
-    assert unsolved[0] == unsolved[1]  # NaN beside NaN
+    assert unsolved[0] == unsolved[1]  # NaN equals NaN
     tree = make("SearchTree")
     assert tree != cdpr.SearchTree(tree.states, np.array([0, 1])) and tree != tuple(tree)
 
@@ -150,7 +150,7 @@ def test_copies_of_what_never_changes_are_itself():
 
 
 def work(scene, path):
-    """In another process: check a path, and hand back all kinds of things."""
+    """In another process: check a path, and return all kinds of objects."""
     report, result = cdpr.check(scene, path), cdpr.plan(scene, "modified-rrt", seed=4)
     return scene, report, result, cdpr.shadows(scene), make("WrenchMap")
 
@@ -208,7 +208,7 @@ def test_each_goes_to_a_process_and_comes_back(name, executor):
 
 
 def everything(scene):
-    """Something of every kind of long work, each on all threads."""
+    """One call of every kind of long work, on all threads."""
     points = np.random.default_rng(0).uniform(0.3, 1.7, (2, 20_000, 3))
     result = cdpr.plan(scene)
     return [
@@ -224,7 +224,7 @@ def everything(scene):
 
 
 def everything_twice(scene):
-    """In a forked process and in one that it forks."""
+    """In a forked process and in a process forked from it."""
     with multiprocessing.get_context("fork").Pool(1) as pool:
         return [everything(scene), pool.apply_async(everything, (scene,)).get(timeout=60)]
 
@@ -233,7 +233,7 @@ def everything_twice(scene):
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def test_processes_that_are_forked_have_threads_of_their_own():
     scene = make("Scene")
-    expected = everything(scene)  # rayon's threads are there from now on, and a fork does not take them along
+    expected = everything(scene)  # rayon's threads exist from now on, and a fork does not copy them
     pool = concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork"))
     try:
         found = pool.submit(everything_twice, scene).result(timeout=120)

@@ -1,15 +1,16 @@
 """Every code block of the documentation runs, page by page, and prints what the page says.
 
-A page's blocks run from top to bottom in one folder, which holds testdata and experiments, and in one Python namespace:
+A page's blocks run from top to bottom in one folder, which contains testdata and experiments, and in one Python
+namespace:
 
 - `python` is executed; `sh` runs with `cdpr` on the path and must end with status 0.
-- `toml` must be a good file. If its first line is a comment that names one, it becomes that file; what is part of a scene
-  is tried in the scene that `cdpr new` writes.
-- `text` is what the block before it printed, but for times.
+- `toml` must be a valid file. If its first line is a comment with a file name, it becomes that file; a fragment of a
+  scene is inserted into the scene that `cdpr new` writes.
+- `text` is the output of the preceding block, except for times.
 - `rust` is tested by cargo, `pycon` (examples of docstrings) by doctest, and `console` and `pyi` (help, signatures) are
-  compared with what docs/reference/make.py writes, as are all pages that it makes.
+  compared with the output of docs/reference/make.py, as are all pages that it generates.
 
-What cannot run here stands behind `<!-- skip: next "why" -->`; SKIPPED counts these, page by page.
+Blocks that cannot run here follow `<!-- skip: next "why" -->`; SKIPPED counts them by page.
 """
 
 import contextlib
@@ -55,7 +56,7 @@ RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")
 
 
 def program() -> Path:
-    """The program as the tests of Rust built it, or the one that CDPR names."""
+    """The program as built for the Rust tests, or as named by CDPR."""
     found = ROOT / os.environ.get("CDPR", "target/debug/cdpr")
     assert found.exists(), f"no {found}: build it by `make program`"
     return found
@@ -136,7 +137,7 @@ def test_a_page_does_what_it_says(name, page):
 @pytest.mark.parametrize("name", NAMES)
 def test_no_block_of_a_page_is_left_out(name):
     kinds = Counter(FENCE.findall((ROOT / name).read_text()))
-    assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive, either: GitHub would show it as it is
+    assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive, either: GitHub would show it literally
 
 
 @functools.cache

@@ -1,4 +1,4 @@
-"""Docstrings of everything public, in NumPy's style; the examples in them are run as doctests."""
+"""Docstrings of all public names, in NumPy's style; their examples run as doctests."""
 
 import dataclasses
 import importlib
@@ -10,13 +10,13 @@ from numpydoc.validate import validate
 
 import cdpr
 
-# What is not asked of ours, and why.
+# Checks that do not apply here, and why.
 LEFT_OUT = {
     "GL02",  # closing quotes of one-line docstrings
-    "ES01",  # a summary that says it all needs no second one
-    "SA01",  # See Also: links stand in the text
-    "PR07",  # `scene : Scene` says it all
-    "RT03",  # and so does `Returns: Scene`
+    "ES01",  # a sufficient summary needs no extension
+    "SA01",  # See Also: links are in the text
+    "PR07",  # `scene : Scene` is sufficient
+    "RT03",  # and so is `Returns: Scene`
     "SS05",  # "Collision-free paths" is a summary, too
 }
 MODULES = ["cdpr", "cdpr.ompl", "cdpr.figures", "cdpr.exceptions"]
@@ -57,7 +57,7 @@ def described(thing):
 
 
 def results():
-    """Classes that functions make, not people: their attributes are what matters."""
+    """Classes created by functions, not by users: their attributes are what matters."""
     classes = (getattr(cdpr, name) for name in cdpr.__all__)
     return [thing for thing in classes if inspect.isclass(thing) and described(thing)]
 
@@ -74,5 +74,5 @@ def test_docstrings_are_in_numpys_style(name):
     found = validate(name)
     left_out = LEFT_OUT | (set() if name.rpartition(".")[0] in MODULES else {"EX01"})  # methods may go without examples
     if name in [f"cdpr.{thing.__name__}" for thing in results()]:
-        left_out |= {"PR01"}  # those who make them pass the attributes
+        left_out |= {"PR01"}  # the code that creates them passes the attributes
     assert [problem for problem in found["errors"] if problem[0] not in left_out] == []

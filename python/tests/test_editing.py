@@ -1,4 +1,4 @@
-"""Scenes made of others: edited, saved and loaded."""
+"""Scenes derived from others: edited, saved and loaded."""
 
 import warnings
 
@@ -80,7 +80,7 @@ def test_obstacles_come_and_go(hard3):
     assert len(free.obstacles) == 0 and cdpr.plan(free).cost == pytest.approx(np.hypot(1.4, 1.4))
     ring = trimesh.creation.annulus(r_min=0.2, r_max=0.3, height=0.1)
     with warnings.catch_warnings():
-        warnings.simplefilter("error")  # the parts fill it exactly: nothing to worry about
+        warnings.simplefilter("error")  # the parts fill it exactly: nothing to report
         ringed = free.with_obstacle("ring", ring, position=[1, 1, 1])
     assert any("convex parts, which fill it exactly" in note for note in ringed.notes)
     assert len(ringed.obstacles["ring"]) > 4

@@ -1,4 +1,4 @@
-"""Figures: what is drawn is what they claim, and bad input is told."""
+"""Figures: they draw what they claim, and reject bad input with a message."""
 
 import sys
 
@@ -48,7 +48,7 @@ def methods():
 
 
 def named(ax, name):
-    """Artists of this gid."""
+    """Artists with this gid."""
     return [artist for artist in ax.get_children() if artist.get_gid() == name]
 
 
@@ -81,7 +81,7 @@ def test_every_cable_goes_from_its_outlet_to_its_attachment(empty, view):
         if hidden(platform, *ends, toward(ax)) is None:
             assert (drawn == ends).all()
             seen += 1
-        else:  # it passes behind the platform: what is left lies on the same line
+        else:  # it passes behind the platform: the visible rest lies on the same line
             shown = drawn[np.isfinite(drawn).all(axis=1)]
             away = np.cross(shown - ends[0], (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]))
             assert (drawn[0] == outlet).all() and np.abs(away).max() < 1e-12
@@ -90,7 +90,7 @@ def test_every_cable_goes_from_its_outlet_to_its_attachment(empty, view):
 
 
 def platform_of(ax):
-    """The platform of the paper's robot as it is drawn: corners of its visible faces, completed by symmetry."""
+    """The platform of the paper's robot as drawn: corners of its visible faces, completed by symmetry."""
     (drawn,) = named(ax, "platform")
     corners = np.vstack(polygons(drawn))
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -105,7 +105,7 @@ def test_the_platform_is_where_it_was_put_and_turned_as_the_scene_says(empty):
     half = 0.075 * np.sqrt(2)
     assert corners.min(axis=0) == pytest.approx([1 - half, 1 - half, 0.975])
     assert corners.max(axis=0) == pytest.approx([1 + half, 1 + half, 1.025])
-    end = points_of(named(ax, "cable 5")[0])[-1]  # at the upper corner (+, −, +), which the turn brings to +x
+    end = points_of(named(ax, "cable 5")[0])[-1]  # at the upper corner (+, −, +), which the rotation moves to +x
     assert end == pytest.approx([1 + half, 1, 1.025])
 
 
@@ -118,7 +118,7 @@ def test_shadows_lie_behind_the_obstacle_as_seen_from_the_outlet(hard1, cable):
     drawn = [face for artist in named(ax, name) for face in polygons(artist)]
     assert drawn
     for corner in np.vstack(drawn):
-        # The straight cable to any corner of the shadow touches the pillar on its way, and no corner is before it.
+        # The straight cable to any corner of the shadow touches the pillar on its way, and no corner is in front of it.
         assert float(cdpr.distance([outlet, corner], pillar.vertices)) < 1e-9
     assert not any(str(a.get_gid()).endswith("/ pillar") and a.get_gid() != name for a in ax.get_children())
     mesh = cdpr.shadows(hard1)[name]
@@ -126,7 +126,7 @@ def test_shadows_lie_behind_the_obstacle_as_seen_from_the_outlet(hard1, cable):
 
 
 def polygons(collection):
-    """Corners of the faces of a collection in space; matplotlib has no public way to ask."""
+    """Corners of the faces of a collection in space; matplotlib has no public method for this."""
     faces, padding = collection._faces, np.broadcast_to(collection._invalid_vertices, collection._faces.shape[:2])
     return [face[~fill] for face, fill in zip(faces, padding, strict=True)]
 
@@ -192,7 +192,7 @@ def test_faces_of_a_mesh_are_its_flat_sides(hard1):
 
 def test_a_path_is_drawn_with_its_raw_path_and_lengths(hard1):
     result = cdpr.plan(hard1, "modified-rrt", seed=3)
-    ax = figures.scene(hard1, result, robot=False, labels=True, view=(90, -90))  # from above nothing hides it
+    ax = figures.scene(hard1, result, robot=False, labels=True, view=(90, -90))  # nothing hides it from above
     for gid, way in (("path", result.waypoints), ("raw path", result.raw_waypoints)):
         (line,) = named(ax, gid)
         drawn = points_of(line)
@@ -311,7 +311,7 @@ def test_charts_are_the_same_without_pandas(repeated, monkeypatch):
 
 @pytest.fixture(scope="module")
 def told():
-    """A run with a history: one method that goes on, one that is rewound, one that never finds anything."""
+    """A run with a history: one method that continues, one that is rewound, one that never finds a path."""
     return cdpr.run_batch(
         {
             "version": 1,

@@ -1,6 +1,6 @@
-"""Whatever is passed to whichever parameter of everything public: only exceptions of our tree come out, and nothing hangs.
+"""Any value passed to any parameter of the public API: only exceptions of our hierarchy are raised, and nothing hangs.
 
-Texts, truth values and masked entries are never taken for numbers.
+Strings, booleans and masked entries are never accepted as numbers.
 """
 
 import functools
@@ -25,15 +25,15 @@ EXPERIMENT = {"version": 1, "trials": 1, "scenarios": [{"name": "a", "scene": st
 EXPERIMENT["methods"] = [{"name": "RRT", "planner": "rrt"}]
 WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
-# Made by functions; who makes one by hand is on their own.
+# Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
 RESULTS |= {"Tensions", "Violation", "View", "WrenchMap", "WrenchReport"}
 
-CALLBACKS = {"on_improvement", "progress"}  # what they raise comes out as it is
+CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
 
 class Strange:
-    """No number, no text, no array."""
+    """Neither a number, a string nor an array."""
 
 
 def nested(depth):
@@ -73,7 +73,7 @@ def batch():
 
 @pytest.fixture
 def calls(tmp_path, monkeypatch, batch):
-    """Everything public by name, with arguments that it takes."""
+    """All public callables by name, with valid arguments."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("webbrowser.open_new_tab", lambda url: True)
     scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
@@ -234,7 +234,7 @@ def called(call, arguments):
 
 
 def outcome(call, arguments):
-    """What goes wrong if something other than our exceptions comes out."""
+    """What went wrong if anything but our exceptions was raised; None otherwise."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", cdpr.CdprWarning)
         try:
@@ -243,7 +243,7 @@ def outcome(call, arguments):
             return f"InternalError: {bug}"
         except cdpr.CdprError:
             return None
-        except BaseException as other:  # noqa: BLE001 (PanicException is none of Exception's)
+        except BaseException as other:  # noqa: BLE001 (PanicException is not an Exception)
             return f"{type(other).__name__}: {other!a}"[:300]
         finally:
             pyplot.close("all")
@@ -251,7 +251,7 @@ def outcome(call, arguments):
 
 
 def public():
-    """Names of functions, of classes that people make, and of the methods of all."""
+    """Names of functions, of classes that users create, and of the methods of all."""
     for name in cdpr.__all__:
         thing = getattr(cdpr, name)
         if inspect.isfunction(thing) or (inspect.isclass(thing) and not issubclass(thing, Exception) and name not in RESULTS):
@@ -263,7 +263,7 @@ def public():
                 yield f"{name}.{key}"
 
 
-# They take nothing but what they belong to.
+# Methods without parameters besides `self`.
 WITHOUT_ARGUMENTS = {"Report.to_pandas", "Result.history_to_pandas", "SearchTree.to_pandas", "Tensions.to_pandas", "View.open"}
 WITHOUT_ARGUMENTS |= {"WrenchMap.to_pandas"}
 
@@ -294,7 +294,7 @@ def test_only_our_exceptions_come_out(calls, hard1):
 
 
 def numeric(value):
-    """Whether a good argument is a number or an array of them."""
+    """Whether a valid argument is a number or an array of numbers."""
     if isinstance(value, (bool, str)) or value is None:
         return False
     try:
@@ -304,7 +304,7 @@ def numeric(value):
 
 
 def disguised(value):
-    """What NumPy would take for the number or array without a word."""
+    """Values that NumPy would silently accept as the number or array."""
     array = np.asarray(value, dtype=np.float64)
     yield "text", array.astype(str).tolist()
     yield "array of texts", array.astype(str)

@@ -1,4 +1,4 @@
-"""Budgets, threads and failures inside: clear limits, and no panic that crosses into Python."""
+"""Budgets, threads and internal failures: clear limits, and no panic that crosses into Python."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_budgets_have_limits(hard1: cdpr.Scene, budget: float) -> None:
 
 
 def many_cables(count: int) -> cdpr.Scene:
-    """A robot whose wrenches take long to prove: some 50 ms a motion with 20 cables."""
+    """A robot whose wrenches take long to prove: some 50 ms per motion with 20 cables."""
     cables = []
     for k in range(count):
         turn, top = 2 * math.pi * k / count, k % 3 > 0

@@ -128,7 +128,7 @@ def test_meshes_of_trimesh_are_obstacles_and_platforms():
     ring = trimesh.creation.annulus(r_min=0.5, r_max=0.7, height=0.2)
     ring.apply_translation([1, 1, 1])
     with warnings.catch_warnings():
-        warnings.simplefilter("error")  # nothing to worry about
+        warnings.simplefilter("error")  # nothing to report
         scene = cdpr.Scene(robot(), {"ring": ring}, workspace=BOX)
     assert re.search(r"obstacles\[0\]: .* triangles in .* convex parts, which fill it exactly", scene.notes[0])
     torus = trimesh.creation.torus(0.4, 0.1)
@@ -181,7 +181,7 @@ def test_an_imported_robot_is_the_stored_one():
 
 
 def settled(robot, position, stiffness):
-    """How a platform (m, rad) and its attachments (m) move when its cables, wound for a position, stretch: Newton's method."""
+    """How a platform (m, rad) and its attachments (m) move if its cables, wound for a position, stretch (Newton)."""
 
     center = np.array(robot.to_dict()["center_of_mass"])
 
@@ -195,7 +195,7 @@ def settled(robot, position, stiffness):
         return pose[:3] + turned(pose, robot.attachments)
 
     def missing(pose):
-        """Force and moment that the cables lack to carry the weight."""
+        """The force and moment missing to carry the weight."""
         cables = robot.outlets - attachments(pose)
         lengths = np.linalg.norm(cables, axis=1)
         tensions = stiffness * np.maximum(lengths / wound - 1, 0)

@@ -1,4 +1,4 @@
-"""The notebooks of python/examples run, and what is stored in them is what comes out."""
+"""The notebooks of python/examples run, and their stored output is reproduced."""
 
 import nbformat
 import pytest
@@ -11,7 +11,7 @@ MOST_BYTES = 400_000
 
 
 def outputs(notebook):
-    """What each cell printed, and how many pictures it drew."""
+    """The printed output and the number of pictures of each cell."""
     found = []
     for cell in notebook.cells:
         shown = cell.get("outputs", [])

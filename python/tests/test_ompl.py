@@ -37,7 +37,7 @@ def planned(scene, planner, seconds, **options):
 
 
 def program():
-    """The command `cdpr` as it was last built, else as it is installed, if at all."""
+    """The command `cdpr` as last built, otherwise as installed, if at all."""
     built = [path for path in (ROOT / "target").glob("*/cdpr") if path.is_file()]
     return max(built, key=lambda path: path.stat().st_mtime, default=shutil.which("cdpr"))
 
@@ -59,14 +59,14 @@ def test_rrt_connect_plans_hard3_and_the_path_is_valid(hard3, tmp_path):
 @pytest.mark.parametrize("planner", EVERY)
 def test_every_planner_finds_valid_paths(hard1, planner):
     path = cdpr.ompl.path(planned(hard1, planner, 0.5))
-    assert cdpr.check(hard1, path).valid and path.cost > 2.435167 - 1e-6  # the shortest known
+    assert cdpr.check(hard1, path).valid and path.cost > 2.435167 - 1e-6  # the shortest known path
 
 
 @pytest.mark.parametrize("planner", ["BITstar", "RRTstar", "InformedRRTstar"])
 def test_an_optimising_planner_goes_on_until_the_path_is_short_enough(hard1, planner):
     setup = cdpr.ompl.simple_setup(hard1)
     objective = base.PathLengthOptimizationObjective(setup.getSpaceInformation())
-    objective.setCostThreshold(base.Cost(1.1 * 2.435167))  # of the shortest known
+    objective.setCostThreshold(base.Cost(1.1 * 2.435167))  # of the shortest known path
     setup.setOptimizationObjective(objective)
     setup.setPlanner(getattr(geometric, planner)(setup.getSpaceInformation()))
     cdpr.ompl.solve(setup, 60.0)
@@ -105,7 +105,7 @@ def test_validity_is_that_of_the_scene_and_exact(hard1):
     found = [information.checkMotion(state, space.state(end)) for state, end in zip(made, ends, strict=True)]
     assert found == hard1.motions_valid(points, ends).tolist() and 200 < sum(found) < 1800
     assert states.clearance(made[0]) == hard1.clearance(points[:1])[0]
-    # A thin wall between two samples of any resolution is seen.
+    # A thin wall between two samples of any resolution is detected.
     thin = hard1.with_obstacle("foil", [[x, y, z] for x in (0.5, 0.5001) for y in (0.9, 1.1) for z in (0.25, 0.35)])
     near = cdpr.ompl.simple_setup(thin).getSpaceInformation()
     a, b = space.state([0.3, 1.0, 0.3]), space.state([0.7, 1.0, 0.3])

@@ -24,10 +24,10 @@ def plank() -> cdpr.Scene:
 def test_planning_chooses_and_everything_else_follows_the_path(plank: cdpr.Scene, tmp_path: Path) -> None:
     result = cdpr.plan(plank)
     assert result.solved and result.orientation_name == "along" and result.orientation.tolist() == LEVEL
-    assert np.allclose(plank.orientation, ACROSS)  # the first, where nothing says another one
+    assert np.allclose(plank.orientation, ACROSS)  # the first one if nothing selects another
     assert cdpr.check(plank, result).valid
     with pytest.raises(cdpr.InputError, match="selects none of across, along; select one"):
-        cdpr.check(plank, result.waypoints)  # bare positions do not say
+        cdpr.check(plank, result.waypoints)  # bare positions have no orientation
     assert cdpr.check(plank.replace(orientation="along"), result.waypoints).valid
     assert cdpr.refine(plank, result).orientation.tolist() == LEVEL
     assert '"orientation":[1.0,0.0,0.0,0.0]' in cdpr._view.view(plank, result).html
@@ -57,7 +57,7 @@ def test_what_a_path_is_made_of_is_what_is_saved(plank: cdpr.Scene, tmp_path: Pa
         loaded = cdpr.load_path(tmp_path / "path.json")
         assert np.array_equal(loaded.waypoints, expected[0]) and np.allclose(loaded.orientation, expected[1])
         assert cdpr.check(plank, loaded).valid == (expected[1] is LEVEL)
-    # What belongs to the waypoints is not told of others.
+    # Data about the waypoints is not saved with other waypoints.
     aside = dataclasses.replace(result, waypoints=[[0.45, 1, 0.5], [1.0, 1, 0.9], [1.55, 1, 0.5]])
     for path, known in [(result, True), (aside, False)]:
         path.save(tmp_path / "path.json")
@@ -67,7 +67,7 @@ def test_what_a_path_is_made_of_is_what_is_saved(plank: cdpr.Scene, tmp_path: Pa
     cdpr.load_path(tmp_path / "path.json", plank).save(tmp_path / "again.json")
     with pytest.warns(cdpr.AnotherSceneWarning, match="another scene"):
         cdpr.load_path(tmp_path / "again.json", plank.without("left"))
-    # At an orientation that the scene no longer has there is no answer.
+    # If the scene no longer has the orientation, there is no answer.
     spec = plank.to_dict()
     spec["orientations"] = [turn for turn in spec["orientations"] if turn["name"] != "along"]
     spec["orientations"].append({"name": "askew", "rpy": [0.0, 0.0, 0.3]})

@@ -1,4 +1,4 @@
-"""Wheel and sdist as people get them: in fresh environments, outside of the checkout."""
+"""Wheel and sdist as users get them: in fresh environments, outside the checkout."""
 
 import os
 import subprocess
@@ -12,7 +12,7 @@ from conftest import ROOT
 
 WHEELS = ROOT / "target" / "wheels"
 
-# What someone does first, with nothing of the checkout at hand.
+# A newcomer's first steps, without access to the checkout.
 FIRST_STEPS = """
 import importlib.metadata, sys
 from pathlib import Path
@@ -47,7 +47,7 @@ print("planned", round(result.cost, 3))
 
 
 def quiet(*command, cwd, **environment):
-    """Run a program; what it prints. Nothing of this process's Python or build reaches it."""
+    """Run a program and return its output, isolated from this process's Python and build."""
     ours = ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "CARGO_TARGET_DIR")
     inherited = {key: value for key, value in os.environ.items() if key not in ours}
     run = subprocess.run(command, cwd=cwd, env=inherited | environment, capture_output=True, text=True)
@@ -56,7 +56,7 @@ def quiet(*command, cwd, **environment):
 
 
 def planned_with(package, folder, **environment):
-    """Install a package into an environment of its own and take the first steps there."""
+    """Install a package into its own environment and take the first steps there."""
     quiet(sys.executable, "-m", "venv", folder / "env", cwd=folder)
     python = next(path for path in (folder / "env/bin/python", folder / "env/Scripts/python.exe") if path.exists())
     install = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", package)
@@ -90,5 +90,5 @@ def test_the_sdist_builds_and_plans_outside_of_the_checkout(tmp_path):
     assert {"crates/cdpr-core/Cargo.toml", "crates/cdpr-py/Cargo.toml", "python/cdpr/py.typed"} <= set(names)
     assert not [name for name in names if name.startswith(("target/", "viewer/", ".venv/")) or "node_modules" in name]
     assert not [name for name, text in manifests.items() if str(ROOT) in text]
-    # Without optimisation: what is asked is whether it builds, and the wheel is tested optimised.
+    # Without optimisation: only whether it builds is tested here; the wheel is tested optimised.
     assert planned_with(sdist, tmp_path, MATURIN_PEP517_ARGS="--profile dev") == "planned 2.103\n"

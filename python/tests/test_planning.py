@@ -49,7 +49,7 @@ def test_the_search_tree_is_kept(hard1):
             way.append(node)
             node = parents[node]
         assert (states[way[::-1]] == found.raw_waypoints).all()
-    assert cdpr.plan(hard1, seed=3, max_samples=5).tree.states.shape[1] == 3  # unsolved, and yet there is a tree
+    assert cdpr.plan(hard1, seed=3, max_samples=5).tree.states.shape[1] == 3  # unsolved, but with a tree
     assert len(cdpr.plan(hard1, start=[1, 1, 0.5]).tree.states) == 0
     again = pickle.loads(pickle.dumps(found))
     assert (again.tree.states == states).all() and (again.tree.parents == parents).all()
@@ -200,7 +200,7 @@ def test_distances_of_any_two_dimensions():
 
 
 def walled():
-    """A scene without a way through, but for the cables."""
+    """A scene whose wall blocks the platform but not the cables."""
     spec = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml").to_dict()
     spec["obstacles"] = [{"name": "wall", "box": [0.05, 2.0, 2.0], "position": [1, 1, 1]}]
     spec["ignore"] = [[f"cable {k}", "wall"] for k in range(8)]
@@ -208,7 +208,7 @@ def walled():
 
 
 def interrupted_after(seconds, call, raises=KeyboardInterrupt):
-    """Run a call, send Ctrl-C after a while, and return how long the answer took: by the clock, and of processors, s."""
+    """Run a call, send Ctrl-C after a while, and return the response time: wall-clock and processor time, s."""
     sent = []
 
     def send():
@@ -225,15 +225,15 @@ def interrupted_after(seconds, call, raises=KeyboardInterrupt):
 
 
 def assert_ctrl_c_is_answered_at_once(call, threads):
-    """A busy machine lengthens what the clock says, so there the best of three counts; what is worked, it does not."""
+    """A busy machine increases the wall-clock time, so the best of three counts there, but not the processor time."""
     waited, worked = zip(*(interrupted_after(0.2, call) for _ in range(3)), strict=True)
     assert min(waited) < AT_ONCE and max(worked) < AT_ONCE * threads, (waited, worked)
 
 
 def test_ctrl_c_is_answered_at_once():
     scene = walled()
-    # Seconds of work, so that nothing ends before it is interrupted; made before the clock runs, since NumPy does
-    # not answer Ctrl-C.
+    # Seconds of work, so that nothing finishes before it is interrupted; prepared before the clock starts, since NumPy
+    # does not respond to Ctrl-C.
     points = np.random.default_rng(0).uniform(0.1, 1.9, (3_000_000, 3))
     back = points[::-1].copy()
     assert_ctrl_c_is_answered_at_once(lambda: cdpr.plan(scene, max_samples=10**12), threads=1)
@@ -242,7 +242,7 @@ def test_ctrl_c_is_answered_at_once():
 
 
 def crowded(count=300):
-    """A hall with many boxes on its floor below a robot that hangs from its ceiling, and 2 cm of clearance."""
+    """A hall with many boxes on its floor below a robot suspended from its ceiling, and 2 cm of clearance."""
     rng = np.random.default_rng(7)
     spec = cdpr.Scene.load(TESTDATA / "scenes/forest.toml").to_dict()
     low, high = np.array(spec["workspace"]["min"]), np.array(spec["workspace"]["max"])
@@ -267,7 +267,7 @@ def test_ctrl_c_is_answered_at_once_whatever_is_done(tmp_path):
 
         return calls
 
-    # Each takes a while; those that take less than the time until Ctrl-C are begun again.
+    # Each takes a while; calls that take less than the time until Ctrl-C are repeated.
     calls = (
         lambda: cdpr.check(large, waypoints, engine="gjk"),
         lambda: cdpr.save_view(tmp_path / "view.html", scene, waypoints),
@@ -298,7 +298,7 @@ def test_a_long_path_is_checked_in_less_than_seconds(hard1):
     waypoints = np.linspace([0.3, 1.0, 0.3], [0.3, 1.0, 1.3], 60_001)
     began = time.perf_counter()
     report = cdpr.check(hard1, waypoints)
-    assert report.valid and time.perf_counter() - began < 10.0  # of 40 s if every segment is asked everything
+    assert report.valid and time.perf_counter() - began < 10.0  # of 40 s if every condition of every segment is tested
     whole = cdpr.check(hard1, waypoints[[0, -1]])
     assert report.min_clearance["value"] == pytest.approx(whole.min_clearance["value"], abs=1e-9)
 
@@ -327,7 +327,7 @@ def test_the_default_planner_finds_the_best_known_paths(hard1):
         assert result.cost == pytest.approx(best, rel=1e-3) and result.cost > best - 1e-5
         assert cdpr.check(scene, result, engine="gjk").valid
         assert (cdpr.plan(scene, "anytime", seed=0).waypoints == result.waypoints).all()
-        assert (result.raw_waypoints == result.waypoints).all()  # taut already: nothing is done to it
+        assert (result.raw_waypoints == result.waypoints).all()  # already taut: nothing is changed
 
 
 def test_the_forest_has_a_way_that_is_not_straight():
@@ -338,7 +338,7 @@ def test_the_forest_has_a_way_that_is_not_straight():
         for engine in ("cspace", "gjk"):
             assert cdpr.check(forest, cdpr.plan(forest, planner), engine=engine).valid
     way = cdpr.tensions_along(forest, cdpr.plan(forest, "rrt-connect"))
-    assert (way.capacity_margin > 0).all()  # a robot that can carry its platform there
+    assert (way.capacity_margin > 0).all()  # the robot can carry its platform there
 
 
 def test_anytime_uses_its_budget_and_its_targets(hard1):
@@ -433,7 +433,7 @@ def test_a_path_of_another_scene_is_answered_with_a_warning(hard1, tmp_path):
             ask(strict=True)
     with pytest.warns(cdpr.AnotherSceneWarning):
         assert len(cdpr.tensions_along(edited, path, step=0.1).positions) > 10
-    # What is known of a path, or is none of its scene's business, is answered without a word.
+    # No warning without data that depends on the scene, or if only irrelevant properties differ.
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert cdpr.check(edited, path.waypoints).valid

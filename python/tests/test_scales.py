@@ -14,7 +14,7 @@ def box(size: list[float], at: list[float]) -> list[list[float]]:
 
 
 def hall(platform: float, **obstacles: list[list[float]]) -> cdpr.Scene:
-    """A robot in the corners of the hall, with a cube for a platform."""
+    """A robot in the corners of the hall, with a cube as its platform."""
     outlets = [[x, y, z] for x in (0, HALL) for y in (0, HALL) for z in (0, HALL)]
     cube = box([platform] * 3, [0, 0, 0])
     return cdpr.Scene(cdpr.Robot(outlets, cube, [cube]), obstacles, workspace=[[0, 0, 0], [HALL] * 3])

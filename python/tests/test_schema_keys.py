@@ -1,4 +1,4 @@
-"""Scenes and robots made from arrays take all that their files have, key by key of the JSON Schema."""
+"""Scenes and robots made from arrays accept all keys of their files, key by key of the JSON Schema."""
 
 import inspect
 
@@ -12,8 +12,8 @@ SCENE, ROBOT = cdpr.schema("scene"), cdpr.schema("robot")
 DEFINED = SCENE["$defs"]
 CUBE = [[x, y, z] for x in (0.0, 0.2) for y in (0.0, 0.2) for z in (0.0, 0.2)]
 
-# Keys of a file that no argument is named after, and why.
-NO_ARGUMENT = {"version", "query"}  # there is one version; the parts of a query are arguments of their own
+# Keys of a file that are not named after an argument, and why.
+NO_ARGUMENT = {"version", "query"}  # there is one version; the parts of a query are separate arguments
 OF_CABLES = {
     "name": "cable_names", "outlet": "outlets", "attachment": "attachments", "tension": "tensions", "diameter": "diameters",
     "length": "lengths",
@@ -143,7 +143,7 @@ BODIES = {
     "rpy": {"box": [0.2, 0.2, 0.2], "rpy": (0.0, 0.0, 0.1)},
     "rpy_degrees": {"box": [0.2, 0.2, 0.2], "rpy_degrees": [0.0, 0.0, 10.0]},
     "quaternion": {"box": [0.2, 0.2, 0.2], "quaternion": [1.0, 0.0, 0.0, 0.0]},
-    "name": None,  # of obstacles it is the key of the mapping
+    "name": None,  # for obstacles, the key of the mapping
 }
 
 

@@ -1,4 +1,4 @@
-"""Points of any shape: (3,) is one of them, (..., 3) many; answers have the shape of what is asked."""
+"""Points of any shape: (3,) is one point, (..., 3) are many; answers have the shape of the query."""
 
 import threading
 import warnings

@@ -1,4 +1,4 @@
-"""The story of docs/howto/stations.md: what an engineer has after it, and that there and back are ways of one length."""
+"""The workflow of docs/howto/stations.md: its results, and that paths there and back have equal lengths."""
 
 import csv
 import itertools
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::cdpr.CdprWarning")  # how the p
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The engineer's folder after the page has been followed to its end."""
+    """The engineer's folder after all steps of the page."""
     folder = tmp_path_factory.mktemp("stations")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -39,7 +39,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         start = time.perf_counter()
         for example in Sybil(parsers).parse(ROOT / "docs/howto/stations.md").examples():
             example.evaluate()
-        assert time.perf_counter() - start < 60  # a third of it on a machine that does nothing else
+        assert time.perf_counter() - start < 60  # takes a third of this on an idle machine
     return folder
 
 

@@ -1,4 +1,4 @@
-"""Threads of Python beside the work of the core, which holds no interpreter."""
+"""Threads of Python run while the core works, which releases the interpreter."""
 
 import signal
 import subprocess
@@ -13,13 +13,13 @@ from conftest import TESTDATA
 
 import cdpr
 
-# How long a call must take for the test to tell something, s, and the longest part of it in which a thread that ticks
-# each millisecond may be silent; beside a call that held the interpreter it would be silent all the time.
+# Minimum duration of a call for a meaningful test, s, and the maximum share of it during which a thread that ticks
+# every millisecond may be silent; if the call held the interpreter, it would be silent all the time.
 LONG, SILENT = 0.5, 0.5
 
 
 def longest_pause(call):
-    """Run a call beside a ticking thread; its answer, how long it took, and the longest time without a tick, s."""
+    """Run a call beside a ticking thread; returns its answer, its duration and the longest time without a tick, s."""
     ticks, done = [time.perf_counter()], threading.Event()
 
     def tick():
@@ -38,7 +38,7 @@ def longest_pause(call):
 
 
 def plenty(scene):
-    """Calls that take the longer the greater the number they get."""
+    """Calls whose duration grows with their argument."""
     more = {"keep_going": True, "post": "none", "near_radius": 0.3}
     points = np.random.default_rng(0).uniform(0.15, 1.85, (400_000, 3))
     return {
@@ -55,7 +55,7 @@ def plenty(scene):
 def test_a_ticking_thread_goes_on(hard1, name):
     call = plenty(hard1)[name]
     n, took = 500, 0.0
-    while took < LONG and n < 400_000:  # enough work to tell, on any machine
+    while took < LONG and n < 400_000:  # enough work for a result on any machine
         n *= 2
         _, took, pause = longest_pause(lambda n=n: call(n))
     assert took >= LONG and pause < SILENT * took, (n, took, pause)

@@ -1,4 +1,4 @@
-"""The tests end: one that hangs is ended and named, and Ctrl-C arrives wherever they are started."""
+"""The tests end: a test that hangs is ended and named, and Ctrl-C arrives wherever they are started."""
 
 import os
 import subprocess
@@ -24,7 +24,7 @@ def test_ctrl_c():
         time.sleep(1)
 """
 
-# As a script does it with what it starts in the background.
+# As a script does with processes that it starts in the background.
 IGNORING = ["sh", "-c", 'trap "" INT; exec "$@"', "sh"]
 
 
@@ -49,4 +49,4 @@ def test_ctrl_c_arrives_in_the_background_of_a_script(tmp_path):
     run = pytest_on(tmp_path, CTRL_C_ARRIVES, "-p", "conftest", before=IGNORING)
     assert run.returncode == 0, run.stdout + run.stderr
     without = pytest_on(tmp_path, CTRL_C_ARRIVES, before=IGNORING)
-    assert without.returncode != 0  # or this would test nothing
+    assert without.returncode != 0  # otherwise this would test nothing

@@ -51,7 +51,7 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Open]:
-    """Opens the page of a scene and path; afterwards nothing may have gone wrong, and nothing been fetched."""
+    """Opens the page of a scene and path; checks afterwards that nothing went wrong and nothing was fetched."""
     complaints: list[str] = []
     pages: list[Page] = []
 
@@ -85,7 +85,7 @@ def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) 
 
 
 def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
-    """Waits in Python: the page's own policy forbids Playwright to do so by evaluating text within it."""
+    """Waits in Python: the page's own policy forbids Playwright to evaluate text within it."""
     end = time.monotonic() + seconds
     while not page.evaluate(condition):
         assert time.monotonic() < end, f"waited {seconds} s for {condition}"
@@ -93,12 +93,12 @@ def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
 
 
 def picture(page: Page) -> str:
-    """The 3D view with its labels as a PNG in base 64."""
+    """The 3D view with its labels as a base64 PNG."""
     return str(page.evaluate("cdprViewer.picture().toDataURL()"))
 
 
 def colors(page: Page) -> int:
-    """How many colours the 3D view has."""
+    """The number of colours in the 3D view."""
     return int(
         page.evaluate("""() => {
             const canvas = cdprViewer.picture();
@@ -164,7 +164,7 @@ def test_the_raw_path_is_listed_where_it_differs_from_the_final_one(open_page: O
 
 
 def scale_labels(page: Page, plot: str) -> list[float]:
-    """Numbers beside a chart: one without a unit is in the unit that its title gives."""
+    """Numbers beside a chart; without a unit, they are in the unit of the chart's title."""
     return [float(text) for text in page.locator(".plot", has_text=plot).locator(".scale").all_inner_texts()]
 
 
@@ -279,7 +279,7 @@ def test_a_hundred_obstacles_and_a_tree_of_5000_nodes_are_few_draw_calls(open_pa
     found = cdpr.plan(scene, "rrt", start=start, goal=goal, keep_going=True, max_nodes=5000, max_samples=10**6)
     assert found.stats["nodes"] >= 5000
     page = open_page(scene, found)
-    assert page.evaluate("cdprViewer.layers.searchTree.visible") is False  # it would hide the picture
+    assert page.evaluate("cdprViewer.layers.searchTree.visible") is False  # it would hide the scene
     before = picture(page)
     calls = page.evaluate("cdprViewer.statistics().calls")
     page.evaluate("cdprViewer.layers.searchTree.visible = true")
@@ -297,7 +297,7 @@ def test_the_papers_scene_is_small_and_soon_there(open_page: Open, hard1: cdpr.S
 
 
 def measured(what: str, page: Page) -> None:
-    """Notes down what the page measures of itself; times depend on the machine, so nothing is asserted of them."""
+    """Records measurements of the page; they depend on the machine, so nothing is asserted."""
     wait_until(page, "cdprViewer.statistics().firstPicture !== null")
     size = Path(page.url.removeprefix("file://")).stat().st_size
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
@@ -341,7 +341,7 @@ def test_play_moves_the_platform_and_speed_counts(open_page: Open, hard1: cdpr.S
     page.locator("#play").click()
     wait_until(page, "cdprViewer.distance() > 0.2 * cdprViewer.length")
     page.locator("#play").click()
-    page.wait_for_timeout(100)  # a frame that is already on its way
+    page.wait_for_timeout(100)  # a frame that is already pending
     distance, position = page.evaluate("[cdprViewer.distance(), cdprViewer.position()]")
     assert np.allclose(position, along(BAD, distance))
     assert picture(page) != before

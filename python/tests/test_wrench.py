@@ -74,14 +74,14 @@ def test_tensions_balance_the_loads_within_limits_and_cannot_be_nearer(built):
             continue
         assert np.linalg.norm(w @ t + weight(robot) + load) <= 1e-9 * high.max()
         assert (t >= low).all() and (t <= high).all()
-        # Optimality: t - middle is W^T y up to multipliers that push off the limits.
+        # Optimality: t - middle is W^T y up to multipliers of active limits.
         free = (t > low + 1e-7 * high) & (t < high - 1e-7 * high)
         away = t - (low + high) / 2
         y = np.linalg.lstsq(w[:, free].T, away[free], rcond=None)[0]
         multipliers = w.T @ y - away
         scale = 1e-6 * high.max()
         assert np.abs(multipliers[free]).max(initial=0) <= scale
-        if np.linalg.matrix_rank(w[:, free]) == 6:  # else other y may do
+        if np.linalg.matrix_rank(w[:, free]) == 6:  # otherwise other y are possible
             assert (multipliers[t <= low] <= scale).all() and (multipliers[t >= high] >= -scale).all()
 
 
@@ -199,7 +199,7 @@ def test_available_sets_reach_as_far_as_the_tensions_allow(empty):
     for found, rows in ((forces, w[:3]), (moments, w[3:])):
         direction = np.array([0.3, -0.5, 0.8])
         pull = direction @ rows
-        support = np.where(pull > 0, 1000, 10) @ pull  # every cable at the limit that reaches farthest
+        support = np.where(pull > 0, 1000, 10) @ pull  # every cable at the limit that extends farthest
         assert (found.vertices @ direction).max() == pytest.approx(support)
     ball = cdpr.Robot([[0, 0, 1], [1, 0, 1]], [[0, 0, 0]] * 2, [[[0, 0, 0]]], mass=1, tensions=[1, 9])
     with pytest.raises(cdpr.InputError, match="attachments coincide"):
