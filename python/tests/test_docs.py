@@ -137,7 +137,7 @@ def test_a_page_does_what_it_says(name, page):
 @pytest.mark.parametrize("name", NAMES)
 def test_no_block_of_a_page_is_left_out(name):
     kinds = Counter(FENCE.findall((ROOT / name).read_text()))
-    assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive, either: GitHub would show it literally
+    assert set(kinds) <= {"python", "sh", "toml", "text"} | ELSEWHERE  # no directive either: GitHub would print it
 
 
 @functools.cache
