@@ -203,7 +203,7 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for Row<V> {
         let mut seq = Counted { seq, count: 0, ended: false };
         let row = self.visitor.visit_seq(&mut seq);
         if row.is_err() && !seq.ended {
-            return row; // an element that is wrong by itself
+            return row; // an element that is itself wrong
         }
         while seq.next_element::<IgnoredAny>()?.is_some() {}
         if seq.count == self.length {

@@ -172,7 +172,7 @@ pub struct Stats {
 /// Result of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanResult {
-    /// How it ended.
+    /// How planning ended.
     pub status: Status,
     /// Why the start or goal is invalid.
     pub reason: Option<Violation>,

@@ -1,4 +1,4 @@
-//! The paper's robot and two scenes in place of its Figure 9, for examples and tests.
+//! The paper's robot and two scenes that replace its Figure 9, for examples and tests.
 //!
 //! Eight outlets at the corners of a cube of 2 m, each connected to the corresponding corner of the platform; a
 //! platform of 0.15 × 0.15 × 0.05 m; start (0.3, 1, 0.3), goal (1.7, 1, 1.7) (the paper, Table 1; the paper prints

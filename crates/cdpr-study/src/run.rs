@@ -52,7 +52,7 @@ pub struct Row {
     pub trial: usize,
     /// Seed of the trial: planning the scene with it reproduces the path.
     pub seed: u64,
-    /// How it ended.
+    /// The outcome.
     pub status: TrialStatus,
     /// Length of the planner's path, m.
     pub raw_cost: Option<f64>,

@@ -11,7 +11,7 @@ use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 pub enum Demand {
     /// The cable's axis keeps at least `gap` metres from the body; 0 means it must not enter the interior.
     Apart {
-        /// Least distance, m.
+        /// Required distance, m.
         gap: f64,
     },
     /// The cable enters the body, which closes a seam, by at most `touch` metres. The adjacent parts enforce the

@@ -22,7 +22,7 @@ pub struct CableObstacle {
     pub cable: usize,
     /// Index into [`Bodies::obstacles`].
     pub body: usize,
-    /// What is required.
+    /// How the cable must stay clear of the body.
     pub demand: Demand,
 }
 

@@ -24,7 +24,7 @@ pub struct CablePlatform {
     pub cable: usize,
     /// Index into [`Bodies::platform`].
     pub body: usize,
-    /// What is required.
+    /// How the cable must stay clear of the body.
     pub demand: Demand,
 }
 

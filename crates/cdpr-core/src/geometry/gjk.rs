@@ -60,7 +60,7 @@ pub fn proximity(a: &impl SupportMap, b: &impl SupportMap, apart: f64, close: f6
             (best.lower, best.axis) = (lower, axis);
         }
         if best.lower > apart || best.upper < close || best.upper - best.lower <= GJK_DISTANCE {
-            break; // w_i == v_i: nothing nearer exists in this direction
+            break; // w_i == v_i: nothing closer exists in this direction
         }
         if !simplex.add_point(vertex) {
             break; // the simplex cannot distinguish the new vertex from an old one

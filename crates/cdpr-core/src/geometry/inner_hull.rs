@@ -1,9 +1,9 @@
 //! The convex hull of many points from inside, corner by corner: a polytope over some of them that grows until no point
 //! is farther outside than a given height.
 //!
-//! Quickhull with one change: the next corner is always the point farthest outside of all. Growing can therefore stop
+//! Quickhull with one change: the next corner is always the point that is farthest outside. Growing can therefore stop
 //! at any height, and a round body needs only as many corners as its roundness requires. No guarantee depends on the
-//! result: planes that touch all points enclose them whatever their directions, see [`super::wrap`].
+//! result: planes that touch all points enclose them for any directions, see [`super::wrap`].
 //!
 //! Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM TOMS 22(4), 1996.
 

@@ -53,7 +53,7 @@ pub fn shadow(body: &Polytope, apex: &Point) -> Option<Shadow> {
 /// `None` for an edge in line with the apex, which appears as a corner.
 fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
     let (a, b) = (from - apex, to - apex);
-    // The side between the nearer end and the edge has the smallest rounding error.
+    // The side between the closer end and the edge has the smallest rounding error.
     let (nearer, edge) = (if a.norm_squared() <= b.norm_squared() { a } else { b }, to - from);
     let cross = nearer.cross(&edge);
     let norm = cross.norm();

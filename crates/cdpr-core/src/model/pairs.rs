@@ -106,7 +106,7 @@ impl PairRules {
         self.between(a, b) == PairRule::Ignore
     }
 
-    /// The clearance of this pair's kind, m, whatever the rule for the pair itself.
+    /// The clearance of this pair's kind, m, regardless of the rule for the pair itself.
     pub fn of_kind(&self, a: Member, b: Member) -> f64 {
         match (a.min(b), a.max(b)) {
             (Member::Cable(_), Member::Cable(_)) => self.cable_cable,

@@ -21,7 +21,7 @@ pub enum Status {
 /// What a planner found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome<State> {
-    /// How it ended.
+    /// How the search ended.
     pub status: Status,
     /// The path from start to goal; empty unless solved.
     pub waypoints: Vec<State>,

@@ -67,7 +67,7 @@ impl CapacityMargin {
         self.robot.is_some()
     }
 
-    /// What is required.
+    /// The required wrenches.
     pub fn required(&self) -> &Required {
         &self.required
     }

@@ -38,7 +38,7 @@ const PIECES_PER_CELL: f64 = 0.5 / (OVERLAP - CELL_ROUNDING);
 pub struct Reached {
     /// Index of the cell.
     pub cell: u32,
-    /// The outer plane of the region that the centre of the cell is farthest outside of, or least inside, or
+    /// The outer plane of the region above which the centre of the cell is highest, inside or outside, or
     /// [`NO_WITNESS`].
     pub witness: u16,
     /// Whether every position in the cell is forbidden.
