@@ -25,7 +25,7 @@ fn cells(engine: &CspaceEngine) -> Decomposition {
 fn way(scene: &Scene, taste: Taste, effort: usize) -> Way {
     let engine = engine(scene);
     let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];
-    cells(&engine).way(ends, &|a, b| engine.motion_valid(a, b), taste, effort, &Watch::NONE).unwrap()
+    cells(&engine).way(ends, &|a: &Point, b: &Point| engine.motion_valid(a, b), taste, effort, &Watch::NONE).unwrap()
 }
 
 fn length(path: &[Point]) -> f64 {

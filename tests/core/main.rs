@@ -6,6 +6,7 @@ mod decomposition;
 mod orientation;
 mod planners;
 mod planning;
+mod proof;
 mod properties;
 mod random_scenes;
 mod regions;

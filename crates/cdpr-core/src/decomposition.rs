@@ -13,7 +13,7 @@ mod chain;
 
 use crate::collision::Piece;
 use crate::error::Error;
-use crate::geometry::{HalfSpace, Point, Vector};
+use crate::geometry::{Cuboid, Point, Vector};
 use crate::watch::Watch;
 use chain::Chains;
 
@@ -39,10 +39,42 @@ pub struct Taste {
     pub haste: f64,
 }
 
+/// What a search asks about motions and cells.
+pub trait Oracle {
+    /// Makes the final decision on a motion within cells that no piece reaches into.
+    fn free(&self, from: &Point, to: &Point) -> bool;
+
+    /// Whether a piece may reach into a cell.
+    fn reaches(&self, piece: &Piece, cell: &Cuboid) -> bool {
+        !piece.outer.iter().any(|plane| cell.lowest(plane) >= 0.0)
+    }
+
+    /// Whether a cell is inside what this piece forbids.
+    fn closes(&self, _index: u32, piece: &Piece, cell: &Cuboid) -> bool {
+        piece.certain.as_ref().is_some_and(|all| all.iter().all(|plane| cell.highest(plane) < 0.0))
+    }
+
+    /// The condition that forbids a whole cell although no piece does, by its index in the list of conditions. Only asked before a
+    /// cell on a chain is divided.
+    fn closed_by_bound(&self, _cell: &Cuboid) -> Option<u32> {
+        None
+    }
+}
+
+impl<F: Fn(&Point, &Point) -> bool> Oracle for F {
+    fn free(&self, from: &Point, to: &Point) -> bool {
+        self(from, to)
+    }
+}
+
 /// See [`Taste::level`].
 const GROWTH: f64 = 1.7;
-/// Maximum number of halvings of the box. Coordinates of cells are multiples of 2^-LEVELS of its sides.
-const LEVELS: u8 = 14;
+/// Coordinates of cells are multiples of 2^-LEVELS of the sides of the box.
+const LEVELS: u8 = 24;
+/// Maximum number of halvings of the box, unless set otherwise.
+const FINEST: u8 = 14;
+/// Halvings of the box from which on the cells of start and goal need not be free; the oracle then judges the motions in them.
+const SMALL_END: u8 = 10;
 /// Cost of checking a motion, in visited cells.
 const MOTION: usize = 10;
 
@@ -55,6 +87,8 @@ pub struct Decomposition {
     /// The whole box, followed by the eight parts of each divided cell.
     cells: Vec<Cell>,
     chains: Chains,
+    /// Maximum number of halvings of the box.
+    finest: u8,
     /// Number of cells that may still be visited; negative if the last search exceeded its effort.
     credit: i64,
     /// Whether a cell that might be passable is too small to be divided.
@@ -75,20 +109,33 @@ struct Cell {
     beside: Vec<u32>,
 }
 
+/// What is known of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
     /// Outside all pieces.
     Free,
     /// Neither inside one piece nor outside all of them, or the engine rejected a motion in it.
     Open,
-    /// Inside a piece, or too small to be divided.
-    Closed,
+    /// Forbidden as a whole.
+    Closed(Closed),
+    /// Neither free nor forbidden, but too small to be divided.
+    TooSmall,
     /// Divided; holds the index of the first part.
     Divided(u32),
 }
 
+/// Why a cell is closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Closed {
+    /// It is inside the piece with this index.
+    Piece(u32),
+    /// The condition with this index forbids it, by a bound.
+    Bound(u32),
+}
+
 impl Kind {
-    fn passable(self) -> bool {
+    /// Whether a path may lead through the cell.
+    pub fn passable(self) -> bool {
         matches!(self, Kind::Free | Kind::Open)
     }
 }
@@ -100,7 +147,14 @@ impl Decomposition {
         let center = nalgebra::center(&low, &high);
         let whole = Cell { low: [0; 3], level: 0, kind: Kind::Open, center, near, beside: Vec::new() };
         let chains = Chains::default();
-        Decomposition { pieces, low, size: high - low, cells: vec![whole], chains, credit: 0, at_the_limit: false }
+        let (size, cells) = (high - low, vec![whole]);
+        Decomposition { pieces, low, size, cells, chains, finest: FINEST, credit: 0, at_the_limit: false }
+    }
+
+    /// The same with cells of at least this size, m, the mean of their sides, instead of 2^-14 of the box.
+    pub fn down_to(self, size: f64) -> Self {
+        let halvings = (self.size.mean() / size).log2().floor().clamp(0.0, f64::from(LEVELS));
+        Decomposition { finest: halvings as u8, ..self }
     }
 
     /// The forbidden polyhedra.
@@ -109,14 +163,14 @@ impl Decomposition {
     }
 
     /// Searches for a path, visiting about `effort` cells. The next call continues the search and deducts what this
-    /// call visited beyond that. `free` makes the final decision on motions within cells that no piece reaches into.
+    /// call visited beyond that.
     ///
     /// # Errors
     /// [`Error::interrupted`].
     pub fn way(
         &mut self,
         [start, goal]: [&Point; 2],
-        free: &dyn Fn(&Point, &Point) -> bool,
+        oracle: &dyn Oracle,
         taste: Taste,
         effort: usize,
         watch: &Watch,
@@ -130,99 +184,190 @@ impl Decomposition {
                 let certain = !self.at_the_limit && !watch.expired()?;
                 return Ok(if certain { Way::None } else { Way::Undecided });
             }
-            let open = |cell: &u32| self.cells[*cell as usize].kind == Kind::Open;
+            // A start or goal that touches something is in no free cell, however small.
+            let leaves_end = |cell: &u32| ends.contains(cell) && self.cells[*cell as usize].level >= SMALL_END;
+            let open = |cell: &u32| self.cells[*cell as usize].kind == Kind::Open && !leaves_end(cell);
             let mut doubtful: Vec<u32> = chain.iter().copied().filter(open).collect();
             if doubtful.is_empty() {
                 let places = self.places(&chain, start, goal);
-                let refused = |k: &usize| !free(&places[*k], &places[k + 1]);
+                let refused = |k: &usize| !oracle.free(&places[*k], &places[k + 1]);
                 doubtful = (0..chain.len()).filter(refused).map(|k| chain[k]).collect();
                 self.credit -= (MOTION * chain.len()) as i64;
                 if doubtful.is_empty() {
                     return Ok(Way::Path(places));
                 }
             }
-            doubtful.into_iter().for_each(|cell| self.divide(cell));
+            doubtful.into_iter().for_each(|cell| self.settle(cell, oracle));
         }
         Ok(Way::Undecided)
+    }
+
+    /// The width that no opening on the way from start to goal can reach, m, as far as the cells tell: every chain has a cell
+    /// that is not free, and in such a cell something forbidden is nearer than its diagonal.
+    pub fn narrowest_opening(&self, ends: [&Point; 2]) -> f64 {
+        let ends = ends.map(|end| self.cell_at(end));
+        let mut widths: Vec<f64> = self.leaves().map(|leaf| self.opening(leaf)).collect();
+        widths.sort_by(f64::total_cmp);
+        widths.dedup();
+        let joined = |width: f64| self.reached(ends[0], &|cell| self.opening(cell) >= width)[ends[1] as usize];
+        let narrow = widths.partition_point(|&width| joined(width));
+        widths[narrow.saturating_sub(1)]
+    }
+
+    /// Twice the diagonal of a cell; infinite if it is free, zero if it is closed.
+    fn opening(&self, cell: u32) -> f64 {
+        match self.cells[cell as usize].kind {
+            Kind::Free => f64::INFINITY,
+            Kind::Open | Kind::TooSmall => 4.0 * self.span(cell).half.norm(),
+            Kind::Closed(_) | Kind::Divided(_) => 0.0,
+        }
+    }
+
+    /// The undivided cells.
+    pub fn leaves(&self) -> impl Iterator<Item = u32> {
+        let divided = |cell: &Cell| matches!(cell.kind, Kind::Divided(_));
+        self.cells.iter().enumerate().filter(move |(_, cell)| !divided(cell)).map(|(index, _)| index as u32)
+    }
+
+    /// What is known of a cell.
+    pub fn kind(&self, cell: u32) -> Kind {
+        self.cells[cell as usize].kind
+    }
+
+    /// For each cell, whether it can be reached from one through touching cells, all of them passable.
+    pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Vec<bool> {
+        let mut reached = vec![false; self.cells.len()];
+        let mut waiting = Vec::from_iter(Some(from).filter(|&from| passable(from)));
+        while let Some(cell) = waiting.pop() {
+            if std::mem::replace(&mut reached[cell as usize], true) {
+                continue;
+            }
+            let seen = &reached;
+            self.touching(cell, &mut |other| {
+                if !seen[other as usize] && passable(other) {
+                    waiting.push(other);
+                }
+            });
+        }
+        reached
+    }
+
+    /// Visits the undivided cells that touch a cell, itself included.
+    pub fn touching(&self, cell: u32, visit: &mut dyn FnMut(u32)) {
+        let mut waiting = vec![0];
+        while let Some(at) = waiting.pop() {
+            let other = &self.cells[at as usize];
+            if !other.touches(&self.cells[cell as usize]) {
+                continue;
+            }
+            match other.kind {
+                Kind::Divided(first) => waiting.extend(first..first + 8),
+                _ => visit(at),
+            }
+        }
+    }
+
+    /// Divides the open cells that can be reached from a position until they are as small as `level` halvings of the box make
+    /// them, or there are `most` cells.
+    pub fn refine(&mut self, from: &Point, level: u8, most: usize, oracle: &dyn Oracle) {
+        loop {
+            let from = self.cell_at(from);
+            let reached = self.reached(from, &|cell| self.kind(cell).passable());
+            let coarse = |cell: &u32| {
+                let Cell { kind, level: own, .. } = self.cells[*cell as usize];
+                reached[*cell as usize] && kind == Kind::Open && own < level
+            };
+            let coarse: Vec<u32> = self.leaves().filter(coarse).collect();
+            if coarse.is_empty() || self.cells.len() >= most {
+                return;
+            }
+            coarse.into_iter().for_each(|cell| self.divide(cell, oracle));
+        }
     }
 
     /// Start, the centres of the contacts between consecutive cells, goal: between two of these points the path stays
     /// in one cell.
     fn places(&self, chain: &[u32], start: &Point, goal: &Point) -> Vec<Point> {
         let contact = |pair: &[u32]| {
-            let [(a, b), (c, d)] = [self.bounds(pair[0]), self.bounds(pair[1])];
-            nalgebra::center(&a.sup(&c), &b.inf(&d))
+            let [a, b] = [self.span(pair[0]), self.span(pair[1])];
+            nalgebra::center(&a.low.sup(&b.low), &a.high.inf(&b.high))
         };
         std::iter::once(*start).chain(chain.windows(2).map(contact)).chain([*goal]).collect()
     }
 
-    /// Smallest and largest coordinates of a cell, m; equal where cells touch.
-    fn bounds(&self, cell: u32) -> (Point, Point) {
+    /// The box of a cell; coordinates are equal where cells touch.
+    pub fn span(&self, cell: u32) -> Cuboid {
         let cell = &self.cells[cell as usize];
         let at =
             |axis: usize, steps: u32| self.low[axis] + self.size[axis] * (f64::from(steps) / f64::from(1 << LEVELS));
         let corner = |steps: u32| Point::from(Vector::from_fn(|axis, _| at(axis, cell.low[axis] + steps)));
-        (corner(0), corner(cell.span()))
+        Cuboid::new(corner(0), corner(cell.steps()))
     }
 
     /// The undivided cell that contains a position.
-    fn cell_at(&self, place: &Point) -> u32 {
+    pub fn cell_at(&self, place: &Point) -> u32 {
         let mut at = 0;
         while let Kind::Divided(first) = self.cells[at as usize].kind {
-            let middle = self.bounds(first).1;
+            let middle = self.span(first).high;
             at = first + (0..3).map(|axis| u32::from(place[axis] >= middle[axis]) << axis).sum::<u32>();
         }
         at
     }
 
-    /// Divides a cell into eight, or closes it if it is too small.
-    fn divide(&mut self, cell: u32) {
-        let first = self.cells.len() as u32;
-        let parent = &mut self.cells[cell as usize];
-        let (low, level) = (parent.low, parent.level + 1);
-        let (near, beside) = (std::mem::take(&mut parent.near), std::mem::take(&mut parent.beside));
-        parent.kind = if level > LEVELS { Kind::Closed } else { Kind::Divided(first) };
+    /// Closes a cell by a bound, or else divides it into eight.
+    fn settle(&mut self, cell: u32, oracle: &dyn Oracle) {
+        match oracle.closed_by_bound(&self.span(cell)) {
+            Some(condition) => {
+                self.withdraw(cell, Kind::Closed(Closed::Bound(condition)));
+            }
+            None if self.cells[cell as usize].level == self.finest => {
+                self.at_the_limit = true;
+                self.withdraw(cell, Kind::TooSmall);
+            }
+            None => self.divide(cell, oracle),
+        }
+    }
+
+    /// Gives a cell a kind that is not passable; returns the cells that touched it.
+    fn withdraw(&mut self, cell: u32, kind: Kind) -> Vec<u32> {
+        self.cells[cell as usize].kind = kind;
+        let beside = std::mem::take(&mut self.cells[cell as usize].beside);
         for &other in &beside {
             self.cells[other as usize].beside.retain(|&at| at != cell);
         }
-        if level > LEVELS {
-            self.at_the_limit = true;
-            return;
-        }
+        beside
+    }
+
+    fn divide(&mut self, cell: u32, oracle: &dyn Oracle) {
+        let first = self.cells.len() as u32;
+        let beside = self.withdraw(cell, Kind::Divided(first));
+        let parent = &mut self.cells[cell as usize];
+        let (low, level, near) = (parent.low, parent.level + 1, std::mem::take(&mut parent.near));
         for part in 0..8 {
             let low = std::array::from_fn(|axis| low[axis] + ((part >> axis & 1) << (LEVELS - level)));
-            self.cells.push(Cell {
-                low,
-                level,
-                kind: Kind::Open,
-                center: Point::origin(),
-                near: Vec::new(),
-                beside: Vec::new(),
-            });
+            let (center, near_new, beside_new) = (Point::origin(), Vec::new(), Vec::new());
+            self.cells.push(Cell { low, level, kind: Kind::Open, center, near: near_new, beside: beside_new });
             let new = first + part;
-            self.classify(new, &near);
+            self.classify(new, &near, oracle);
             self.connect(new, beside.iter().copied().chain(first..new));
         }
     }
 
     /// Classifies a new cell, given the pieces that may reach into it.
-    fn classify(&mut self, new: u32, candidates: &[u32]) {
-        let (low, high) = self.bounds(new);
-        let (center, half) = (nalgebra::center(&low, &high), (high - low) * 0.5);
-        let above = |plane: &HalfSpace| plane.height(&center) - plane.normal.abs().dot(&half) >= 0.0;
-        let below = |plane: &HalfSpace| plane.height(&center) + plane.normal.abs().dot(&half) < 0.0;
+    fn classify(&mut self, new: u32, candidates: &[u32], oracle: &dyn Oracle) {
+        let span = self.span(new);
         let piece = |index: &u32| &self.pieces[*index as usize];
-        let reaches = |index: &u32| !piece(index).outer.iter().any(above);
+        let reaches = |index: &u32| oracle.reaches(piece(index), &span);
         let near: Vec<u32> = candidates.iter().copied().filter(reaches).collect();
-        let closed = near.iter().any(|index| piece(index).certain.as_ref().is_some_and(|all| all.iter().all(below)));
+        let closed = near.iter().find(|index| oracle.closes(**index, piece(index), &span)).copied();
         let cell = &mut self.cells[new as usize];
-        cell.center = center;
+        cell.center = span.center;
         cell.kind = match closed {
-            true => Kind::Closed,
-            false if near.is_empty() => Kind::Free,
-            false => Kind::Open,
+            Some(piece) => Kind::Closed(Closed::Piece(piece)),
+            None if near.is_empty() => Kind::Free,
+            None => Kind::Open,
         };
-        if !closed {
+        if closed.is_none() {
             cell.near = near;
         }
     }
@@ -244,12 +389,12 @@ impl Decomposition {
 
 impl Cell {
     /// Length of its sides, in units of the smallest cells.
-    fn span(&self) -> u32 {
+    fn steps(&self) -> u32 {
         1 << (LEVELS - self.level)
     }
 
     fn touches(&self, other: &Cell) -> bool {
-        let reaches = |a: &Cell, b: &Cell, axis: usize| a.low[axis] + a.span() >= b.low[axis];
+        let reaches = |a: &Cell, b: &Cell, axis: usize| a.low[axis] + a.steps() >= b.low[axis];
         (0..3).all(|axis| reaches(self, other, axis) && reaches(other, self, axis))
     }
 }

@@ -3,6 +3,7 @@
 mod cell;
 pub(crate) mod clip;
 pub(crate) mod convex_parts;
+mod cuboid;
 pub mod features;
 pub mod gjk;
 pub(crate) mod half_space;
@@ -25,6 +26,7 @@ mod wrap;
 
 pub use clip::{convex_mesh, wedge_mesh};
 pub use convex_parts::{ConvexParts, convex_parts};
+pub use cuboid::Cuboid;
 pub use gjk::{Proximity, distance, proximity};
 pub use half_space::HalfSpace;
 pub use mesh::TriangleMesh;

@@ -25,6 +25,7 @@ pub mod numerics;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
+pub mod proof;
 pub mod proposal;
 pub mod regions;
 pub mod survey;

@@ -372,3 +372,16 @@ pub const WORDS_PER_TRIANGLE: usize = 16;
 
 /// Maximum number of connected pieces of a mesh: more indicate a mesh that is not welded.
 pub const MOST_PIECES: usize = 5_000;
+
+/// Gap that a path has to keep for a proof that there is no path to rule it out, m: touching is free, so slits without
+/// width remain between bodies that abut.
+pub const PROOF_MARGIN: f64 = 1e-6;
+
+/// Share of the margin by which a proof may use it up; the rest is for rounding.
+pub const PROOF_MARGIN_USED: f64 = 0.99;
+
+/// Paths may touch anything this near to a start or goal that touches something, m.
+pub const TOUCHING_END: f64 = 1e-3;
+
+/// Cells that a proof may visit.
+pub const PROOF_EFFORT: usize = 3_000_000;

@@ -66,6 +66,19 @@ pub fn hard3() -> Scene {
     scene(paper_scene("hard3", pillars))
 }
 
+/// The paper's platform on its four upper cables, and a wall across the workspace, 0.9 m high and 0.1 m thick. Over the wall
+/// the centre of the platform is between 0.925 m and 0.025 m below the ceiling.
+pub fn walled(ceiling: f64) -> SceneSpec {
+    let mut robot = paper_robot();
+    robot.cables.drain(..4);
+    SceneSpec {
+        robot: RobotSource::Inline(robot),
+        workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, ceiling] },
+        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 0.3]), orientation: None }),
+        ..paper_scene("walled", vec![block("wall", [0.1, 2.0, 0.9], [1.0, 1.0, 0.45])])
+    }
+}
+
 /// No obstacles.
 pub fn empty() -> Scene {
     scene(paper_scene("empty", Vec::new()))

@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::choices;
 use crate::conditions::{Conditions, Interference, Piece, Polyhedron};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Cuboid, Point};
 use crate::watch::Watch;
 
 /// The collision engines.
@@ -86,6 +86,11 @@ pub trait Checker: Validity + Send {
     /// [`Error::interrupted`], [`Error::out_of_time`].
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
         self.conditions().pieces(watch)
+    }
+
+    /// Whether a bound shows that what the engine checks besides the list (wrenches) forbids all positions of a box.
+    fn forbids_all(&self, _: &Cuboid) -> bool {
+        false
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it

@@ -13,7 +13,7 @@ use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
 use crate::geometry::segment_segment::{self, SegmentPair};
-use crate::geometry::{Aabb, HalfSpace, Point, Triangle, TriangleMesh, Vector, wedge_mesh};
+use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Triangle, TriangleMesh, Vector, wedge_mesh};
 use crate::model::{Member, Scene};
 use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 use crate::watch::Watch;
@@ -317,6 +317,17 @@ impl PhysicalCondition for CableCable {
                 shape_distance(&first, &second).distance - self.radii
             }
         })
+    }
+
+    /// The vector between the points that are nearest to each other at the centre is a linear function of the position.
+    fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
+        let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
+        if distance > self.gap + margin {
+            return false;
+        }
+        let u = self.u(&positions.center);
+        let between = u * s - (self.w + (u + self.q - self.w) * r);
+        (between.abs() + positions.half * (s - r).abs()).norm() <= self.gap + margin
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale};
 use crate::error::Error;
-use crate::geometry::{HalfSpace, Point, Vector, segment_segment};
+use crate::geometry::{Cuboid, HalfSpace, Point, Vector, segment_segment};
 use crate::model::{Member, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
 use crate::watch::Watch;
@@ -67,9 +67,21 @@ impl PhysicalCondition for CableLength {
         Some(self.room(bodies, from, to))
     }
 
+    fn forbids_all(&self, bodies: &Bodies, positions: &Cuboid, margin: f64) -> bool {
+        let cable = &bodies.cables[self.cable];
+        let center = cable.outlet - cable.arm;
+        let longest = (positions.center - center).abs() + positions.half;
+        let shortest = positions.nearest_to(&center) - center;
+        longest.norm() <= self.min + margin || shortest.norm() >= self.max - margin
+    }
+
     #[inline]
     fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
         self.room(bodies, from, to) < -TOUCH_DEPTH
+    }
+
+    fn exceeds_pieces(&self) -> bool {
+        self.max.is_finite()
     }
 
     /// Too short: inside a ball, which a cube contains. Too long: outside another ball, which no polyhedron contains.

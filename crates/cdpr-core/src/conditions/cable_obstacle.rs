@@ -94,6 +94,10 @@ impl PhysicalCondition for CableObstacle {
         Some(&mut self.body)
     }
 
+    fn obstacles(&self, bodies: &Bodies) -> Vec<usize> {
+        bodies.obstacles[self.body].between.to_vec()
+    }
+
     fn closes_seam(&self, bodies: &Bodies) -> bool {
         bodies.obstacles[self.body].seam.is_some()
     }
@@ -128,10 +132,18 @@ impl PhysicalCondition for CableObstacle {
     }
 
     fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
-        if self.demand.ends_on_body() {
+        if self.ends_on_body() {
             return f64::NEG_INFINITY;
         }
         self.distance(bodies, position, position) - self.required(bodies)
+    }
+
+    fn is_rounded(&self) -> bool {
+        self.demand.distance().is_some()
+    }
+
+    fn ends_on_body(&self) -> bool {
+        self.demand.ends_on_body()
     }
 
     #[inline]

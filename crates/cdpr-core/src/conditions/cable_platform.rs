@@ -118,10 +118,18 @@ impl PhysicalCondition for CablePlatform {
     }
 
     fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
-        if self.demand.ends_on_body() {
+        if self.ends_on_body() {
             return f64::NEG_INFINITY;
         }
         self.distance(bodies, position, position) - self.required(bodies)
+    }
+
+    fn is_rounded(&self) -> bool {
+        self.demand.distance().is_some()
+    }
+
+    fn ends_on_body(&self) -> bool {
+        self.demand.ends_on_body()
     }
 
     #[inline]

@@ -8,7 +8,7 @@ use super::fattened::Fattened;
 use super::region::{Forbidden, Region, Scale};
 use crate::choices;
 use crate::error::Error;
-use crate::geometry::{Aabb, HalfSpace, Point, TriangleMesh, Vector, convex_mesh};
+use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, TriangleMesh, Vector, convex_mesh};
 use crate::model::{Member, Scene};
 use crate::watch::Watch;
 use crate::words::{length, small_length};
@@ -92,6 +92,11 @@ pub trait PhysicalCondition {
         None
     }
 
+    /// The obstacles that it is about, as indices into [`crate::model::Scene::obstacles`]; two for the seam between them.
+    fn obstacles(&self, _: &Bodies) -> Vec<usize> {
+        Vec::new()
+    }
+
     /// Whether its body closes a seam between parts.
     fn closes_seam(&self, _: &Bodies) -> bool {
         false
@@ -132,8 +137,40 @@ pub trait PhysicalCondition {
         self.distance(bodies, position, position) - self.required(bodies)
     }
 
+    /// Whether every position of a box certainly is within `margin`, m, of one that breaks it. A bound: false proves nothing.
+    ///
+    /// The default is for conditions whose forbidden positions are convex, and so are those within a distance of them: the
+    /// corners of the box decide.
+    fn forbids_all(&self, bodies: &Bodies, positions: &Cuboid, margin: f64) -> bool {
+        let forbidden = |position: &Point| {
+            let slack = self.slack(bodies, position);
+            slack.is_finite() && slack <= margin
+        };
+        forbidden(&positions.center) && positions.corners().iter().all(forbidden)
+    }
+
+    /// Whether every position of a box certainly keeps it. A bound: false proves nothing.
+    fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
+        self.slack(bodies, &positions.center) >= positions.half.norm()
+    }
+
     /// Whether a motion breaks it, by GJK or in closed form.
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool;
+
+    /// Whether it keeps more than contact, so that the positions it forbids have rounded edges and corners.
+    fn is_rounded(&self) -> bool {
+        false
+    }
+
+    /// Whether a cable ends on the body that it must not enter: no distance then says how far it is from entering it.
+    fn ends_on_body(&self) -> bool {
+        false
+    }
+
+    /// Whether it forbids positions outside of all its pieces.
+    fn exceeds_pieces(&self) -> bool {
+        self.regions_are_loose()
+    }
 
     /// Whether motions outside all its regions can break it.
     fn exceeds_regions(&self, _: Interference) -> bool {

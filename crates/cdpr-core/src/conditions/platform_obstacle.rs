@@ -77,6 +77,10 @@ impl PhysicalCondition for PlatformObstacle {
         Some(&mut self.body)
     }
 
+    fn obstacles(&self, bodies: &Bodies) -> Vec<usize> {
+        bodies.obstacles[self.body].between.to_vec()
+    }
+
     fn closes_seam(&self, bodies: &Bodies) -> bool {
         bodies.obstacles[self.body].seam.is_some()
     }
@@ -98,6 +102,10 @@ impl PhysicalCondition for PlatformObstacle {
         let swept = bodies.platform[self.part].aabb().swept(&from.coords, &to.coords);
         let apart = swept.distance(bodies.obstacles[self.body].body.aabb());
         if apart > 0.0 { apart } else { f64::NEG_INFINITY }
+    }
+
+    fn is_rounded(&self) -> bool {
+        self.gap > 0.0
     }
 
     #[inline]

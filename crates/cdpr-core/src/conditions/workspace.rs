@@ -6,7 +6,7 @@ use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Cuboid, Point, Vector};
 use crate::model::{Member, Scene};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
@@ -75,6 +75,11 @@ impl PhysicalCondition for Workspace {
 
     fn worst_distance(&self, _: &Bodies, _: Interference, from: &Point, to: &Point) -> Option<f64> {
         Some(self.room(from, to))
+    }
+
+    /// Never: boxes are inside the box of positions.
+    fn forbids_all(&self, _: &Bodies, _: &Cuboid, _: f64) -> bool {
+        false
     }
 
     #[inline]

@@ -3,7 +3,7 @@
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Cuboid, Point};
 use crate::watch::Watch;
 
 /// A geometric engine combined with the wrench constraint.
@@ -42,6 +42,10 @@ impl Checker for WrenchChecker {
 
     fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
         self.geometry.pieces(watch)
+    }
+
+    fn forbids_all(&self, positions: &Cuboid) -> bool {
+        self.geometry.forbids_all(positions) || self.wrench.forbids_all(positions)
     }
 
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {

@@ -7,7 +7,7 @@ use super::statics::{Loads, Statics};
 use super::{CapacityMargin, Required};
 use crate::collision::{Conditions, Kind, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Cuboid, Point};
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
 use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
@@ -124,6 +124,12 @@ impl WrenchConstraint {
             Rule::Certified => self.measures.iter().all(|measure| certified(measure, from, to)),
             Rule::Grid(cells) => cells.first_infeasible(from, to).is_none(),
         }
+    }
+
+    /// Whether a bound shows that all positions of a box lack a required wrench; never by the rule of cells, which may accept such
+    /// positions.
+    pub fn forbids_all(&self, positions: &Cuboid) -> bool {
+        matches!(self.rule, Rule::Certified) && self.measures.iter().any(|measure| measure.lacks_all(positions))
     }
 
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.

@@ -6,7 +6,7 @@ use nalgebra::Vector6;
 use super::capacity::CapacityMargin;
 use super::margins::{BindingFacet, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
-use crate::geometry::Point;
+use crate::geometry::{Cuboid, Point};
 use crate::numerics::SLACK_RELATIVE;
 use crate::numerics::simd::WIDTH;
 
@@ -95,6 +95,29 @@ impl Measure {
             Measure::Force(..) => 1.0,
             Measure::Moment(..) => cable.arm.norm(),
         }
+    }
+
+    /// Whether the facet that limits most at the centre of a box shows that the slack is negative everywhere in it.
+    ///
+    /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
+    /// argument. In the box u turns by at most the angle whose sine is half the diagonal over the cable's length at the centre.
+    pub fn lacks_all(&self, positions: &Cuboid) -> bool {
+        let Some(BindingFacet { margin, normal }) = self.limit(&positions.center) else { return false };
+        let statics = self.statics();
+        let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
+        let gain = |cable: &StaticCable| {
+            let line = cable.outlet - (positions.center + cable.arm);
+            let (length, weight) = (line.norm(), force + moment.cross(&cable.arm));
+            let (along, most) = (weight.dot(&line) / length, weight.norm());
+            let across = (most * most - along * along).max(0.0).sqrt();
+            let sine = positions.half.norm() / length;
+            let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+            // Beyond the angle between u and q the largest value is |q|.
+            let highest = if !(sine < 1.0) || along >= most * cosine { most } else { along * cosine + across * sine };
+            let pull = |along: f64| (cable.tension[0] * along).max(cable.tension[1] * along);
+            pull(highest) - pull(along)
+        };
+        margin + statics.cables().iter().map(gain).sum::<f64>() < -self.floor()
     }
 
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].

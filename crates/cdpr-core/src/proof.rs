@@ -1,0 +1,153 @@
+//! Decides whether there is a path at all: a path, a proof that there is none, or neither.
+//!
+//! A cell decomposition divides the box of positions until a chain of free cells connects start and goal, or closed cells
+//! separate them. A cell is closed if every position in it is within [`PROOF_MARGIN`] of a forbidden one, by one condition:
+//! either the cell is inside a convex polyhedron of such positions, or a bound over the cell says so. Closed cells that
+//! separate start and goal prove that **no path keeps a gap of more than the margin**. Without the margin little could be
+//! proved: touching is allowed, so bodies that abut leave slits without width.
+//!
+//! # Sources
+//! J. Basch, L. J. Guibas, D. Hsu and A. T. Nguyen, "Disconnection proofs for motion planning", ICRA 2001; L. Zhang,
+//! Y. J. Kim and D. Manocha, "A simple path non-existence algorithm using C-obstacle query", WAFR 2006.
+
+mod blocking;
+mod regions;
+mod tiling;
+
+pub use tiling::{Content, ProofBox, ProofRegion};
+
+use crate::collision::{Checker, Piece};
+use crate::decomposition::{Decomposition, Kind, Taste, Way};
+use crate::error::Error;
+use crate::geometry::{Cuboid, Point};
+use crate::numerics::{PROOF_EFFORT, PROOF_MARGIN};
+use crate::watch::Watch;
+use regions::Regions;
+use tiling::tiling;
+
+/// The answer to whether there is a path.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Answer {
+    /// A path, m, not shortened.
+    Path(Vec<Point>),
+    /// There is none.
+    NoPath(Box<Proof>),
+    /// Undecided: effort or time ran out. Every path passes an opening narrower than this, m.
+    OpeningBelow(f64),
+}
+
+/// A proof that no path keeps a gap of more than `margin`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Proof {
+    /// The gap, m.
+    pub margin: f64,
+    /// Start, m.
+    pub start: Point,
+    /// Goal, m.
+    pub goal: Point,
+    /// The box of positions.
+    pub bounds: Cuboid,
+    /// Convex polyhedra of positions that are forbidden, or within the margin of such.
+    pub regions: Vec<ProofRegion>,
+    /// Boxes that tile the box of positions. Open ones do not connect start and goal.
+    pub boxes: Vec<ProofBox>,
+    /// The conditions that close the way, a set from which none can be left out: indices into the engine's list; wrenches have
+    /// the index after the last.
+    pub conditions: Vec<usize>,
+    /// The obstacles that close the way, a set from which none can be left out: indices into [`crate::model::Scene::obstacles`].
+    pub blocking: Vec<usize>,
+    /// Volume of the free boxes that are connected with the start, m³.
+    pub reachable_volume: f64,
+    /// The position in these boxes that is nearest to the goal, m; the start if there are none.
+    pub nearest_to_goal: Point,
+}
+
+/// Prefers wide passages, and visits few cells.
+const TASTE: Taste = Taste { level: 5, haste: 2.0 };
+
+/// Halvings of the box after which what can be reached is measured, and cells that this may take.
+const REACH_LEVEL: u8 = 5;
+const REACH_CELLS: usize = 50_000;
+
+/// Decides whether there is a path from start to goal, both valid positions.
+///
+/// # Errors
+/// [`Error::interrupted`]; [`Error::out_of_time`] if time runs out before the scene's polyhedra are ready.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::{CspaceEngine, Interference};
+/// use cdpr_core::proof::{Answer, decide};
+/// use cdpr_core::testing::{scene, walled};
+/// use cdpr_core::watch::Watch;
+/// let scene = scene(walled(0.94)); // the platform needs 0.95 m to pass over the wall
+/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+/// let answer = decide(&engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
+/// let Answer::NoPath(proof) = answer else { panic!("there is no path") };
+/// assert_eq!(proof.blocking, [0]); // the first obstacle
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn decide(checker: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<Answer, Error> {
+    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, [start, goal]);
+    Ok(match search.run(watch)? {
+        Way::Path(path) => Answer::Path(path),
+        Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening([start, goal])),
+        Way::None => Answer::NoPath(Box::new(search.proof(watch)?)),
+    })
+}
+
+/// A decomposition for some of the pieces of an engine.
+struct Search<'a> {
+    checker: &'a dyn Checker,
+    ends: [&'a Point; 2],
+    regions: Regions<'a>,
+    cells: Decomposition,
+}
+
+impl<'a> Search<'a> {
+    /// A search that knows these pieces, and of conditions without pieces those that `known` names by their index.
+    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, known: &dyn Fn(usize) -> bool, ends: [&'a Point; 2]) -> Self {
+        let (low, high) = checker.conditions().position_box();
+        let regions = Regions::new(checker, &pieces, known).with_end(&pieces, ends[0]).with_end(&pieces, ends[1]);
+        let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
+        Search { checker, ends, regions, cells }
+    }
+
+    fn run(&mut self, watch: &Watch) -> Result<Way, Error> {
+        self.cells.way(self.ends, &self.regions, TASTE, PROOF_EFFORT, watch)
+    }
+
+    /// The proof of a search that found no way.
+    fn proof(mut self, watch: &Watch) -> Result<Proof, Error> {
+        let blocking::Smaller { search, conditions, blocking } = blocking::smallest(&self, watch)?;
+        let (regions, boxes) = tiling(&search.cells, &search.regions);
+        let (reachable_volume, nearest_to_goal) = self.reachable();
+        let (low, high) = self.checker.conditions().position_box();
+        Ok(Proof {
+            margin: PROOF_MARGIN,
+            start: *self.ends[0],
+            goal: *self.ends[1],
+            bounds: Cuboid::new(low, high),
+            regions,
+            boxes,
+            conditions,
+            blocking,
+            reachable_volume,
+            nearest_to_goal,
+        })
+    }
+
+    /// The volume of the free cells that are connected with the start, and their point nearest to the goal.
+    fn reachable(&mut self) -> (f64, Point) {
+        let [start, goal] = self.ends;
+        self.cells.refine(start, REACH_LEVEL, REACH_CELLS, &self.regions);
+        let cells = &self.cells;
+        let reached = cells.reached(cells.cell_at(start), &|cell| cells.kind(cell).passable());
+        let free = |cell: &u32| reached[*cell as usize] && cells.kind(*cell) == Kind::Free;
+        let free: Vec<Cuboid> = cells.leaves().filter(free).map(|cell| cells.span(cell)).collect();
+        let nearest = free.iter().map(|cell| cell.nearest_to(goal)).chain([*start]);
+        let distance = |place: &Point| (place - goal).norm();
+        let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the start is among them");
+        (free.iter().map(Cuboid::volume).sum(), nearest)
+    }
+}

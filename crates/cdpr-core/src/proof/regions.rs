@@ -1,0 +1,153 @@
+//! What a proof may call forbidden: positions within the margin of a forbidden one.
+
+use std::sync::OnceLock;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::collision::{Checker, Conditions, Piece};
+use crate::conditions::PhysicalCondition;
+use crate::decomposition::Oracle;
+use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
+use crate::numerics::{PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCHING_END};
+
+/// How far regions and bounds reach beyond what is forbidden, m.
+const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
+/// Attempts to widen a polyhedron with sharp corners.
+const ATTEMPTS: usize = 4;
+
+/// Decides which cells are closed.
+pub struct Regions<'a> {
+    checker: &'a dyn Checker,
+    /// Whether all conditions of the engine are known, so that it can judge motions.
+    complete: bool,
+    bounds: Cuboid,
+    /// Error of a height over a plane, m.
+    rounding: f64,
+    /// For each piece its region, once it is needed; `None` if it has none.
+    regions: Vec<OnceLock<Option<Vec<HalfSpace>>>>,
+    /// Conditions whose forbidden positions no piece describes.
+    without_piece: Vec<usize>,
+    /// Cells that touch these are not closed.
+    kept_open: Vec<Cuboid>,
+}
+
+impl<'a> Regions<'a> {
+    /// The regions of these pieces of an engine, and of those conditions without pieces that `known` names by their index.
+    pub fn new(checker: &'a dyn Checker, pieces: &[Piece], known: &dyn Fn(usize) -> bool) -> Self {
+        let conditions = checker.conditions();
+        let (low, high) = conditions.position_box();
+        let mut has_piece = vec![false; conditions.list.len()];
+        pieces.iter().for_each(|piece| has_piece[piece.condition] = true);
+        let loose =
+            |index: &usize| known(*index) && (!has_piece[*index] || conditions.list[*index].details().exceeds_pieces());
+        Regions {
+            checker,
+            complete: (0..conditions.list.len()).all(known),
+            bounds: Cuboid::new(low, high),
+            rounding: ROUNDING * (low.coords.abs().sup(&high.coords.abs()).norm() + 1.0) + 1e-12,
+            regions: pieces.iter().map(|_| OnceLock::new()).collect(),
+            without_piece: (1..conditions.list.len()).filter(loose).collect(),
+            kept_open: Vec::new(),
+        }
+    }
+
+    /// Keeps the surroundings of an end open if it touches something.
+    pub fn with_end(mut self, pieces: &[Piece], end: &Point) -> Self {
+        let at_end = Cuboid::new(*end, *end);
+        let touches = |(index, piece): (usize, &Piece)| self.closes(index as u32, piece, &at_end);
+        if pieces.iter().enumerate().any(touches) || self.closed_by_bound(&at_end).is_some() {
+            let around = Vector::repeat(TOUCHING_END);
+            self.kept_open.push(Cuboid::new(end - around, end + around));
+        }
+        self
+    }
+
+    /// The polyhedron of a piece in which all positions are within the margin of forbidden ones.
+    fn region(&self, index: u32, piece: &Piece) -> Option<&[HalfSpace]> {
+        let region = self.regions[index as usize].get_or_init(|| self.widened(piece));
+        region.as_deref()
+    }
+
+    /// The region of a piece, if it holds a cell.
+    pub fn holding(&self, index: u32, piece: &Piece, cell: &Cuboid) -> Option<&[HalfSpace]> {
+        let inside = |planes: &[HalfSpace], by: f64| planes.iter().all(|plane| cell.highest(plane) < by);
+        piece.certain.as_ref().filter(|certain| inside(certain, REACH))?;
+        self.region(index, piece).filter(|planes| inside(planes, -self.rounding))
+    }
+
+    /// The polyhedron of certainly forbidden positions, widened as far as its corners stay within the margin.
+    fn widened(&self, piece: &Piece) -> Option<Vec<HalfSpace>> {
+        let certain = piece.certain.as_ref()?;
+        let Conditions { bodies, list, .. } = self.checker.conditions();
+        let condition = list[piece.condition].details();
+        let widened = |by: f64| -> Vec<HalfSpace> { certain.iter().map(|plane| plane.widened(by)).collect() };
+        if condition.ends_on_body() {
+            return Some(widened(REACH / mitre(certain)));
+        }
+        let within = Aabb { min: self.bounds.low, max: self.bounds.high };
+        let mut by = REACH;
+        for _ in 0..ATTEMPTS {
+            let region = widened(by);
+            let Some(body) = convex_mesh(&region, &within) else { return Some(certain.clone()) };
+            let reach = |corner: &Point| condition.slack(bodies, corner);
+            let reach = body.vertices.iter().map(reach).fold(f64::NEG_INFINITY, f64::max);
+            if reach <= REACH {
+                return Some(region);
+            }
+            by *= (PROOF_MARGIN_USED * REACH / reach).min(0.5);
+        }
+        Some(certain.clone())
+    }
+
+    fn condition(&self, piece: &Piece) -> &dyn PhysicalCondition {
+        self.checker.conditions().list[piece.condition].details()
+    }
+
+    /// Whether a cell touches the surroundings of an end that must stay open.
+    fn is_kept_open(&self, cell: &Cuboid) -> bool {
+        self.kept_open.iter().any(|around| around.touches(cell))
+    }
+}
+
+/// Distance by which the corner of a cone moves if its planes move outward by 1; infinite if they are dependent.
+fn mitre(planes: &[HalfSpace]) -> f64 {
+    let normals = DMatrix::from_fn(planes.len(), 3, |row, axis| planes[row].normal[axis]);
+    let ones = DVector::from_element(planes.len(), 1.0);
+    let shift = normals.clone().pseudo_inverse(1e-6).map(|inverse| inverse * &ones);
+    match shift {
+        Ok(shift) if (&normals * &shift - &ones).norm() < 1e-9 => shift.norm().max(1.0),
+        _ => f64::INFINITY,
+    }
+}
+
+impl Oracle for Regions<'_> {
+    fn free(&self, from: &Point, to: &Point) -> bool {
+        !self.complete || self.checker.motion_valid(from, to)
+    }
+
+    fn reaches(&self, piece: &Piece, cell: &Cuboid) -> bool {
+        let outside = piece.outer.iter().any(|plane| cell.lowest(plane) >= 0.0);
+        let allowed = || self.condition(piece).allows_all(&self.checker.conditions().bodies, cell);
+        !outside && (piece.certain.is_some() || !allowed())
+    }
+
+    fn closes(&self, index: u32, piece: &Piece, cell: &Cuboid) -> bool {
+        let bound = piece.certain.is_none() || self.condition(piece).is_rounded();
+        let closed = self.holding(index, piece, cell).is_some() || bound && self.forbids_all(piece.condition, cell);
+        closed && !self.is_kept_open(cell)
+    }
+
+    fn closed_by_bound(&self, cell: &Cuboid) -> Option<u32> {
+        let found = self.without_piece.iter().copied().find(|&index| self.forbids_all(index, cell));
+        let besides = || self.checker.forbids_all(cell).then_some(self.checker.conditions().list.len());
+        found.or_else(besides).filter(|_| !self.is_kept_open(cell)).map(|index| index as u32)
+    }
+}
+
+impl Regions<'_> {
+    /// Whether a bound shows that a condition forbids a whole cell.
+    fn forbids_all(&self, condition: usize, cell: &Cuboid) -> bool {
+        let Conditions { bodies, list, .. } = self.checker.conditions();
+        list[condition].details().forbids_all(bodies, cell, REACH)
+    }
+}

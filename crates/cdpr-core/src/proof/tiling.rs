@@ -1,0 +1,61 @@
+//! The boxes of a finished decomposition, as a proof lists them.
+
+use super::regions::Regions;
+use crate::decomposition::{Closed, Decomposition, Kind};
+use crate::geometry::{Cuboid, HalfSpace};
+
+/// A convex polyhedron of positions within the margin of those that a condition forbids.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProofRegion {
+    /// Index of the condition in the engine's list.
+    pub condition: usize,
+    /// The polyhedron, open.
+    pub half_spaces: Vec<HalfSpace>,
+}
+
+/// A box of positions and what the proof says of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProofBox {
+    /// The box.
+    pub positions: Cuboid,
+    /// Why it is closed, if it is.
+    pub content: Content,
+}
+
+/// Why a box is closed, if it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Content {
+    /// It is open: paths may pass.
+    Open,
+    /// It is inside the region with this index.
+    Region(usize),
+    /// A bound shows that the condition with this index forbids it. Wrenches have the index after the last condition.
+    Bound(usize),
+}
+
+/// The boxes of a decomposition, and the regions that close them.
+pub fn tiling(cells: &Decomposition, regions: &Regions) -> (Vec<ProofRegion>, Vec<ProofBox>) {
+    let mut used: Vec<Option<usize>> = vec![None; cells.pieces().len()];
+    let mut list = Vec::new();
+    let mut content = |kind: Kind, positions: &Cuboid| match kind {
+        Kind::Closed(Closed::Bound(condition)) => Content::Bound(condition as usize),
+        Kind::Closed(Closed::Piece(index)) => {
+            let piece = &cells.pieces()[index as usize];
+            let Some(half_spaces) = regions.holding(index, piece, positions) else {
+                return Content::Bound(piece.condition);
+            };
+            let region = used[index as usize].get_or_insert_with(|| {
+                list.push(ProofRegion { condition: piece.condition, half_spaces: half_spaces.to_vec() });
+                list.len() - 1
+            });
+            Content::Region(*region)
+        }
+        _ => Content::Open,
+    };
+    let boxes = cells.leaves().map(|cell| {
+        let positions = cells.span(cell);
+        ProofBox { positions, content: content(cells.kind(cell), &positions) }
+    });
+    let boxes = boxes.collect();
+    (list, boxes)
+}

@@ -1,0 +1,160 @@
+//! Proofs that there is no path, against planners and known answers.
+
+use cdpr_core::collision::{CspaceEngine, Interference, Validity};
+use cdpr_core::geometry::{Cuboid, Point, Vector};
+use cdpr_core::model::{ClearancesSpec, RobotSource, Scene, SceneSpec, WrenchSpec};
+use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::planning::{Planner, PlannerOptions, Status};
+use cdpr_core::proof::{Answer, Content, Proof, decide};
+use cdpr_core::testing::{block, empty, scene, walled};
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::measures;
+use cdpr_study::{RandomScenes, RandomScenesSpec};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+fn answer(scene: &Scene) -> Answer {
+    let engine = engine_for(scene, Default::default(), Interference::Exact).unwrap();
+    decide(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE).unwrap()
+}
+
+fn proof(spec: SceneSpec) -> Proof {
+    match answer(&scene(spec)) {
+        Answer::NoPath(proof) => *proof,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn is_path(spec: SceneSpec) -> bool {
+    matches!(answer(&scene(spec)), Answer::Path(_))
+}
+
+#[test]
+fn a_wall_closes_the_way_and_is_named() {
+    let mut spec = walled(0.94);
+    spec.obstacles.insert(0, block("aside", [0.1, 0.1, 0.1], [0.5, 0.3, 0.05]));
+    let found = proof(spec);
+    assert_eq!(found.blocking, [1]);
+    // The platform reaches the wall: its centre has x up to 0.875 m of 2 m, y within 0.075 m of the walls.
+    let half = (0.875 - 0.075) * 1.85 * (0.915 - 0.025);
+    assert!(found.reachable_volume > 0.4 * half && found.reachable_volume <= half, "{}", found.reachable_volume);
+    assert!((found.nearest_to_goal.x - 0.875).abs() < 0.07, "{}", found.nearest_to_goal);
+}
+
+#[test]
+fn slits_without_width_are_closed_and_others_are_not() {
+    assert!(is_path(walled(0.96)));
+    assert!(is_path(walled(0.953)));
+    assert_eq!(proof(walled(0.95)).blocking, [0]);
+    assert_eq!(proof(walled(0.9499)).blocking, [0]);
+}
+
+#[test]
+fn boxes_tile_the_positions_and_closed_ones_are_inside_their_regions() {
+    let found = proof(walled(0.94));
+    let volume: f64 = found.boxes.iter().map(|b| b.positions.volume()).sum();
+    assert!((volume / found.bounds.volume() - 1.0).abs() < 1e-9);
+    let mut closed = 0;
+    for b in &found.boxes {
+        if let Content::Region(region) = b.content {
+            let planes = &found.regions[region].half_spaces;
+            assert!(b.positions.corners().iter().all(|corner| planes.iter().all(|plane| plane.height(corner) < 0.0)));
+            closed += 1;
+        }
+    }
+    assert!(closed > 20, "{closed}");
+    let holds = |place: &Point| {
+        let at = Cuboid::new(*place, *place);
+        found.boxes.iter().filter(|b| b.content == Content::Open && b.positions.touches(&at)).count()
+    };
+    assert!(holds(&found.start) > 0 && holds(&found.goal) > 0);
+}
+
+#[test]
+fn answers_agree_with_planners_on_random_scenes() {
+    let (mut paths, mut none) = (0, 0);
+    for count in [3, 6, 10] {
+        let spec: RandomScenesSpec = toml::from_str(&format!("count = {count}")).unwrap();
+        let scenes = RandomScenes::new(empty(), spec).unwrap();
+        for seed in 1000..1030 {
+            let scene = scenes.draw(seed).unwrap();
+            match answer(&scene) {
+                Answer::Path(path) => {
+                    paths += 1;
+                    let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
+                    assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
+                }
+                Answer::NoPath(_) => {
+                    none += 1;
+                    let planner = PlannerOptions::of(Planner::TwoTrees);
+                    let found = plan(&scene, &PlanOptions { planner, ..PlanOptions::default() }, &()).unwrap().result;
+                    assert_ne!(found.status, Status::Solved, "count {count}, seed {seed}");
+                }
+                Answer::OpeningBelow(width) => panic!("count {count}, seed {seed}: undecided below {width} m"),
+            }
+        }
+    }
+    assert!(paths > 20 && none > 20, "{paths} paths, {none} without");
+}
+
+#[test]
+fn a_clearance_closes_the_way() {
+    let kept = |clearance: f64| {
+        let mut spec = walled(1.05);
+        spec.clearances = Some(ClearancesSpec { platform_obstacle: Some(clearance), ..ClearancesSpec::default() });
+        spec
+    };
+    assert!(is_path(kept(0.099)));
+    assert_eq!(proof(kept(0.101)).blocking, [0]);
+}
+
+#[test]
+fn length_limits_close_the_way() {
+    // Where the platform reaches the top of the wall, at x = 0.875 m, two cables are 1.613 m long or less.
+    let limited = |shortest: f64| {
+        let mut spec = walled(2.0);
+        let RobotSource::Inline(robot) = &mut spec.robot else { panic!("inline") };
+        robot.cables.iter_mut().for_each(|cable| cable.length = Some([shortest, 3.0]));
+        spec
+    };
+    assert!(is_path(limited(1.60)));
+    let found = proof(limited(1.63));
+    assert_eq!(found.blocking, [0]);
+    assert!(found.conditions.len() >= 3, "{:?}", found.conditions); // the wall and some cables
+}
+
+#[test]
+fn boxes_that_lack_wrenches_lack_them_everywhere() {
+    let mut spec = empty().spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { panic!("inline") };
+    robot.cables.iter_mut().for_each(|cable| cable.tension = Some([1.0, 60.0]));
+    spec.wrench = Some(WrenchSpec { force: Some(20.0), moment: Some(1.0), ..WrenchSpec::default() });
+    let measures = measures(&scene(spec)).unwrap();
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let mut place =
+        |low: &Point, high: &Point| low + Vector::from_fn(|axis, _| (high[axis] - low[axis]) * rng.random::<f64>());
+    let (low, high) = (Point::new(0.1, 0.1, 0.1), Point::new(1.9, 1.9, 1.9));
+    let mut lacking = 0;
+    for _ in 0..3000 {
+        let (center, size) = (place(&low, &high), place(&Point::origin(), &Point::new(0.05, 0.1, 0.05)));
+        let positions = Cuboid::new(center - size.coords, center + size.coords);
+        if measures[0].lacks_all(&positions) {
+            lacking += 1;
+            assert!(positions.corners().iter().all(|corner| measures[0].slack(corner) < 0.0));
+            assert!((0..5).all(|_| measures[0].slack(&place(&positions.low, &positions.high)) < 0.0));
+        }
+    }
+    assert!(lacking > 300 && lacking < 2900, "{lacking}");
+}
+
+#[test]
+fn an_end_that_touches_something_is_no_obstacle() {
+    let resting = |wall: bool| {
+        let mut spec = walled(if wall { 0.94 } else { 1.2 });
+        spec.obstacles.push(block("table", [0.3, 0.3, 0.4], [0.3, 1.0, 0.2]));
+        spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425]);
+        spec
+    };
+    assert!(is_path(resting(false)));
+    assert_eq!(proof(resting(true)).blocking, [0]);
+}
