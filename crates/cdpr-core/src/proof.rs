@@ -11,9 +11,11 @@
 //! Y. J. Kim and D. Manocha, "A simple path non-existence algorithm using C-obstacle query", WAFR 2006.
 
 mod blocking;
+mod certificate;
 mod regions;
 mod tiling;
 
+pub use certificate::{BoxRow, Certificate, NamedRegion, Reason};
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};

@@ -88,9 +88,10 @@ pub trait Checker: Validity + Send {
         self.conditions().pieces(watch)
     }
 
-    /// Whether a bound shows that what the engine checks besides the list (wrenches) forbids all positions of a box.
-    fn forbids_all(&self, _: &Cuboid) -> bool {
-        false
+    /// A direction [force; moment] in which the cables provide less than required at all positions of a box, if a bound shows
+    /// that there is one.
+    fn lacking_wrench(&self, _: &Cuboid) -> Option<[f64; 6]> {
+        None
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it

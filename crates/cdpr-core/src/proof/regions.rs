@@ -139,7 +139,7 @@ impl Oracle for Regions<'_> {
 
     fn closed_by_bound(&self, cell: &Cuboid) -> Option<u32> {
         let found = self.without_piece.iter().copied().find(|&index| self.forbids_all(index, cell));
-        let besides = || self.checker.forbids_all(cell).then_some(self.checker.conditions().list.len());
+        let besides = || self.checker.lacking_wrench(cell).map(|_| self.checker.conditions().list.len());
         found.or_else(besides).filter(|_| !self.is_kept_open(cell)).map(|index| index as u32)
     }
 }

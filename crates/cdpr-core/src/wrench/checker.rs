@@ -44,8 +44,8 @@ impl Checker for WrenchChecker {
         self.geometry.pieces(watch)
     }
 
-    fn forbids_all(&self, positions: &Cuboid) -> bool {
-        self.geometry.forbids_all(positions) || self.wrench.forbids_all(positions)
+    fn lacking_wrench(&self, positions: &Cuboid) -> Option<[f64; 6]> {
+        self.wrench.lacking(positions)
     }
 
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {

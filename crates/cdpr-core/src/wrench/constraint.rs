@@ -126,10 +126,13 @@ impl WrenchConstraint {
         }
     }
 
-    /// Whether a bound shows that all positions of a box lack a required wrench; never by the rule of cells, which may accept such
-    /// positions.
-    pub fn forbids_all(&self, positions: &Cuboid) -> bool {
-        matches!(self.rule, Rule::Certified) && self.measures.iter().any(|measure| measure.lacks_all(positions))
+    /// A direction [force; moment] in which the cables provide less than required at all positions of a box, if a bound shows
+    /// that there is one. Never by the rule of cells, which may accept such positions.
+    pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
+        match self.rule {
+            Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions)),
+            Rule::Grid(_) => None,
+        }
     }
 
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.

@@ -97,12 +97,13 @@ impl Measure {
         }
     }
 
-    /// Whether the facet that limits most at the centre of a box shows that the slack is negative everywhere in it.
+    /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
+    /// everywhere in the box.
     ///
     /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
     /// argument. In the box u turns by at most the angle whose sine is half the diagonal over the cable's length at the centre.
-    pub fn lacks_all(&self, positions: &Cuboid) -> bool {
-        let Some(BindingFacet { margin, normal }) = self.limit(&positions.center) else { return false };
+    pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
+        let BindingFacet { margin, normal } = self.limit(&positions.center)?;
         let statics = self.statics();
         let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
         let gain = |cable: &StaticCable| {
@@ -117,7 +118,9 @@ impl Measure {
             let pull = |along: f64| (cable.tension[0] * along).max(cable.tension[1] * along);
             pull(highest) - pull(along)
         };
-        margin + statics.cables().iter().map(gain).sum::<f64>() < -self.floor()
+        let most = margin + statics.cables().iter().map(gain).sum::<f64>();
+        let direction = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
+        (most < -self.floor()).then_some(direction)
     }
 
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].
