@@ -99,15 +99,7 @@ class Scene:
     ) -> tuple[_Floats, _Floats, _Floats, list[bool]]: ...
     def bodies(self) -> str: ...
     def page(
-        self,
-        status: str | None,
-        waypoints: _Floats | None,
-        cost: float | None,
-        raw_waypoints: _Floats | None,
-        raw_cost: float | None,
-        planner: str | None,
-        tree: tuple[_Floats, _Ints] | None,
-        interference: str,
+        self, path: str | None, tree: tuple[_Floats, _Ints] | None, interference: str
     ) -> str: ...
 
 @final

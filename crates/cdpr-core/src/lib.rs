@@ -6,7 +6,7 @@
 //! doi:10.1007/s11370-019-00278-7; "the paper" in these pages.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`], [`proposal`],
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`path_file`], [`survey`], [`proposal`],
 //! [`regions`]. [`error`], [`choice`], [`words`], [`watch`] and [`batch`] are used by all, [`testing`] by examples and tests. Nothing here
 //! opens a file: scenes and paths are read and written by the crate `cdpr-files`.
 
@@ -22,6 +22,7 @@ pub mod geometry;
 pub mod kinematics;
 pub mod model;
 pub mod numerics;
+pub mod path_file;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
