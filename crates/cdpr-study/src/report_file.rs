@@ -9,6 +9,7 @@ use serde::Deserialize;
 use crate::TrialStatus;
 use crate::report::{Cost, Costs, Plot, Study, SummaryFile};
 use cdpr_core::error::Error;
+use cdpr_core::planning::Status;
 use cdpr_files::csv_cell::text_of;
 use cdpr_files::output::write_atomically;
 use cdpr_files::text::{self, Notation};
@@ -44,7 +45,7 @@ fn costs(path: &Path) -> Result<Costs, Error> {
     for row in csv::Reader::from_reader(BufReader::new(file)).deserialize() {
         let TrialRow { scenario, method, trial, status, raw_cost, cost } =
             row.map_err(|e| Error::file(path, e.to_string()))?;
-        if let (TrialStatus::Solved, Some(raw), Some(cost)) = (status, raw_cost, cost) {
+        if let (TrialStatus::Ended(Status::Solved), Some(raw), Some(cost)) = (status, raw_cost, cost) {
             let method_of_table = (text_of(&scenario).to_string(), text_of(&method).to_string());
             costs.entry(method_of_table).or_default().push(Cost { trial, raw, cost });
         }

@@ -8,6 +8,7 @@ use super::experiment::{Layout, Swept};
 use super::run::{Row, TrialStatus};
 use super::statistics::{Moments, quantile, t_test};
 use crate::experiment_spec::Measure;
+use cdpr_core::planning::Status;
 
 /// Quantiles of every summary, besides median, minimum and maximum.
 const QUANTILES: [(&str, f64); 4] = [("q05", 0.05), ("q25", 0.25), ("q75", 0.75), ("q95", 0.95)];
@@ -35,12 +36,12 @@ impl Summary {
         let mut samples: Samples =
             ["planning_seconds", "post_seconds", "raw_cost", "cost", "reduction", "waypoints"].map(|m| (m, Vec::new()));
         for row in rows {
-            *statuses.entry(status_name(row.status)).or_default() += 1;
+            *statuses.entry(row.status.name()).or_default() += 1;
             let reduction =
                 row.raw_cost.zip(row.cost).map(|(raw, cost)| if raw > 0.0 { 1.0 - cost / raw } else { 0.0 });
             let waypoints = row.waypoints.map(|count| count as f64);
             let numbers = [row.planning_seconds, row.post_seconds, row.raw_cost, row.cost, reduction, waypoints];
-            if row.status == TrialStatus::Solved {
+            if row.status == TrialStatus::Ended(Status::Solved) {
                 samples.iter_mut().zip(numbers).for_each(|((_, sample), number)| sample.extend(number));
             }
         }
@@ -115,15 +116,5 @@ fn measure_name(measure: Measure) -> &'static str {
         Measure::PostSeconds => "post_seconds",
         Measure::RawCost => "raw_cost",
         Measure::Cost => "cost",
-    }
-}
-
-fn status_name(status: TrialStatus) -> &'static str {
-    match status {
-        TrialStatus::Solved => "solved",
-        TrialStatus::BudgetSpent => "budget_spent",
-        TrialStatus::StartInvalid => "start_invalid",
-        TrialStatus::GoalInvalid => "goal_invalid",
-        TrialStatus::Failed => "failed",
     }
 }
