@@ -5,11 +5,10 @@ use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 
 use crate::experiment::Group;
 use crate::run::Row;
-use crate::{Experiment, Layout, Origin, Rules, Summary};
+use crate::{Experiment, Layout, Origin, Rules, Summary, SummaryFile};
 use cdpr_core::error::Error;
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::numerics::MOST_TRIALS;
@@ -92,7 +91,7 @@ pub(super) fn write_tables<'a>(
     place: &Path,
     open: impl Fn(usize) -> Result<Box<dyn Read + 'a>, Error>,
     (trials, timings, history): (&mut impl Write, &mut impl Write, Option<&mut impl Write>),
-) -> Result<Value, Error> {
+) -> Result<SummaryFile, Error> {
     let groups = run.layout.groups.iter().enumerate();
     let mut order: Vec<(&str, &str, usize, usize)> = groups
         .flat_map(|(g, group)| {
@@ -125,10 +124,8 @@ pub(super) fn write_tables<'a>(
     trials.finish()?;
     timings.finish()?;
     history.map_or(Ok(()), Table::finish)?;
-    let mut summary = summary.json(&run.layout, &run.experiment, &run.fingerprint);
-    summary["rules"] = json!(run.rules);
-    summary["origins"] = json!(run.origins);
-    Ok(summary)
+    let summary = summary.file(&run.layout, &run.experiment, &run.fingerprint);
+    Ok(SummaryFile { rules: run.rules.clone(), origins: run.origins.clone(), ..summary })
 }
 
 /// Reads the rows of one variant of a group, up to the last trial of the run.

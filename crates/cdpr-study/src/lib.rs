@@ -27,7 +27,7 @@ pub use report_file::{load_study, save_plots};
 pub use run::{Progress, Row, RunOptions, TrialStatus, run, threads_of};
 pub use schema::schema;
 pub use statistics::{Comparison, Moments, TTest, t_test};
-pub use summary::Summary;
+pub use summary::{Described, MethodSummary, Summary, SummaryFile, TestSummary};
 
 use hmac_sha256::Hash;
 

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::TrialStatus;
-use crate::report::{Cost, Costs, Plot, Study, SummaryFile};
+use crate::report::{Cost, Costs, Plot, Study};
+use crate::{SummaryFile, TrialStatus};
 use cdpr_core::error::Error;
 use cdpr_core::planning::Status;
 use cdpr_files::csv_cell::text_of;
