@@ -27,11 +27,12 @@ const AHEAD: usize = 4096;
 const PATIENCE: Duration = Duration::from_millis(20);
 
 /// How a trial ended; serialized by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum TrialStatus {
     /// As planning ended.
     Ended(Status),
     /// The program failed; the progress gives the reason.
+    #[default]
     Failed,
 }
 
@@ -63,9 +64,10 @@ impl<'de> Deserialize<'de> for TrialStatus {
     }
 }
 
-/// A row of the tables: a trial of a method in a scenario.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Row {
+/// A row of `trials.csv`: a trial of a method in a scenario. Its keys are the columns, in this order; numbers of a trial
+/// that was not solved are empty.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TrialRow {
     /// Name of the scenario.
     pub scenario: String,
     /// Name of the method.
@@ -88,6 +90,13 @@ pub struct Row {
     pub nodes: Option<usize>,
     /// Motions checked by the planner.
     pub motion_checks: Option<usize>,
+}
+
+/// All that is kept of a trial, in this order in the files of rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// What follows from the seed.
+    pub result: TrialRow,
     /// Time of the planner, s.
     pub planning_seconds: Option<f64>,
     /// Time of rewinding, s.
@@ -392,7 +401,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
 
 fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
     let solved = found.status == Status::Solved;
-    Row {
+    let result = TrialRow {
         scenario: scenario.to_string(),
         method: method.to_string(),
         trial,
@@ -404,6 +413,9 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
         waypoints: solved.then_some(found.waypoints.len()),
         nodes: solved.then_some(found.stats.nodes),
         motion_checks: solved.then_some(found.stats.motion_checks),
+    };
+    Row {
+        result,
         planning_seconds: Some(found.stats.planning_seconds),
         post_seconds: solved.then_some(found.stats.post_seconds),
         history: Vec::new(),
@@ -414,10 +426,10 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
 fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
     let (_, scenario, method) = parts(experiment, unit.group);
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
-    let failed = |(name, _): &(String, _)| Row {
-        status: TrialStatus::Failed,
-        planning_seconds: None,
-        ..row(&scenario.name, name, unit.trial, seed, &PlanResult::out_of_time())
+    let failed = |(name, _): &(String, _)| {
+        let nothing = row(&scenario.name, name, unit.trial, seed, &PlanResult::out_of_time());
+        let result = TrialRow { status: TrialStatus::Failed, ..nothing.result };
+        Row { result, planning_seconds: None, ..nothing }
     };
     let failure = format!("{}, {}, trial {} (seed {seed}): {problem}", scenario.name, method.name, unit.trial);
     Trial { group: unit.group, rows: method.variants.iter().map(failed).collect(), failure: Some(failure) }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::experiment::{Layout, Rules, Swept};
 use super::origin::Origin;
-use super::run::{Row, TrialStatus};
+use super::run::{Row, TrialRow, TrialStatus};
 use super::statistics::{Comparison, Moments, quantile, t_test};
 use crate::experiment_spec::{Measure, TTestSpec};
 use cdpr_core::Choice;
@@ -137,8 +137,8 @@ impl Summary {
         let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
         let mut samples: [Vec<f64>; 6] = Default::default();
         for row in rows {
-            *statuses.entry(row.status.name().to_string()).or_default() += 1;
-            if row.status == TrialStatus::Ended(Status::Solved) {
+            *statuses.entry(row.result.status.name().to_string()).or_default() += 1;
+            if row.result.status == TrialStatus::Ended(Status::Solved) {
                 samples.iter_mut().zip(numbers(&row)).for_each(|(sample, number)| sample.extend(number));
             }
         }
@@ -192,11 +192,11 @@ impl Summary {
 }
 
 /// The numbers of a row in the order of [`MethodSummary`].
-fn numbers(row: &Row) -> [Option<f64>; 6] {
+fn numbers(Row { result, planning_seconds, post_seconds, .. }: &Row) -> [Option<f64>; 6] {
+    let TrialRow { raw_cost, cost, waypoints, .. } = result;
     let reduced = |(raw, cost): (f64, f64)| if raw > 0.0 { 1.0 - cost / raw } else { 0.0 };
-    let reduction = row.raw_cost.zip(row.cost).map(reduced);
-    let waypoints = row.waypoints.map(|count| count as f64);
-    [row.planning_seconds, row.post_seconds, row.raw_cost, row.cost, reduction, waypoints]
+    let reduction = raw_cost.zip(*cost).map(reduced);
+    [*planning_seconds, *post_seconds, *raw_cost, *cost, reduction, waypoints.map(|count| count as f64)]
 }
 
 impl Described {
