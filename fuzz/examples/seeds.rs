@@ -5,11 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cdpr_core::batch::BatchOptions;
-use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::geometry::{Aabb, Point};
-use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::plan::{Appraisal, PlanOptions, plan};
 use cdpr_core::testing;
 use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
+use cdpr_files::PathFile;
 use cdpr_fuzz::inputs;
 use cdpr_study::BatchFolder;
 use cdpr_study::RunOptions;
@@ -125,10 +125,10 @@ fn meshes() -> Result<(), Box<dyn Error>> {
 fn paths() -> Result<(), Box<dyn Error>> {
     let (scene, options) = (testing::hard1(), PlanOptions::paper());
     let result = plan(&scene, &options, &|| false)?.result;
-    let json = cdpr_files::plan_json(&scene, &options, &result, &Nearest::default(), None);
+    let file = PathFile::planned(&scene, &options, &result, &Appraisal::default());
     for name in ["path_json/hard1.json", "path_csv/hard1.csv"] {
         put(name, "")?;
-        cdpr_files::save_path(&inputs("seeds").join(name), &json)?;
+        cdpr_files::save_path(&inputs("seeds").join(name), &file)?;
     }
     Ok(())
 }

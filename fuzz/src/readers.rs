@@ -135,7 +135,7 @@ fn path(name: &str, bytes: &[u8]) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
         checked(&HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
-        cdpr_files::save_path(&again, &cdpr_files::path_json(&HARD1.0, &loaded.waypoints))
+        cdpr_files::save_path(&again, &cdpr_files::PathFile::of(&HARD1.0, &loaded.waypoints))
             .expect("a path can be written");
         assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
     }

@@ -6,6 +6,7 @@ import json
 import os
 import warnings
 from collections.abc import Callable
+from dataclasses import fields
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -159,24 +160,25 @@ def plan(
         json.dumps(settings),
         on_improvement,
     )
+    return _result(written, SearchTree(*tree))
+
+
+def _result(written: str, tree: SearchTree) -> Result:
+    """The result that JSON of the core describes: the keys that `Result` has, those of arrays and tuples converted."""
     found = json.loads(written)
-    return Result(
-        waypoints=_array(found["waypoints"]),
-        cost=_number(found["cost"]),
-        status=found["status"],
-        orientation=np.array(found["orientation"]),
-        orientation_name=found["orientation_name"],
-        raw_waypoints=_array(found["raw_waypoints"]),
-        raw_cost=_number(found["raw_cost"]),
-        reason=None if found["reason"] is None else violation_from(found["reason"]),
-        min_clearance=found["min_clearance"],
-        min_clearance_not_exempt=found.get("min_clearance_not_exempt"),
-        exempt=tuple(exemption_from(values) for values in found["exempt"]),
-        stats=found["stats"],
-        history=tuple(Milestone(**entry) for entry in found["history"]),
-        tree=SearchTree(*tree),
-        _json=written,
-    )
+    converted = {
+        "waypoints": _array(found["waypoints"]),
+        "cost": _number(found["cost"]),
+        "orientation": np.array(found["orientation"]),
+        "raw_waypoints": _array(found["raw_waypoints"]),
+        "raw_cost": _number(found["raw_cost"]),
+        "reason": None if found["reason"] is None else violation_from(found["reason"]),
+        "exempt": tuple(exemption_from(values) for values in found["exempt"]),
+        "history": tuple(Milestone(**entry) for entry in found["history"]),
+    }
+    known = {entry.name for entry in fields(Result)}
+    plain = {key: value for key, value in found.items() if key in known}
+    return Result(**plain | converted, tree=tree, _json=written)
 
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:

@@ -10,6 +10,7 @@ import tempfile
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path as FilePath
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -89,18 +90,18 @@ def view(
     interference: Interference = "exact",
     strict: bool = False,
 ) -> View:
-    result = waypoints if isinstance(waypoints, Result) else None
-    given = waypoints.waypoints if isinstance(waypoints, Path) else waypoints
-    array = None if given is None else rows("waypoints", given)
-    cost = None if array is None else float(np.linalg.norm(np.diff(array, axis=0), axis=1).sum())
-    raw = None if result is None else np.ascontiguousarray(result.raw_waypoints)
-    raw_cost = None if result is None or not result.solved else result.raw_cost
-    status = None if result is None else result.status
-    planner = None if result is None else str(json.loads(result._json)["planner"])
-    tree = None if result is None else (np.ascontiguousarray(result.tree[0]), np.ascontiguousarray(result.tree[1]))
     own = instance("scene", scene, Scene)._core
+    file = None if waypoints is None else json.dumps(_file(waypoints))
+    tree = None
+    if isinstance(waypoints, Result):
+        tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
     core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
-    return View(core.page(status, array, cost, raw, raw_cost, planner, tree, text("interference", interference)))
+    return View(core.page(file, tree, text("interference", interference)))
+
+
+def _file(waypoints: ArrayLike | Path) -> dict[str, Any]:
+    """The contents of a path file for these waypoints."""
+    return waypoints._said() if isinstance(waypoints, Path) else {"waypoints": rows("waypoints", waypoints).tolist()}
 
 
 def save_view(

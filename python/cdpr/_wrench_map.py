@@ -53,12 +53,13 @@ class WrenchMap:
         self.margin: Floats = core.capacity()
         self.force_margin: Floats | None = core.force()
         self.moment_margin: Floats | None = core.moment()
-        self.origin: Floats = np.array(core.origin())
-        self.step: float = core.step()
         summary: dict[str, Any] = json.loads(core.summary())
+        self.origin: Floats = np.array(summary["origin"])
+        self.step: float = summary["step"]
         self.share: float = summary["share"]
         self.volume: float = summary["volume"]
-        self.extent: Floats | None = None if summary["extent"] is None else np.array(summary["extent"])
+        extent = summary["extent"]
+        self.extent: Floats | None = None if extent is None else np.array([extent["min"], extent["max"]])
 
     @property
     def feasible(self) -> NDArray[np.bool_]:

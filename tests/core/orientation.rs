@@ -1,15 +1,14 @@
 //! Orientations: respected everywhere, named, chosen by planning, recorded in path files.
 
-use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Planned, engine_for, plan};
+use cdpr_core::plan::{Appraisal, PlanOptions, Planned, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::regions::{RegionOptions, regions};
 use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
 use cdpr_core::{Scene, testing};
-use cdpr_files::{load_waypoints, plan_json, save_path, scene_of_path, waypoints_from_text};
+use cdpr_files::{PathFile, load_waypoints, save_path, scene_of_path, waypoints_from_text};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -156,7 +155,8 @@ fn a_path_is_checked_at_its_own_orientation() {
     assert!(along.orientation_is_fixed());
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("path.json");
-    save_path(&file, &plan_json(along, &PlanOptions::default(), &planned.result, &Nearest::default(), None)).unwrap();
+    let saved = |scene| PathFile::planned(scene, &PlanOptions::default(), &planned.result, &Appraisal::default());
+    save_path(&file, &saved(along)).unwrap();
     let loaded = load_waypoints(&file).unwrap();
     let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
     assert_eq!(warning, None);
@@ -192,8 +192,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     );
     // A path planned for this very scene at an orientation without a name is checked at that orientation.
     let aside = scene.turned([0.6f64.cos(), 0.0, 0.0, 0.6f64.sin()].into()).unwrap();
-    let json = plan_json(&aside, &PlanOptions::default(), &planned.result, &Nearest::default(), None);
-    save_path(&file, &json).unwrap();
+    save_path(&file, &saved(&aside)).unwrap();
     let (found, warning) = scene_of_path(&scene, &load_waypoints(&file).unwrap(), false).unwrap();
     assert_eq!((found.orientation(), warning), (aside.orientation(), None));
 }

@@ -9,7 +9,7 @@ use cdpr_core::planning::{PlannerOptions, RrtOptions};
 use cdpr_core::testing::hard1;
 use cdpr_files::text::Notation;
 use cdpr_study::{BatchFolder, BatchRows, experiment_from_text, load_experiment, merge};
-use cdpr_study::{Comparison, Experiment, Row, RunOptions};
+use cdpr_study::{Comparison, Experiment, Row, RunOptions, TrialRow};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -136,11 +136,12 @@ fn a_history_tells_when_each_path_got_better() {
     }
     assert!(improved > 12, "{improved}");
     let mut solved = 0;
-    for row in rows(&with).iter().filter(|row| row.raw_cost.is_some()) {
-        let name = row.method.split(',').next().unwrap(); // for variants of a sweep, that of the method
-        let mut of = history.iter().filter(|h| (&h.0 as &str, &h.1 as &str, h.2) == (&row.scenario, name, row.trial));
+    for Row { result, planning_seconds, .. } in rows(&with).iter().filter(|row| row.result.raw_cost.is_some()) {
+        let name = result.method.split(',').next().unwrap(); // of variants of a sweep, that of the method
+        let mut of =
+            history.iter().filter(|h| (&h.0 as &str, &h.1 as &str, h.2) == (&result.scenario, name, result.trial));
         let last = of.next_back().unwrap();
-        assert!((Some(last.5), last.3 <= row.planning_seconds.unwrap()) == (row.raw_cost, true), "{row:?}");
+        assert!((Some(last.5), last.3 <= planning_seconds.unwrap()) == (result.raw_cost, true), "{result:?}");
         solved += 1;
     }
     assert!(solved > 60, "{solved}");
@@ -173,6 +174,11 @@ fn what_a_kill_leaves_before_the_run_has_begun_is_as_good_as_a_new_folder() {
     }
 }
 
+/// The rows of `trials.csv`, in the order of the files of rows.
+fn results(path: &Path) -> Vec<TrialRow> {
+    rows(path).into_iter().map(|row| row.result).collect()
+}
+
 fn rows(path: &Path) -> Vec<Row> {
     let mut rows = Vec::new();
     for group in 0..4 {
@@ -200,7 +206,7 @@ fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
     let keys = reader.records().map(|r| r.unwrap());
     let keys: Vec<(String, String, usize)> = keys.map(|r| (r[0].into(), r[1].into(), r[2].parse().unwrap())).collect();
     assert!(keys.is_sorted());
-    let rows = rows(&path);
+    let rows = results(&path);
     let row = rows.iter().find(|r| (r.scenario.as_str(), r.method.as_str(), r.trial) == ("hard1", "rrt", 7)).unwrap();
     let rrt = RrtOptions { goal_bias: 0.05, limits: cdpr_core::planning::Limits::samples(3000), ..Default::default() };
     let planner = PlannerOptions::Rrt(rrt);
@@ -229,9 +235,9 @@ fn the_summary_counts_and_compares() {
     let summary: Value = serde_json::from_str(&fs::read_to_string(path.join("summary.json")).unwrap()).unwrap();
     let methods = summary["methods"].as_array().unwrap();
     assert_eq!(methods.len(), 10);
-    let rows = rows(&path);
+    let rows = results(&path);
     for method in methods {
-        let of = |r: &&Row| r.scenario == method["scenario"] && r.method == method["method"];
+        let of = |r: &&TrialRow| r.scenario == method["scenario"] && r.method == method["method"];
         let costs: Vec<f64> = rows.iter().filter(of).filter_map(|r| r.cost).collect();
         assert_eq!((&method["n"], &method["solved"]), (&12.into(), &costs.len().into()));
         let mean = costs.iter().sum::<f64>() / costs.len() as f64;

@@ -6,7 +6,8 @@
 //! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`planning`], [`postprocess`], [`plan`], [`survey`],
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`planning`], [`postprocess`], [`plan`], [`path_file`],
+//! [`survey`],
 //! [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
 //! for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and paths.
 
@@ -22,6 +23,7 @@ pub mod geometry;
 pub mod kinematics;
 pub mod model;
 pub mod numerics;
+pub mod path_file;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;

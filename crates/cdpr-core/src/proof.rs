@@ -12,7 +12,7 @@
 
 mod blocking;
 mod certificate;
-mod regions;
+mod closing;
 mod tiling;
 
 pub use certificate::{BoxRow, Certificate, NamedRegion, Reason};
@@ -24,7 +24,7 @@ use crate::error::Error;
 use crate::geometry::{Cuboid, Point};
 use crate::numerics::{PROOF_EFFORT, PROOF_MARGIN};
 use crate::watch::Watch;
-use regions::Regions;
+use closing::Regions;
 use tiling::tiling;
 
 /// The answer to whether there is a path.

@@ -2,153 +2,28 @@
 
 use std::path::Path;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
-use cdpr_core::collision::path_check::Nearest;
 use cdpr_core::error::{Error, printable};
-use cdpr_core::geometry::{Point, Rotation};
+use cdpr_core::geometry::Point;
 use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
 use cdpr_core::model::spec::FORMAT_VERSION;
-use cdpr_core::plan::{PlanOptions, PlanResult};
-use cdpr_core::wrench::PathWrench;
+pub use cdpr_core::path_file::{PathFile, SceneId};
 
-/// The keys of a path file. Other keys are allowed, and planning writes more.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(title = "cdpr path")]
-pub struct PathFile {
-    /// Version of the format, 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub version: Option<u32>,
-    /// Positions of the platform's origin, world, m.
-    pub waypoints: Vec<[f64; 3]>,
-    /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; if omitted, the scene's.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub orientation: Option<[f64; 4]>,
-    /// Name of the orientation in the scene; selects it if `orientation` is omitted.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub orientation_name: Option<String>,
-    /// The scene that the path was planned for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub scene: Option<SceneId>,
-    /// How planning ended: solved, budget_spent, start_invalid or goal_invalid.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub status: Option<String>,
-    /// Length of the path, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cost: Option<f64>,
-    /// The planner's path before post-processing.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub raw_waypoints: Vec<[f64; 3]>,
-    /// Its length, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub raw_cost: Option<f64>,
-    /// Name of the planner.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub planner: Option<String>,
-}
-
-/// Identifies the scene of a path.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SceneId {
-    /// Name of the scene.
-    pub name: String,
-    /// See [`Scene::fingerprint`].
-    pub fingerprint: String,
-}
-
-/// The JSON of a planning result: with its nearest approach, the exempt pairs and, if the scene requires wrench
-/// feasibility, its wrenches. Costs of unsolved results are null.
-pub fn plan_json(
-    scene: &Scene,
-    options: &PlanOptions,
-    result: &PlanResult,
-    nearest: &Nearest,
-    wrench: Option<&PathWrench>,
-) -> Value {
-    let mut value = json!({
-        "version": FORMAT_VERSION,
-        "status": result.status,
-        "reason": result.reason,
-        "cost": finite(result.cost),
-        "waypoints": rows(&result.waypoints),
-        "orientation": quaternion(scene.orientation()),
-        "orientation_name": scene.orientation_name(),
-        "raw_cost": finite(result.raw_cost),
-        "raw_waypoints": rows(&result.raw_waypoints),
-        "planner": options.planner.planner(),
-        "engine": options.engine,
-        "interference": options.interference,
-        "seed": options.seed,
-        "options": options_json(options),
-        "stats": result.stats,
-        "history": result.history,
-        "scene": scene_id(scene),
-    });
-    for more in [Some(json!(nearest)), wrench.map(|wrench| json!(wrench))].into_iter().flatten() {
-        if let (Value::Object(all), Value::Object(more)) = (&mut value, more) {
-            all.extend(more);
-        }
-    }
-    value
-}
-
-/// All options on which a path depends, of the planner and of post-processing.
-fn options_json(options: &PlanOptions) -> Value {
-    let mut all = json!({
-        "step": options.step,
-        "post": options.post(),
-        "repeats": options.repeats,
-        "budget_ms": options.budget.map(|b| b.as_secs_f64() * 1e3),
-    });
-    if let (Value::Object(all), Ok(Value::Object(own))) = (&mut all, serde_json::to_value(options.planner.settings())) {
-        all.extend(own);
-    }
-    all
-}
-
-/// The JSON of a path of a scene without a planning result.
-pub fn path_json(scene: &Scene, waypoints: &[Point]) -> Value {
-    let cost = cdpr_core::collision::path_check::path_length(waypoints);
-    json!({
-        "version": FORMAT_VERSION,
-        "cost": cost,
-        "waypoints": rows(waypoints),
-        "orientation": quaternion(scene.orientation()),
-        "orientation_name": scene.orientation_name(),
-        "scene": scene_id(scene),
-    })
-}
-
-fn quaternion(rotation: &Rotation) -> [f64; 4] {
-    [rotation.w, rotation.i, rotation.j, rotation.k]
-}
-
-fn scene_id(scene: &Scene) -> SceneId {
-    SceneId { name: scene.name().to_string(), fingerprint: scene.fingerprint() }
-}
-
-fn finite(number: f64) -> Option<f64> {
-    number.is_finite().then_some(number)
-}
-
-fn rows(points: &[Point]) -> Vec<[f64; 3]> {
-    points.iter().map(|p| [p.x, p.y, p.z]).collect()
-}
-
-/// Writes a path in the format given by the extension: the given JSON, or the waypoints as CSV.
+/// Writes a path, or its JSON, in the format given by the extension: JSON, or the waypoints as CSV.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
-pub fn save_path(path: &Path, json: &Value) -> Result<(), Error> {
+pub fn save_path(path: &Path, file: &impl Serialize) -> Result<(), Error> {
+    let json = json!(file);
     match is_json(path)? {
         true => write_atomically(path, format!("{json:#}\n").as_bytes()),
-        false => write_atomically(path, &csv_bytes(json)?),
+        false => write_atomically(path, &csv_bytes(&json)?),
     }
 }
 
@@ -169,7 +44,7 @@ fn is_json(path: &Path) -> Result<bool, Error> {
     }
 }
 
-fn csv_bytes(json: &Value) -> Result<Vec<u8>, Error> {
+fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let problem = |e: csv::Error| Error::invalid("", e.to_string());
     writer.write_record(["x", "y", "z"]).map_err(problem)?;
@@ -213,7 +88,7 @@ pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> 
 /// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(Scene, Option<String>), Error> {
     let file = path.file.clone().unwrap_or_default();
-    let named = file.orientation_name;
+    let named = file.orientation_name.flatten();
     let said = file.orientation.map(OrientationSource::from).or(named.clone().map(Named));
     scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
 }
@@ -236,7 +111,8 @@ pub fn scene_for(
     if (another.is_some() || orientation_name.is_some()) && !scene.has_orientation_of(&own) {
         let names: Vec<&str> = scene.orientations().iter().map(|(name, _)| name.as_str()).collect();
         let names = if names.is_empty() { "no turn".to_string() } else { names.join(", ") };
-        let turn = quaternion(own.orientation());
+        let turn = own.orientation();
+        let turn = [turn.w, turn.i, turn.j, turn.k];
         let problem = format!("found a path at {turn:?}, which is not one of the scene's orientations ({names})");
         return Err(Error::invalid("orientation", problem));
     }

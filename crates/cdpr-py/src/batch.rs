@@ -11,7 +11,7 @@ use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 use cdpr_study::{Progress, RunOptions};
 use pyo3::prelude::*;
 
-use crate::convert::serialized;
+use crate::convert::{serialized, serialized_as_in_files};
 use crate::errors::{answered, interruptible};
 
 /// Minimum time between two calls of a progress function, each of which needs the interpreter.
@@ -101,7 +101,7 @@ impl Experiment {
     /// `trials.csv`, `timings.csv`, `history.csv` if the experiment requests it, and `summary.json`, made from rows.
     fn tables(&self, py: Python<'_>, first: usize, end: usize, rows: Vec<Vec<u8>>) -> PyResult<Tables> {
         let made = py.detach(|| answered(|| BatchRows::new(&self.0, first..end, rows)?.tables()))?;
-        Ok((made.trials, made.timings, made.history, made.summary.to_string()))
+        Ok((made.trials, made.timings, made.history, serialized_as_in_files(&made.summary)))
     }
 
     /// Writes the folder of a run.

@@ -41,6 +41,11 @@ pub fn serialized(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).expect("answers are finite")
 }
 
+/// A result as JSON text with its keys in the order of files, which is that of Python's dictionaries.
+pub fn serialized_as_in_files(value: &impl serde::Serialize) -> String {
+    serde_json::json!(value).to_string()
+}
+
 /// A rotation as w x y z.
 pub fn quaternion(turn: &Rotation) -> [f64; 4] {
     [turn.w, turn.i, turn.j, turn.k]

@@ -67,7 +67,8 @@ pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) 
 /// Writes the JSON of a result as a path file, or its waypoints as CSV.
 #[pyfunction]
 pub fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
-    answered(|| cdpr_files::save_path(&path, &cdpr_files::text::parse(json, Notation::Json)?))
+    let value: serde_json::Value = answered(|| cdpr_files::text::parse(json, Notation::Json))?;
+    answered(|| cdpr_files::save_path(&path, &value))
 }
 
 /// The JSON Schema of the scene, robot, path or experiment format as JSON text.

@@ -4,23 +4,25 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
-    Appraisal, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
-    shorten_path, trace_rewinding,
+    Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan, shorten_path,
+    trace_rewinding,
 };
 use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
-use cdpr_files::{Loader, text::Notation};
-use cdpr_view::{ShownPath, page_within};
+use cdpr_files::{Loader, PathFile, text::Notation};
+use cdpr_view::page_within;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::{answer_array, named, point, points, quaternion, row, serialized, triples};
+use crate::convert::{
+    answer_array, named, point, points, quaternion, row, serialized, serialized_as_in_files, triples,
+};
 use crate::drawing::drawn;
 use crate::errors::{answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
@@ -302,9 +304,8 @@ impl Scene {
             Ok((scene, found, appraisal))
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
-        let Appraisal { nearest, wrench, .. } = appraisal;
-        let json = answered(|| Ok(cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref())))?;
-        Ok((json.to_string(), tree_arrays(py, &found.tree)?))
+        let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;
+        Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?))
     }
 
     /// Lower bound on the length of every path between two positions, m.
@@ -343,7 +344,7 @@ impl Scene {
         let processing = answered(|| post.processing(step, repeats))?;
         let shorter =
             interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
-        answered(|| Ok(cdpr_files::path_json(&self.0, &shorter).to_string()))
+        answered(|| Ok(serialized_as_in_files(&PathFile::of(&self.0, &shorter))))
     }
 
     /// The path after one rewinding, and every motion checked: starts, ends, results.
@@ -410,35 +411,19 @@ impl Scene {
         py.detach(|| answered(|| cdpr_files::save_regions(&path, &self.0, &found)))
     }
 
-    /// A self-contained page that shows the scene and, if given, a path.
-    #[allow(clippy::too_many_arguments)] // one per item shown
-    fn page(
-        &self,
-        py: Python<'_>,
-        status: Option<String>,
-        waypoints: Option<PyReadonlyArray2<'_, f64>>,
-        cost: Option<f64>,
-        raw_waypoints: Option<PyReadonlyArray2<'_, f64>>,
-        raw_cost: Option<f64>,
-        planner: Option<String>,
-        tree: Option<Tree<'_>>,
-        interference: &str,
-    ) -> PyResult<String> {
-        let list = |rows: Option<PyReadonlyArray2<'_, f64>>| {
-            rows.map_or(Ok(Vec::new()), |rows| Ok::<_, PyErr>(points(rows.as_slice()?)))
-        };
-        let Some(waypoints) = waypoints else {
+    /// A self-contained page that shows the scene and, if given, a path: the JSON of a path file, and the search tree.
+    fn page(&self, py: Python<'_>, path: Option<&str>, tree: Option<Tree<'_>>, interference: &str) -> PyResult<String> {
+        let Some(path) = path else {
             return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
         };
-        let waypoints = points(waypoints.as_slice()?);
-        let engine = engine_of(py, self, Engine::default().name(), interference)?;
-        let raw_waypoints = list(raw_waypoints)?;
+        let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
+        let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
-        let shown = ShownPath { status, waypoints, cost, raw_waypoints, raw_cost, planner, tree };
+        let file = PathFile { cost: Some(path_length(&waypoints)), tree, ..file };
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let violations = check_path(&*engine, &shown.waypoints, &watch)?.violations;
-            page_within(&self.0, Some(&shown), &violations, &watch)
+            let violations = check_path(&*engine, &waypoints, &watch)?.violations;
+            page_within(&self.0, Some(&file), &violations, &watch)
         })
     }
 }

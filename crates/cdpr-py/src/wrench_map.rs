@@ -72,16 +72,6 @@ impl Map {
         answered(|| cdpr_files::wrench_map_from_npz(bytes).map(Map))
     }
 
-    /// Position of the first node.
-    fn origin(&self) -> [f64; 3] {
-        self.0.grid().origin.into()
-    }
-
-    /// Distance between nodes.
-    fn step(&self) -> f64 {
-        self.0.grid().step
-    }
-
     /// Capacity margins, (nx, ny, nz).
     fn capacity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         shaped(py, &self.0, &self.0.margins().capacity)
@@ -97,13 +87,9 @@ impl Map {
         self.0.margins().moment.as_deref().map(|margins| shaped(py, &self.0, margins)).transpose()
     }
 
-    /// Feasible nodes, share, volume and extent as JSON.
+    /// The grid and the feasible region in numbers, as JSON.
     fn summary(&self) -> PyResult<String> {
-        let found = answered(|| Ok(self.0.summary()))?;
-        let extent = found.extent.map(|e| [<[f64; 3]>::from(e.min), e.max.into()]);
-        Ok(serialized(&serde_json::json!({
-            "feasible": found.feasible, "share": found.share, "volume": found.volume, "extent": extent,
-        })))
+        answered(|| Ok(serialized(&self.0.summary())))
     }
 }
 

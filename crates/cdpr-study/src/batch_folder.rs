@@ -155,7 +155,7 @@ impl BatchFolder {
         trials_file.finish()?;
         timings_file.finish()?;
         history_file.map_or(Ok(()), Output::finish)?;
-        write_atomically(&self.path.join("summary.json"), format!("{summary:#}\n").as_bytes())
+        write_atomically(&self.path.join("summary.json"), format!("{:#}\n", serde_json::json!(summary)).as_bytes())
     }
 }
 

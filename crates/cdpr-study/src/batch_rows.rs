@@ -4,13 +4,11 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use serde_json::Value;
-
 use super::batch_folder::BatchFolder;
 use super::batch_tables::{RunFile, lines, write_tables};
 use super::origin::origin_here;
-use crate::Experiment;
 use crate::run::{RunOptions, run, threads_of};
+use crate::{Experiment, SummaryFile};
 use cdpr_core::error::Error;
 
 /// The rows of a range of trials, in memory.
@@ -50,7 +48,7 @@ pub struct Tables {
     /// `history.csv`, if the experiment requests it.
     pub history: Option<Vec<u8>>,
     /// `summary.json`
-    pub summary: Value,
+    pub summary: SummaryFile,
 }
 
 impl BatchRows {

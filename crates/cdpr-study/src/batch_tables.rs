@@ -5,11 +5,10 @@ use std::ops::Range;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 
 use crate::experiment::Group;
-use crate::run::Row;
-use crate::{Experiment, Layout, Origin, Rules, Summary};
+use crate::run::{Row, TrialRow};
+use crate::{Experiment, Layout, Origin, Rules, Summary, SummaryFile};
 use cdpr_core::error::Error;
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::numerics::MOST_TRIALS;
@@ -92,7 +91,7 @@ pub(super) fn write_tables<'a>(
     place: &Path,
     open: impl Fn(usize) -> Result<Box<dyn Read + 'a>, Error>,
     (trials, timings, history): (&mut impl Write, &mut impl Write, Option<&mut impl Write>),
-) -> Result<Value, Error> {
+) -> Result<SummaryFile, Error> {
     let groups = run.layout.groups.iter().enumerate();
     let mut order: Vec<(&str, &str, usize, usize)> = groups
         .flat_map(|(g, group)| {
@@ -102,7 +101,7 @@ pub(super) fn write_tables<'a>(
         .collect();
     order.sort_unstable();
     let mut summary = Summary::default();
-    let mut trials = Table::new(trials, &TRIAL_COLUMNS)?;
+    let mut trials = Table::new(trials, &trial_columns()?)?;
     let mut timings = Table::new(timings, &TIMING_COLUMNS)?;
     let mut history = history.map(|to| Table::new(to, &HISTORY_COLUMNS)).transpose()?;
     for (scenario, method, group, variant) in order {
@@ -111,11 +110,16 @@ pub(super) fn write_tables<'a>(
         let planned = sweep.map_or(method, |swept| &swept.of);
         let path = place.join(format!("{group:04}.csv"));
         each_row(run, (group, variant), &path, open(group)?, |row| {
-            trials.write(&trial_columns(&row))?;
-            timings.write(&timing_columns(&row))?;
+            let (scenario, method, planned) = (cell(scenario), cell(method), cell(planned));
+            let trial = row.result.trial;
+            trials.write(&TrialRow {
+                scenario: scenario.to_string(),
+                method: method.to_string(),
+                ..row.result.clone()
+            })?;
+            timings.write(&(&scenario, &method, trial, row.planning_seconds, row.post_seconds))?;
             if let Some(history) = &mut history {
-                let (scenario, planned) = (cell(scenario), cell(planned));
-                row.history.iter().try_for_each(|m| history.write(&(&scenario, &planned, row.trial, m)))?;
+                row.history.iter().try_for_each(|m| history.write(&(&scenario, &planned, trial, m)))?;
             }
             rows.push(row);
             Ok(())
@@ -125,10 +129,8 @@ pub(super) fn write_tables<'a>(
     trials.finish()?;
     timings.finish()?;
     history.map_or(Ok(()), Table::finish)?;
-    let mut summary = summary.json(&run.layout, &run.experiment, &run.fingerprint);
-    summary["rules"] = json!(run.rules);
-    summary["origins"] = json!(run.origins);
-    Ok(summary)
+    let summary = summary.file(&run.layout, &run.experiment, &run.fingerprint);
+    Ok(SummaryFile { rules: run.rules.clone(), origins: run.origins.clone(), ..summary })
 }
 
 /// Reads the rows of one variant of a group, up to the last trial of the run.
@@ -144,10 +146,11 @@ fn each_row(
     let rows = reader.deserialize::<Row>().skip(variant).step_by(methods.len());
     for (trial, row) in run.trials().zip(rows) {
         let row = row.map_err(|e| Error::file(path, e.to_string()))?;
-        if (&row.scenario, &row.method, row.trial) != (scenario, &methods[variant], trial) {
+        let found = &row.result;
+        if (&found.scenario, &found.method, found.trial) != (scenario, &methods[variant], trial) {
             let problem = format!(
                 "found trial {} of {}, {} where trial {trial} of {scenario}, {} is expected; it has been changed",
-                row.trial, row.scenario, row.method, methods[variant]
+                found.trial, found.scenario, found.method, methods[variant]
             );
             return Err(Error::file(path, problem));
         }
@@ -156,31 +159,17 @@ fn each_row(
     Ok(())
 }
 
-pub(super) const TRIAL_COLUMNS: [&str; 11] = [
-    "scenario",
-    "method",
-    "trial",
-    "seed",
-    "status",
-    "raw_cost",
-    "cost",
-    "raw_waypoints",
-    "waypoints",
-    "nodes",
-    "motion_checks",
-];
 const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
 /// The variants of a swept method share one history, under the name of the method.
 const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
 
-fn trial_columns(row: &Row) -> impl Serialize + '_ {
-    let Row { trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, .. } = row;
-    let (scenario, method) = (cell(&row.scenario), cell(&row.method));
-    (scenario, method, trial, seed, status, raw_cost, cost, raw_waypoints, waypoints, nodes, &row.motion_checks)
-}
-
-fn timing_columns(row: &Row) -> impl Serialize + '_ {
-    (cell(&row.scenario), cell(&row.method), row.trial, row.planning_seconds, row.post_seconds)
+/// The columns of `trials.csv`: the keys of its rows, as `csv` writes them.
+fn trial_columns() -> Result<Vec<String>, Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.serialize(TrialRow::default()).map_err(unwritable)?;
+    let text = writer.into_inner().map_err(unwritable)?;
+    let header = csv::Reader::from_reader(&*text).headers().map_err(unwritable)?.clone();
+    Ok(header.iter().map(str::to_string).collect())
 }
 
 /// A table that grows row by row.
@@ -189,7 +178,7 @@ struct Table<W: Write> {
 }
 
 impl<W: Write> Table<W> {
-    fn new(to: W, columns: &[&str]) -> Result<Self, Error> {
+    fn new(to: W, columns: &[impl Serialize]) -> Result<Self, Error> {
         let mut table = Table { writer: csv::WriterBuilder::new().has_headers(false).from_writer(to) };
         table.write(&columns)?;
         Ok(table)

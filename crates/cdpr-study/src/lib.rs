@@ -24,10 +24,10 @@ pub use experiment_spec::{ExperimentSpec, SceneSource};
 pub use origin::{Origin, origin_here};
 pub use random_scene::{RandomScenes, RandomScenesSpec};
 pub use report_file::{load_study, save_plots};
-pub use run::{Progress, Row, RunOptions, TrialStatus, run, threads_of};
+pub use run::{Progress, Row, RunOptions, TrialRow, TrialStatus, run, threads_of};
 pub use schema::schema;
 pub use statistics::{Comparison, Moments, TTest, t_test};
-pub use summary::Summary;
+pub use summary::{Described, MethodSummary, Summary, SummaryFile, TestSummary};
 
 use hmac_sha256::Hash;
 

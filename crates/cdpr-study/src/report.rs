@@ -6,7 +6,7 @@ mod study;
 mod tables;
 
 pub use plots::Plot;
-pub use study::{Cost, Costs, Described, MethodSummary, Study, SummaryFile, TestSummary};
+pub use study::{Cost, Costs, Study};
 
 use cdpr_view::escaped;
 
@@ -24,7 +24,8 @@ pub fn plots(study: &Study) -> Vec<Plot> {
 ///
 /// # Example
 /// ```
-/// use cdpr_study::report::{Study, SummaryFile, page};
+/// use cdpr_study::SummaryFile;
+/// use cdpr_study::report::{Study, page};
 /// let summary = r#"{"experiment": "<b>", "fingerprint": "", "confidence": 0.95, "methods": [], "t_tests": []}"#;
 /// let summary: SummaryFile = serde_json::from_str(summary).unwrap();
 /// let page = page(&Study { summary, costs: Default::default() });

@@ -4,25 +4,13 @@ use std::fs;
 use std::io::BufReader;
 use std::path::Path;
 
-use serde::Deserialize;
-
-use crate::TrialStatus;
-use crate::report::{Cost, Costs, Plot, Study, SummaryFile};
+use crate::report::{Cost, Costs, Plot, Study};
+use crate::{SummaryFile, TrialRow, TrialStatus};
 use cdpr_core::error::Error;
+use cdpr_core::planning::Status;
 use cdpr_files::csv_cell::text_of;
 use cdpr_files::output::write_atomically;
 use cdpr_files::text::{self, Notation};
-
-/// The columns of `trials.csv` that a report needs.
-#[derive(Deserialize)]
-struct TrialRow {
-    scenario: String,
-    method: String,
-    trial: usize,
-    status: TrialStatus,
-    raw_cost: Option<f64>,
-    cost: Option<f64>,
-}
 
 /// Reads `summary.json` and `trials.csv` of a folder that `cdpr batch` or `cdpr merge` wrote.
 ///
@@ -42,9 +30,9 @@ fn costs(path: &Path) -> Result<Costs, Error> {
     let file = text::open_table(path)?;
     let mut costs = Costs::new();
     for row in csv::Reader::from_reader(BufReader::new(file)).deserialize() {
-        let TrialRow { scenario, method, trial, status, raw_cost, cost } =
+        let TrialRow { scenario, method, trial, status, raw_cost, cost, .. } =
             row.map_err(|e| Error::file(path, e.to_string()))?;
-        if let (TrialStatus::Solved, Some(raw), Some(cost)) = (status, raw_cost, cost) {
+        if let (TrialStatus::Ended(Status::Solved), Some(raw), Some(cost)) = (status, raw_cost, cost) {
             let method_of_table = (text_of(&scenario).to_string(), text_of(&method).to_string());
             costs.entry(method_of_table).or_default().push(Cost { trial, raw, cost });
         }

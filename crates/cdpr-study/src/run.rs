@@ -9,10 +9,11 @@ use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use super::derived_seed;
 use super::experiment::{Experiment, Method, Scenario};
+use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::error::{Error, ErrorClass, caught};
 use cdpr_core::model::Scene;
@@ -25,25 +26,48 @@ const AHEAD: usize = 4096;
 /// Time between two polls of the interrupt.
 const PATIENCE: Duration = Duration::from_millis(20);
 
-/// How a trial ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+/// How a trial ended; serialized by name.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum TrialStatus {
-    /// A path was found.
-    Solved,
-    /// Samples or time ran out first.
-    BudgetSpent,
-    /// The start is not a valid state.
-    StartInvalid,
-    /// The goal is not a valid state.
-    GoalInvalid,
+    /// As planning ended.
+    Ended(Status),
     /// The program failed; the progress gives the reason.
+    #[default]
     Failed,
 }
 
-/// A row of the tables: a trial of a method in a scenario.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Row {
+impl TrialStatus {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            TrialStatus::Ended(status) => status.name(),
+            TrialStatus::Failed => FAILED,
+        }
+    }
+}
+
+/// The name of [`TrialStatus::Failed`].
+const FAILED: &str = "failed";
+
+impl Serialize for TrialStatus {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for TrialStatus {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match String::deserialize(deserializer)?.as_str() {
+            FAILED => Ok(TrialStatus::Failed),
+            name => Status::named(name).map(TrialStatus::Ended).map_err(de::Error::custom),
+        }
+    }
+}
+
+/// A row of `trials.csv`: a trial of a method in a scenario. Its keys are the columns, in this order; numbers of a trial
+/// that was not solved are empty.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TrialRow {
     /// Name of the scenario.
     pub scenario: String,
     /// Name of the method.
@@ -66,6 +90,13 @@ pub struct Row {
     pub nodes: Option<usize>,
     /// Motions checked by the planner.
     pub motion_checks: Option<usize>,
+}
+
+/// All that is kept of a trial, in this order in the files of rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// What follows from the seed.
+    pub result: TrialRow,
     /// Time of the planner, s.
     pub planning_seconds: Option<f64>,
     /// Time of rewinding, s.
@@ -369,25 +400,22 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
 }
 
 fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
-    let status = match found.status {
-        Status::Solved => TrialStatus::Solved,
-        Status::BudgetSpent => TrialStatus::BudgetSpent,
-        Status::StartInvalid => TrialStatus::StartInvalid,
-        Status::GoalInvalid => TrialStatus::GoalInvalid,
-    };
-    let solved = status == TrialStatus::Solved;
-    Row {
+    let solved = found.status == Status::Solved;
+    let result = TrialRow {
         scenario: scenario.to_string(),
         method: method.to_string(),
         trial,
         seed,
-        status,
+        status: TrialStatus::Ended(found.status),
         raw_cost: solved.then_some(found.raw_cost),
         cost: solved.then_some(found.cost),
         raw_waypoints: solved.then_some(found.raw_waypoints.len()),
         waypoints: solved.then_some(found.waypoints.len()),
         nodes: solved.then_some(found.stats.nodes),
         motion_checks: solved.then_some(found.stats.motion_checks),
+    };
+    Row {
+        result,
         planning_seconds: Some(found.stats.planning_seconds),
         post_seconds: solved.then_some(found.stats.post_seconds),
         history: Vec::new(),
@@ -398,21 +426,10 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
 fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
     let (_, scenario, method) = parts(experiment, unit.group);
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
-    let nothing = PlanResult {
-        history: Vec::new(),
-        status: Status::BudgetSpent,
-        reason: None,
-        waypoints: Vec::new(),
-        cost: f64::NAN,
-        raw_waypoints: Vec::new(),
-        raw_cost: f64::NAN,
-        tree: Default::default(),
-        stats: Default::default(),
-    };
-    let failed = |(name, _): &(String, _)| Row {
-        status: TrialStatus::Failed,
-        planning_seconds: None,
-        ..row(&scenario.name, name, unit.trial, seed, &nothing)
+    let failed = |(name, _): &(String, _)| {
+        let nothing = row(&scenario.name, name, unit.trial, seed, &PlanResult::out_of_time());
+        let result = TrialRow { status: TrialStatus::Failed, ..nothing.result };
+        Row { result, planning_seconds: None, ..nothing }
     };
     let failure = format!("{}, {}, trial {} (seed {seed}): {problem}", scenario.name, method.name, unit.trial);
     Trial { group: unit.group, rows: method.variants.iter().map(failed).collect(), failure: Some(failure) }

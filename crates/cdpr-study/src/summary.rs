@@ -1,26 +1,129 @@
-//! Summary of the rows of a run: statistics of each method in each scenario, and the requested comparisons.
+//! `summary.json`: statistics of each method in each scenario, and the requested comparisons.
 
 use std::collections::BTreeMap;
 
-use serde_json::{Map, Value, json};
+use serde::{Deserialize, Serialize};
 
-use super::experiment::{Layout, Swept};
-use super::run::{Row, TrialStatus};
-use super::statistics::{Moments, quantile, t_test};
-use crate::experiment_spec::Measure;
+use super::experiment::{Layout, Rules, Swept};
+use super::origin::Origin;
+use super::run::{Row, TrialRow, TrialStatus};
+use super::statistics::{Comparison, Moments, quantile, t_test};
+use crate::experiment_spec::{Measure, TTestSpec};
+use cdpr_core::Choice;
+use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::planning::Status;
 
-/// Quantiles of every summary, besides median, minimum and maximum.
-const QUANTILES: [(&str, f64); 4] = [("q05", 0.05), ("q25", 0.25), ("q75", 0.75), ("q95", 0.95)];
+/// `summary.json`
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SummaryFile {
+    /// Version of the format, 1.
+    #[serde(default)]
+    pub version: u32,
+    /// Name of the experiment.
+    pub experiment: String,
+    /// Its fingerprint.
+    pub fingerprint: String,
+    /// Level of confidence intervals.
+    pub confidence: f64,
+    /// Statistics of each method in each scenario.
+    pub methods: Vec<MethodSummary>,
+    /// Comparisons.
+    pub t_tests: Vec<TestSummary>,
+    /// How the methods plan; empty in files from before 0.2.
+    #[serde(default)]
+    pub rules: Vec<Rules>,
+    /// The programs and machines that ran the trials.
+    #[serde(default)]
+    pub origins: Vec<Origin>,
+}
+
+/// Statistics of a method in a scenario, over its solved trials.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MethodSummary {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Name of the method.
+    pub method: String,
+    /// Its place in its sweep.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<Swept>,
+    /// Trials.
+    pub n: usize,
+    /// Solved trials.
+    pub solved: usize,
+    /// Number of trials by status.
+    #[serde(default)]
+    pub statuses: BTreeMap<String, usize>,
+    /// Time of the planner, s.
+    pub planning_seconds: Described,
+    /// Time of rewinding, s.
+    pub post_seconds: Described,
+    /// Length of the planner's path, m.
+    pub raw_cost: Described,
+    /// Length of the final path, m.
+    pub cost: Described,
+    /// Reduction of the path's length by post-processing, relative to the raw length.
+    pub reduction: Described,
+    /// Waypoints of the final path.
+    pub waypoints: Described,
+}
+
+impl MethodSummary {
+    /// The statistics of a measure.
+    pub(super) fn of(&self, measure: Measure) -> &Described {
+        match measure {
+            Measure::PlanningSeconds => &self.planning_seconds,
+            Measure::PostSeconds => &self.post_seconds,
+            Measure::RawCost => &self.raw_cost,
+            Measure::Cost => &self.cost,
+        }
+    }
+}
+
+/// Statistics of one measure; `None` if there are too few numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs)] // named as in the file
+pub struct Described {
+    pub mean: Option<f64>,
+    pub sd: Option<f64>,
+    pub confidence_interval: [Option<f64>; 2],
+    pub median: Option<f64>,
+    pub min: Option<f64>,
+    pub q05: Option<f64>,
+    pub q25: Option<f64>,
+    pub q75: Option<f64>,
+    pub q95: Option<f64>,
+    pub max: Option<f64>,
+}
+
+/// A comparison and its result; `None` where it is undefined.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TestSummary {
+    /// Its letter.
+    pub group: String,
+    /// What was compared.
+    pub measure: Measure,
+    /// Scenario and method.
+    pub a: [String; 2],
+    /// Scenario and method.
+    pub b: [String; 2],
+    /// How it treats the variances.
+    #[serde(default)]
+    pub variances: Comparison,
+    /// The statistic.
+    pub t: Option<f64>,
+    /// Degrees of freedom.
+    pub df: Option<f64>,
+    /// Probability.
+    pub p: Option<f64>,
+}
 
 /// Gathers rows, one method of one scenario after another.
 #[derive(Debug, Default)]
 pub struct Summary {
-    methods: Vec<Value>,
-    moments: BTreeMap<(String, String, &'static str), Moments>,
+    methods: Vec<MethodSummary>,
+    moments: BTreeMap<(String, String, Measure), Moments>,
 }
-
-/// The numbers of the solved trials of a method, by name.
-type Samples = [(&'static str, Vec<f64>); 6];
 
 impl Summary {
     /// Adds all rows of a method in a scenario. Unsolved trials are counted but left out of the statistics.
@@ -31,99 +134,90 @@ impl Summary {
         rows: impl Iterator<Item = Row>,
         confidence: f64,
     ) {
-        let mut statuses: BTreeMap<&'static str, usize> = BTreeMap::new();
-        let mut samples: Samples =
-            ["planning_seconds", "post_seconds", "raw_cost", "cost", "reduction", "waypoints"].map(|m| (m, Vec::new()));
+        let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
+        let mut samples: [Vec<f64>; 6] = Default::default();
         for row in rows {
-            *statuses.entry(status_name(row.status)).or_default() += 1;
-            let reduction =
-                row.raw_cost.zip(row.cost).map(|(raw, cost)| if raw > 0.0 { 1.0 - cost / raw } else { 0.0 });
-            let waypoints = row.waypoints.map(|count| count as f64);
-            let numbers = [row.planning_seconds, row.post_seconds, row.raw_cost, row.cost, reduction, waypoints];
-            if row.status == TrialStatus::Solved {
-                samples.iter_mut().zip(numbers).for_each(|((_, sample), number)| sample.extend(number));
+            *statuses.entry(row.result.status.name().to_string()).or_default() += 1;
+            if row.result.status == TrialStatus::Ended(Status::Solved) {
+                samples.iter_mut().zip(numbers(&row)).for_each(|(sample, number)| sample.extend(number));
             }
         }
-        let (n, solved) = (statuses.values().sum::<usize>(), statuses.get("solved").copied().unwrap_or(0));
-        let mut entry = Map::new();
-        entry.insert("scenario".into(), json!(scenario));
-        entry.insert("method".into(), json!(method));
-        if let Some(sweep) = sweep {
-            entry.insert("sweep".into(), json!(sweep));
-        }
-        entry.insert("n".into(), json!(n));
-        entry.insert("solved".into(), json!(solved));
-        entry.insert("statuses".into(), json!(statuses));
-        for (measure, sample) in &mut samples {
-            let moments = Moments::of(sample);
-            entry.insert((*measure).into(), described(sample, &moments, confidence));
+        let moments = samples.each_ref().map(|sample| Moments::of(sample));
+        let tested = [Measure::PlanningSeconds, Measure::PostSeconds, Measure::RawCost, Measure::Cost];
+        for (measure, moments) in tested.into_iter().zip(moments) {
             self.moments.insert((scenario.into(), method.into(), measure), moments);
         }
-        self.methods.push(Value::Object(entry));
+        let described = |k: usize| Described::of(&mut samples[k], &moments[k], confidence);
+        let [planning_seconds, post_seconds, raw_cost, cost, reduction, waypoints] = std::array::from_fn(described);
+        self.methods.push(MethodSummary {
+            scenario: scenario.into(),
+            method: method.into(),
+            sweep: sweep.cloned(),
+            n: statuses.values().sum(),
+            solved: statuses.get(Status::Solved.name()).copied().unwrap_or(0),
+            statuses,
+            planning_seconds,
+            post_seconds,
+            raw_cost,
+            cost,
+            reduction,
+            waypoints,
+        });
     }
 
-    /// The whole summary as JSON; undefined numbers are null.
-    pub fn json(&self, layout: &Layout, experiment: &str, fingerprint: &str) -> Value {
-        let tests: Vec<Value> = layout.t_tests.iter().map(|test| self.tested(test)).collect();
-        json!({
-            "version": 1,
-            "experiment": experiment,
-            "fingerprint": fingerprint,
-            "confidence": layout.confidence,
-            "methods": self.methods,
-            "t_tests": tests,
-        })
+    /// The whole summary, without rules and origins.
+    pub fn file(self, layout: &Layout, experiment: &str, fingerprint: &str) -> SummaryFile {
+        SummaryFile {
+            version: FORMAT_VERSION,
+            experiment: experiment.to_string(),
+            fingerprint: fingerprint.to_string(),
+            confidence: layout.confidence,
+            t_tests: layout.t_tests.iter().map(|test| self.tested(test)).collect(),
+            methods: self.methods,
+            rules: Vec::new(),
+            origins: Vec::new(),
+        }
     }
 
-    fn tested(&self, spec: &crate::experiment_spec::TTestSpec) -> Value {
+    fn tested(&self, spec: &TTestSpec) -> TestSummary {
         let none = Moments { n: 0, mean: f64::NAN, variance: f64::NAN };
         let of = |[scenario, method]: &[String; 2]| {
-            let key = (scenario.clone(), method.clone(), measure_name(spec.measure));
+            let key = (scenario.clone(), method.clone(), spec.measure);
             self.moments.get(&key).copied().unwrap_or(none)
         };
         let test = t_test(&of(&spec.a), &of(&spec.b), spec.variances);
-        json!({
-            "group": spec.group, "measure": spec.measure, "a": spec.a, "b": spec.b, "variances": spec.variances,
-            "t": finite(test.t), "df": finite(test.df), "p": finite(test.p),
-        })
+        let TTestSpec { group, measure, a, b, variances } = spec.clone();
+        TestSummary { group, measure, a, b, variances, t: finite(test.t), df: finite(test.df), p: finite(test.p) }
     }
 }
 
-fn described(sample: &mut [f64], moments: &Moments, confidence: f64) -> Value {
-    sample.sort_unstable_by(f64::total_cmp);
-    let interval = moments.confidence_interval(confidence).map(finite);
-    let mut entry = Map::new();
-    entry.insert("mean".into(), json!(finite(moments.mean)));
-    entry.insert("sd".into(), json!(finite(moments.sd())));
-    entry.insert("confidence_interval".into(), json!(interval));
-    entry.insert("median".into(), json!(finite(quantile(sample, 0.5))));
-    entry.insert("min".into(), json!(finite(quantile(sample, 0.0))));
-    for (name, p) in QUANTILES {
-        entry.insert(name.into(), json!(finite(quantile(sample, p))));
+/// The numbers of a row in the order of [`MethodSummary`].
+fn numbers(Row { result, planning_seconds, post_seconds, .. }: &Row) -> [Option<f64>; 6] {
+    let TrialRow { raw_cost, cost, waypoints, .. } = result;
+    let reduced = |(raw, cost): (f64, f64)| if raw > 0.0 { 1.0 - cost / raw } else { 0.0 };
+    let reduction = raw_cost.zip(*cost).map(reduced);
+    [*planning_seconds, *post_seconds, *raw_cost, *cost, reduction, waypoints.map(|count| count as f64)]
+}
+
+impl Described {
+    fn of(sample: &mut [f64], moments: &Moments, confidence: f64) -> Self {
+        sample.sort_unstable_by(f64::total_cmp);
+        let at = |p: f64| finite(quantile(sample, p));
+        Described {
+            mean: finite(moments.mean),
+            sd: finite(moments.sd()),
+            confidence_interval: moments.confidence_interval(confidence).map(finite),
+            median: at(0.5),
+            min: at(0.0),
+            q05: at(0.05),
+            q25: at(0.25),
+            q75: at(0.75),
+            q95: at(0.95),
+            max: at(1.0),
+        }
     }
-    entry.insert("max".into(), json!(finite(quantile(sample, 1.0))));
-    Value::Object(entry)
 }
 
 fn finite(number: f64) -> Option<f64> {
     number.is_finite().then_some(number)
-}
-
-fn measure_name(measure: Measure) -> &'static str {
-    match measure {
-        Measure::PlanningSeconds => "planning_seconds",
-        Measure::PostSeconds => "post_seconds",
-        Measure::RawCost => "raw_cost",
-        Measure::Cost => "cost",
-    }
-}
-
-fn status_name(status: TrialStatus) -> &'static str {
-    match status {
-        TrialStatus::Solved => "solved",
-        TrialStatus::BudgetSpent => "budget_spent",
-        TrialStatus::StartInvalid => "start_invalid",
-        TrialStatus::GoalInvalid => "goal_invalid",
-        TrialStatus::Failed => "failed",
-    }
 }

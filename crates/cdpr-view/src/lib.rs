@@ -8,40 +8,19 @@
 
 mod extras;
 
-use std::sync::Arc;
-
 use serde_json::{Value, json};
 
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::error::{Error, ErrorClass};
 use cdpr_core::geometry::{Point, Polytope};
 use cdpr_core::model::{Obstacle, Scene};
-use cdpr_core::planning::SearchTree;
+use cdpr_core::path_file::PathFile;
 use cdpr_core::regions::{NamedMesh, Regions};
 use cdpr_core::watch::Watch;
 
 const TEMPLATE: &str = include_str!("assets/template.html");
 const STYLE: &str = include_str!("assets/viewer.css");
 const SCRIPT: &str = include_str!("assets/viewer.js");
-
-/// The path to show.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ShownPath {
-    /// How planning ended, as in a path file.
-    pub status: Option<String>,
-    /// The final path, m.
-    pub waypoints: Vec<Point>,
-    /// Its length, m.
-    pub cost: Option<f64>,
-    /// The path before rewinding, m.
-    pub raw_waypoints: Vec<Point>,
-    /// Its length, m.
-    pub raw_cost: Option<f64>,
-    /// Name of the planner.
-    pub planner: Option<String>,
-    /// Its search tree; empty if it is not known, as for paths from files.
-    pub tree: Arc<SearchTree<Point>>,
-}
 
 /// The page for a scene, a path and its violations.
 ///
@@ -50,7 +29,7 @@ pub struct ShownPath {
 /// let page = cdpr_view::page(&cdpr_core::testing::hard1(), None, &[]);
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
-pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> String {
+pub fn page(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> String {
     page_within(scene, path, violations, &Watch::NONE).expect("nothing stops it")
 }
 
@@ -60,11 +39,11 @@ pub fn page(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn page_within(
     scene: &Scene,
-    path: Option<&ShownPath>,
+    path: Option<&PathFile>,
     violations: &[PathViolation],
     watch: &Watch,
 ) -> Result<String, Error> {
-    let motion = path.map(|path| extra(extras::motion(scene, &path.waypoints, watch))).transpose()?.flatten();
+    let motion = path.map(|path| extra(extras::motion(scene, &path.points(), watch))).transpose()?.flatten();
     let regions = extra(extras::shadows(scene, watch))?;
     let feasible = extra(extras::feasible(scene, watch))?;
     let mut data = data(scene, path, violations);
@@ -106,9 +85,10 @@ fn filled(scene: &Scene, data: &Value) -> String {
     fill(TEMPLATE, &parts)
 }
 
-fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -> Value {
+fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> Value {
     let q = scene.orientation();
-    let waypoints = path.map_or(&[][..], |path| &path.waypoints); // start and goal may differ from the scene's
+    let waypoints = path.map_or(&[][..], |path| &path.waypoints);
+    let end = |of_path: Option<&[f64; 3]>, own: Option<Point>| of_path.copied().or(own.as_ref().map(xyz)); // they may differ
     let cable = |c: &cdpr_core::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
     let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
     json!({
@@ -119,19 +99,18 @@ fn data(scene: &Scene, path: Option<&ShownPath>, violations: &[PathViolation]) -
         "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
         "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
         "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
-        "start": waypoints.first().or(scene.start().as_ref()).map(xyz),
-        "goal": waypoints.last().or(scene.goal().as_ref()).map(xyz),
-        "path": path.map(|p| json!({
-            "status": p.status,
-            "waypoints": p.waypoints.iter().map(xyz).collect::<Vec<_>>(),
-            "cost": p.cost,
-            "raw_waypoints": p.raw_waypoints.iter().map(xyz).collect::<Vec<_>>(),
-            "raw_cost": p.raw_cost,
-            "planner": p.planner,
-            "tree": extras::tree(&p.tree),
-        })),
+        "start": end(waypoints.first(), scene.start()),
+        "goal": end(waypoints.last(), scene.goal()),
+        "path": path.map(path_value),
         "violations": violations,
     })
+}
+
+/// The keys of a path file that users write as well, and the search tree.
+fn path_value(path: &PathFile) -> Value {
+    let mut value = json!(PathFile { planned: None, ..path.clone() });
+    value["tree"] = json!(extras::tree(&path.tree));
+    value
 }
 
 fn xyz(p: &Point) -> [f64; 3] {

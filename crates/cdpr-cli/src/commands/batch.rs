@@ -3,9 +3,7 @@
 use std::path::Path;
 
 use cdpr_core::{Error, ErrorClass};
-use cdpr_study::BatchFolder;
-use cdpr_study::{Progress, RunOptions};
-use serde_json::Value;
+use cdpr_study::{BatchFolder, Described, MethodSummary, Progress, RunOptions, SummaryFile, TestSummary};
 
 use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
@@ -55,7 +53,7 @@ pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(),
         out.result(text.trim_end());
         return Ok(());
     }
-    let summary: Value = cdpr_files::text::parse(&text, cdpr_files::text::Notation::Json)?;
+    let summary: SummaryFile = cdpr_files::text::parse(&text, cdpr_files::text::Notation::Json)?;
     for line in lines(&summary) {
         out.result(&line);
     }
@@ -64,36 +62,28 @@ pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(),
     Ok(())
 }
 
-fn lines(summary: &Value) -> Vec<String> {
-    let list = |key: &str| summary[key].as_array().cloned().unwrap_or_default();
-    let methods = list("methods");
-    let name =
-        |m: &Value| format!("{}, {}", m["scenario"].as_str().unwrap_or("?"), m["method"].as_str().unwrap_or("?"));
-    let width = methods.iter().map(|m| name(m).chars().count()).max().unwrap_or(0);
+fn lines(summary: &SummaryFile) -> Vec<String> {
+    let name = |m: &MethodSummary| format!("{}, {}", m.scenario, m.method);
+    let width = summary.methods.iter().map(|m| name(m).chars().count()).max().unwrap_or(0);
     let head = "solved   planning, ms    median  shortening, ms        raw, m           cost, m";
     let mut lines = vec![format!("{:width$}  {head}", "mean ± standard deviation")];
-    for method in &methods {
-        let number = |measure: &str, key: &str| method[measure][key].as_f64().unwrap_or(f64::NAN);
-        let pair = |measure: &str, scale: f64, digits: usize| {
-            format!("{:.digits$} ± {:.digits$}", scale * number(measure, "mean"), scale * number(measure, "sd"))
-        };
+    let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
+    let pair = |of: &Described, scale: f64| format!("{:.3} ± {:.3}", scale * number(of.mean), scale * number(of.sd));
+    for method in &summary.methods {
         lines.push(format!(
             "{:width$}  {:>6} {:>15} {:>9.3} {:>15} {:>15} {:>15}",
             name(method),
-            format!("{}/{}", method["solved"], method["n"]),
-            pair("planning_seconds", 1e3, 3),
-            1e3 * number("planning_seconds", "median"),
-            pair("post_seconds", 1e3, 3),
-            pair("raw_cost", 1.0, 3),
-            pair("cost", 1.0, 3),
+            format!("{}/{}", method.solved, method.n),
+            pair(&method.planning_seconds, 1e3),
+            1e3 * number(method.planning_seconds.median),
+            pair(&method.post_seconds, 1e3),
+            pair(&method.raw_cost, 1.0),
+            pair(&method.cost, 1.0),
         ));
     }
-    let tests = list("t_tests");
-    let p = |test: &Value| {
-        test["p"].as_f64().map_or("-".to_string(), |p| if p < 1e-3 { "<0.001".into() } else { format!("{p:.4}") })
-    };
-    let letters: Vec<String> =
-        tests.iter().map(|test| format!("{} {}", test["group"].as_str().unwrap_or("?"), p(test))).collect();
+    let p = |p: f64| if p < 1e-3 { "<0.001".to_string() } else { format!("{p:.4}") };
+    let told = |test: &TestSummary| format!("{} {}", test.group, test.p.map_or("-".to_string(), p));
+    let letters: Vec<String> = summary.t_tests.iter().map(told).collect();
     if !letters.is_empty() {
         lines.push(format!("p of the t-tests: {}", letters.join(", ")));
     }

@@ -8,7 +8,8 @@ use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Planned, Pos
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Interrupt;
 use cdpr_core::{Error, Scene};
-use cdpr_view::{ShownPath, page};
+use cdpr_files::PathFile;
+use cdpr_view::page;
 
 use super::post::{check_path_name, save_path};
 use super::view::IN_BROWSER;
@@ -47,11 +48,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let ends = query.ends().map_err(in_scene)?;
     let scene = turned.unwrap_or(scene);
     engine.iter().for_each(|engine| out.notes(engine.conditions()));
+    let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
-    let mut json = cdpr_files::plan_json(&scene, &options, &found, &nearest, wrench.as_ref());
-    json["lower_bound"] = bound.into();
     match args.scene.format {
-        Format::Json => out.result(&format!("{json:#}")),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(file))),
         Format::Text => {
             out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
@@ -61,12 +61,12 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(path) = &args.output {
-        save_path(path, &json, out)?;
+        save_path(path, &file, out)?;
     }
     if interrupted() {
         out.say("interrupted; this is the best path found so far");
     } else if let Some(path) = &args.html {
-        let page = page(&shown_scene(&scene, ends)?, Some(&shown(&options, &found)), &[]);
+        let page = page(&shown_scene(&scene, ends)?, Some(&file), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     say_next(args, &scene, &found, out);
@@ -100,20 +100,6 @@ fn shown_scene(scene: &Scene, [start, goal]: [Point; 2]) -> Result<Scene, Error>
     let query = spec.query.get_or_insert_default();
     (query.start, query.goal) = (Some(start.into()), Some(goal.into()));
     Scene::new(spec)
-}
-
-fn shown(options: &PlanOptions, found: &PlanResult) -> ShownPath {
-    let name = |value: serde_json::Value| value.as_str().map(str::to_string);
-    let cost = |cost: f64| cost.is_finite().then_some(cost);
-    ShownPath {
-        status: name(serde_json::json!(found.status)),
-        waypoints: found.waypoints.clone(),
-        cost: cost(found.cost),
-        raw_waypoints: found.raw_waypoints.clone(),
-        raw_cost: cost(found.raw_cost),
-        planner: name(serde_json::json!(options.planner.planner())),
-        tree: found.tree.clone(),
-    }
 }
 
 fn question(scene: &Scene, [start, goal]: [Point; 2]) -> String {

@@ -6,6 +6,7 @@ use cdpr_core::Error;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::plan::{engine_within, shorten_path};
 use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_files::PathFile;
 
 use crate::Answer;
 use crate::args::{Format, PostArgs};
@@ -20,12 +21,12 @@ pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
 }
 
 /// Writes a path: JSON or CSV by the extension, JSON to standard output, pipes and devices.
-pub fn save_path(path: &Path, json: &serde_json::Value, out: &Console) -> Result<(), Error> {
+pub fn save_path(path: &Path, file: &PathFile, out: &Console) -> Result<(), Error> {
     if is_stream(path) {
-        return out.write(path, format!("{json:#}\n").as_bytes(), "");
+        return out.write(path, format!("{:#}\n", serde_json::json!(file)).as_bytes(), "");
     }
     let writing = writing();
-    cdpr_files::save_path(path, json)?;
+    cdpr_files::save_path(path, file)?;
     drop(writing);
     out.wrote(path, "");
     Ok(())
@@ -42,9 +43,9 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let processing = args.options()?;
     let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
     let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
-    let json = cdpr_files::path_json(&scene, &shorter);
+    let file = PathFile::of(&scene, &shorter);
     match given.scene.format {
-        Format::Json => out.result(&format!("{json:#}")),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(file))),
         Format::Text => {
             out.result(&scene_line(&scene));
             out.result(&format!(
@@ -57,7 +58,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(output) = &args.output {
-        save_path(output, &json, out)?;
+        save_path(output, &file, out)?;
     }
     Ok(Answer::Yes)
 }

@@ -50,14 +50,12 @@ fn triangles(found: &Regions) -> usize {
 }
 
 fn summary(args: &ShadowsArgs, found: &Regions) -> serde_json::Value {
+    let mut within = json!(found.within);
+    within["volume"] = found.box_volume().into();
     json!({
         "output": lossy(&args.output),
         "space": found.space,
-        "box": {
-            "min": found.within.min.coords.as_slice(),
-            "max": found.within.max.coords.as_slice(),
-            "volume": found.box_volume(),
-        },
+        "box": within,
         "triangles": triangles(found),
         "meshes": found.meshes.iter().map(NamedMesh::summary).collect::<Vec<_>>(),
     })

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use cdpr_core::Error;
 use cdpr_core::collision::check_path;
-use cdpr_core::geometry::Point;
 use cdpr_core::plan::engine_within;
 use cdpr_core::watch::Watch;
-use cdpr_view::{ShownPath, page_within};
+use cdpr_files::{LoadedPath, PathFile};
+use cdpr_view::page_within;
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
@@ -30,7 +30,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch)
                 .map_err(|e| e.in_file(&args.scene.scene))?;
             let report = check_path(&*engine, &loaded.waypoints, &watch)?;
-            (scene, Some(shown(loaded, report.length)), report.violations)
+            (scene, Some(shown(&loaded, report.length)), report.violations)
         }
     };
     let page = page_within(&scene, shown.as_ref(), &violations, &watch)?;
@@ -50,15 +50,8 @@ pub fn check_page_name(path: &Path) -> Result<(), Error> {
     }
 }
 
-fn shown(loaded: cdpr_files::LoadedPath, length: f64) -> ShownPath {
-    let file = loaded.file;
-    ShownPath {
-        status: file.as_ref().and_then(|f| f.status.clone()),
-        waypoints: loaded.waypoints,
-        cost: Some(length),
-        raw_waypoints: file.iter().flat_map(|f| &f.raw_waypoints).map(|p| Point::from(*p)).collect(),
-        raw_cost: file.as_ref().and_then(|f| f.raw_cost),
-        planner: file.and_then(|f| f.planner),
-        ..ShownPath::default()
-    }
+/// The path as its file tells it, with the length found now.
+fn shown(loaded: &LoadedPath, length: f64) -> PathFile {
+    let waypoints = loaded.waypoints.iter().map(|p| (*p).into()).collect();
+    PathFile { waypoints, cost: Some(length), ..loaded.file.clone().unwrap_or_default() }
 }

@@ -223,10 +223,14 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     drop(writing);
     let found = map.summary();
     match args.scene.format {
-        Format::Json => out.result(&format!("{:#}", summary_json(&map))),
+        Format::Json => {
+            let mut json = serde_json::json!(found);
+            json["fingerprint"] = map.identity().fingerprint().into();
+            out.result(&format!("{json:#}"));
+        }
         Format::Text => {
             out.result(&scene_line(scene));
-            let [nx, ny, nz] = map.grid().counts;
+            let [nx, ny, nz] = found.grid.counts;
             let share = 100.0 * found.share;
             out.result(&format!(
                 "{} of {} nodes feasible ({nx} x {ny} x {nz}), {share:.1} %",
@@ -244,24 +248,4 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     }
     out.wrote(output, "");
     Ok(if found.feasible > 0 { Answer::Yes } else { Answer::No })
-}
-
-fn summary_json(map: &WrenchMap) -> serde_json::Value {
-    let (found, grid) = (map.summary(), map.grid());
-    let place = |p: &Place| serde_json::json!({ "margin": p.margin, "position": p.position.coords.as_slice() });
-    let extent = |e: &Aabb| serde_json::json!({ "min": e.min.coords.as_slice(), "max": e.max.coords.as_slice() });
-    serde_json::json!({
-        "origin": grid.origin.coords.as_slice(),
-        "step": grid.step,
-        "counts": grid.counts,
-        "nodes": found.nodes,
-        "feasible": found.feasible,
-        "undefined": found.undefined,
-        "share": found.share,
-        "volume": found.volume,
-        "extent": found.extent.as_ref().map(extent),
-        "least": found.least.as_ref().map(place),
-        "greatest": found.greatest.as_ref().map(place),
-        "fingerprint": map.identity().fingerprint(),
-    })
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Serialize, Serializer};
+
 pub use super::hull::Facet;
 use super::hull::{self, Extent, Hull};
 use super::{Point, Rotation, Vector};
@@ -9,12 +11,19 @@ use crate::numerics::{ON_SURFACE, PARALLEL, SAME_POINT};
 use crate::words::small_length;
 
 /// An axis-aligned box.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Aabb {
     /// Smallest coordinates, m.
+    #[serde(serialize_with = "as_list")]
     pub min: Point,
     /// Largest coordinates, m.
+    #[serde(serialize_with = "as_list")]
     pub max: Point,
+}
+
+/// Serializes a point as [x, y, z].
+pub(crate) fn as_list<S: Serializer>(point: &Point, serializer: S) -> Result<S::Ok, S::Error> {
+    point.coords.as_slice().serialize(serializer)
 }
 
 impl Aabb {

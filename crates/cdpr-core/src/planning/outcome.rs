@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::tree::SearchTree;
+use crate::choices;
 
 /// How a well-posed planning problem can end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// A path was found.
     Solved,
@@ -17,6 +17,13 @@ pub enum Status {
     /// The goal is not a valid state.
     GoalInvalid,
 }
+
+choices!(Status, "status", [
+    Solved = "solved": "A path was found",
+    BudgetSpent = "budget_spent": "The limit on samples or time was reached first",
+    StartInvalid = "start_invalid": "The start is not a valid state",
+    GoalInvalid = "goal_invalid": "The goal is not a valid state",
+]);
 
 /// What a planner found.
 #[derive(Debug, Clone, PartialEq)]

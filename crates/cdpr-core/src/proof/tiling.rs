@@ -1,6 +1,6 @@
 //! The boxes of a finished decomposition, as a proof lists them.
 
-use super::regions::Regions;
+use super::closing::Regions;
 use crate::decomposition::{Closed, Decomposition, Kind};
 use crate::geometry::{Cuboid, HalfSpace};
 

@@ -3,10 +3,13 @@
 //! The paper's wrench-feasible workspace (section 3.3) in numbers: where the cables can hold the platform and exert the
 //! required wrenches.
 
+use serde::Serialize;
+
 use super::margins::{force_limit, moment_limit};
 use super::{CapacityMargin, MapIdentity, Required, Statics};
 use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
+use crate::geometry::polytope::as_list;
 use crate::geometry::{Aabb, Point, Vector};
 use crate::model::body;
 use crate::numerics::simd::WIDTH;
@@ -31,9 +34,10 @@ impl Default for MapOptions {
 ///
 /// Along each axis the nodes are origin, origin + step, origin + 2 step, and so on. Margins are in C order: z fastest,
 /// node (i, j, k) at (i · ny + j) · nz + k, as NumPy expects of an array of shape (nx, ny, nz).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Grid {
     /// The first node, m.
+    #[serde(serialize_with = "as_list")]
     pub origin: Point,
     /// Distance of neighbouring nodes along each axis, m.
     pub step: f64,
@@ -196,11 +200,12 @@ impl WrenchMap {
 }
 
 /// A margin and the position that has it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Place {
     /// The margin, N.
     pub margin: f64,
     /// The node, m.
+    #[serde(serialize_with = "as_list")]
     pub position: Point,
 }
 
@@ -209,8 +214,11 @@ pub struct Place {
 /// A node is feasible if its margin is positive: a set without interior, such as that of a robot which lacks a degree
 /// of freedom, has margins of at most zero. Each feasible node represents the cube of one step around it, so the volume
 /// is the count times step³; a region that extends to the side of the box is counted half a step beyond it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MapSummary {
+    /// The grid of nodes.
+    #[serde(flatten)]
+    pub grid: Grid,
     /// Number of nodes.
     pub nodes: usize,
     /// Nodes with a positive margin.
@@ -249,6 +257,7 @@ impl MapSummary {
         }
         let place = |(n, margin): (usize, f64)| Place { margin, position: grid.position(n) };
         MapSummary {
+            grid: *grid,
             nodes: margins.len(),
             feasible,
             undefined,

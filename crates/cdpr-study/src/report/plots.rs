@@ -9,7 +9,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
 
-use super::study::{MethodSummary, Study};
+use super::study::Study;
+use crate::MethodSummary;
 use crate::Swept;
 use crate::statistics::quantile;
 

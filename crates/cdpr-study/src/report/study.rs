@@ -2,10 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
-use crate::experiment_spec::Measure;
-use crate::{Origin, Rules, Swept};
+use crate::{MethodSummary, SummaryFile, Swept};
 
 /// The contents of `summary.json` and `trials.csv`.
 #[derive(Debug, Clone)]
@@ -35,101 +32,6 @@ impl Cost {
     pub fn reduction(&self) -> f64 {
         if self.raw > 0.0 { 100.0 * (1.0 - self.cost / self.raw) } else { 0.0 }
     }
-}
-
-/// `summary.json`
-#[derive(Debug, Clone, Deserialize)]
-pub struct SummaryFile {
-    /// Name of the experiment.
-    pub experiment: String,
-    /// Its fingerprint.
-    pub fingerprint: String,
-    /// Level of confidence intervals.
-    pub confidence: f64,
-    /// Statistics of each method in each scenario.
-    pub methods: Vec<MethodSummary>,
-    /// Comparisons.
-    pub t_tests: Vec<TestSummary>,
-    /// How the methods plan; empty in files from before 0.2.
-    #[serde(default)]
-    pub rules: Vec<Rules>,
-    /// The programs and machines that ran the trials.
-    #[serde(default)]
-    pub origins: Vec<Origin>,
-}
-
-/// Statistics of a method in a scenario.
-#[derive(Debug, Clone, Deserialize)]
-pub struct MethodSummary {
-    /// Name of the scenario.
-    pub scenario: String,
-    /// Name of the method.
-    pub method: String,
-    /// Its place in its sweep.
-    pub sweep: Option<Swept>,
-    /// Trials.
-    pub n: usize,
-    /// Solved trials.
-    pub solved: usize,
-    /// Time of the planner, s.
-    pub planning_seconds: Described,
-    /// Time of rewinding, s.
-    pub post_seconds: Described,
-    /// Length of the planner's path, m.
-    pub raw_cost: Described,
-    /// Length of the final path, m.
-    pub cost: Described,
-    /// Reduction of the path's length by post-processing, relative to the raw length.
-    pub reduction: Described,
-    /// Waypoints of the final path.
-    pub waypoints: Described,
-}
-
-impl MethodSummary {
-    /// The statistics of a measure.
-    pub(super) fn of(&self, measure: Measure) -> &Described {
-        match measure {
-            Measure::PlanningSeconds => &self.planning_seconds,
-            Measure::PostSeconds => &self.post_seconds,
-            Measure::RawCost => &self.raw_cost,
-            Measure::Cost => &self.cost,
-        }
-    }
-}
-
-/// Statistics of one measure; `None` if there are too few numbers.
-#[derive(Debug, Clone, Deserialize)]
-#[allow(missing_docs)] // named as in the file
-pub struct Described {
-    pub mean: Option<f64>,
-    pub sd: Option<f64>,
-    pub confidence_interval: [Option<f64>; 2],
-    pub median: Option<f64>,
-    pub min: Option<f64>,
-    pub q05: Option<f64>,
-    pub q25: Option<f64>,
-    pub q75: Option<f64>,
-    pub q95: Option<f64>,
-    pub max: Option<f64>,
-}
-
-/// A comparison and its result.
-#[derive(Debug, Clone, Deserialize)]
-pub struct TestSummary {
-    /// Its letter.
-    pub group: String,
-    /// The compared measure.
-    pub measure: Measure,
-    /// Scenario and method.
-    pub a: [String; 2],
-    /// Scenario and method.
-    pub b: [String; 2],
-    /// The statistic.
-    pub t: Option<f64>,
-    /// Degrees of freedom.
-    pub df: Option<f64>,
-    /// Probability.
-    pub p: Option<f64>,
 }
 
 /// A swept method in a scenario: the common part of its variants.

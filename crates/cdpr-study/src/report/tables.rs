@@ -1,8 +1,9 @@
 //! Tables of a report as HTML. All text from files goes through `escaped`.
 
 use super::paper::{Claim, Printed};
-use super::study::{APART, Described, MethodSummary, Study};
+use super::study::{APART, Study};
 use crate::experiment_spec::Measure;
+use crate::{Described, MethodSummary, TestSummary};
 use crate::{Origin, Rules};
 use cdpr_core::words::count;
 use cdpr_view::escaped;
@@ -125,7 +126,7 @@ pub(super) fn rules(study: &Study) -> String {
 /// The t-tests, with the paper's p-values if it prints any.
 pub(super) fn t_tests(study: &Study, printed: Option<&Printed>) -> String {
     let name = |pair: &[String; 2]| escaped(&pair.join(", "));
-    let row = |test: &super::study::TestSummary| {
+    let row = |test: &TestSummary| {
         let p = test.p.map_or("–".to_string(), |p| if p < 1e-3 { "&lt; 0.001".into() } else { format!("{p:.4}") });
         let theirs = printed.and_then(|printed| printed.p_values.get(&test.group));
         let theirs = theirs.map_or("–".to_string(), |p| escaped(p));

@@ -1,0 +1,236 @@
+//! The JSON of a path as plain data: the path files that users write, and what planning adds to them. Files, Python, the
+//! command line and the page share this one type.
+
+use std::sync::Arc;
+
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::choice::Choice;
+use crate::collision::path_check::{Nearest, path_length};
+use crate::collision::{Engine, Interference, Violation};
+use crate::geometry::Point;
+use crate::model::Scene;
+use crate::model::spec::FORMAT_VERSION;
+use crate::plan::{Appraisal, PlanOptions, PlanResult, Post, Stats};
+use crate::planning::{Milestone, PlannerSettings, SearchTree};
+use crate::wrench::PathWrench;
+
+/// The keys of a path file. Other keys are allowed, and planning writes more.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(title = "cdpr path"))]
+pub struct PathFile {
+    /// Version of the format, 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<u32>,
+    /// Positions of the platform's origin, world, m.
+    pub waypoints: Vec<[f64; 3]>,
+    /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; if omitted, the scene's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<[f64; 4]>,
+    /// Name of the orientation in the scene; selects it if `orientation` is omitted.
+    // Planning writes null for an orientation without a name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation_name: Option<Option<String>>,
+    /// The scene that the path was planned for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<SceneId>,
+    /// How planning ended: solved, budget_spent, start_invalid or goal_invalid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub status: Option<String>,
+    /// Length of the path, m.
+    // NaN without a path, which is null in JSON.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cost: Option<f64>,
+    /// The planner's path before post-processing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 3]>"))]
+    pub raw_waypoints: Option<Vec<[f64; 3]>>,
+    /// Its length, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub raw_cost: Option<f64>,
+    /// Name of the planner.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub planner: Option<String>,
+    /// The other keys that planning writes; they are not read back.
+    #[serde(flatten, skip_deserializing)]
+    #[cfg_attr(feature = "schema", schemars(skip))]
+    pub planned: Option<PlannedKeys>,
+    /// The planner's search tree, for the page; not in the file.
+    #[serde(skip)]
+    pub tree: Arc<SearchTree<Point>>,
+}
+
+/// Identifies the scene of a path.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+pub struct SceneId {
+    /// Name of the scene.
+    pub name: String,
+    /// See [`Scene::fingerprint`].
+    pub fingerprint: String,
+}
+
+/// The keys of a planned path that are only written.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlannedKeys {
+    /// Why the start or goal is invalid.
+    pub reason: Option<Violation>,
+    /// The engine that checked motions.
+    pub engine: Engine,
+    /// Rule for interference between cables.
+    pub interference: Interference,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// All other options on which the path depends.
+    pub options: OptionKeys,
+    /// Counts and times.
+    pub stats: Stats,
+    /// When the planner's path improved, first to last.
+    pub history: Vec<Milestone>,
+    /// The nearest approach, and the pairs exempt from the required clearance.
+    #[serde(flatten)]
+    pub nearest: Nearest,
+    /// The wrenches, if the scene requires wrench feasibility.
+    #[serde(flatten)]
+    pub wrench: Option<PathWrench>,
+    /// Lower bound on the length of every path, m: null if there was no time for it, left out if it was not requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lower_bound: Option<Option<f64>>,
+}
+
+/// Options of post-processing, the time budget and the settings of the planner.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OptionKeys {
+    /// Step of rewinding, m.
+    pub step: f64,
+    /// Post-processing of the planner's path.
+    pub post: Post,
+    /// Number of times that rewinding ran.
+    pub repeats: usize,
+    /// Time limit, ms.
+    pub budget_ms: Option<f64>,
+    /// Settings of the planner.
+    #[serde(flatten)]
+    pub settings: PlannerSettings,
+}
+
+impl PathFile {
+    /// A path of a scene without a planning result.
+    pub fn of(scene: &Scene, waypoints: &[Point]) -> Self {
+        let turn = scene.orientation();
+        PathFile {
+            version: Some(FORMAT_VERSION),
+            waypoints: rows(waypoints),
+            orientation: Some([turn.w, turn.i, turn.j, turn.k]),
+            orientation_name: Some(scene.orientation_name().map(str::to_string)),
+            scene: Some(SceneId { name: scene.name().to_string(), fingerprint: scene.fingerprint() }),
+            cost: Some(path_length(waypoints)),
+            ..PathFile::default()
+        }
+    }
+
+    /// A planning result in a scene; `lower_bound` is left out.
+    pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
+        let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats } = result;
+        let planned = PlannedKeys {
+            reason: reason.clone(),
+            engine: options.engine,
+            interference: options.interference,
+            seed: options.seed,
+            options: OptionKeys::of(options),
+            stats: *stats,
+            history: history.clone(),
+            nearest: appraisal.nearest.clone(),
+            wrench: appraisal.wrench.clone(),
+            lower_bound: None,
+        };
+        PathFile {
+            status: Some(status.name().to_string()),
+            cost: Some(*cost),
+            raw_waypoints: Some(rows(raw_waypoints)),
+            raw_cost: Some(*raw_cost),
+            planner: Some(options.planner.planner().name().to_string()),
+            planned: Some(planned),
+            tree: tree.clone(),
+            ..PathFile::of(scene, waypoints)
+        }
+    }
+
+    /// The same with the key `lower_bound`, m; null if the bound is not known.
+    pub fn with_lower_bound(mut self, bound: Option<f64>) -> Self {
+        self.planned.iter_mut().for_each(|planned| planned.lower_bound = Some(bound));
+        self
+    }
+
+    /// The waypoints as points, m.
+    pub fn points(&self) -> Vec<Point> {
+        self.waypoints.iter().map(|row| Point::from(*row)).collect()
+    }
+}
+
+impl OptionKeys {
+    fn of(options: &PlanOptions) -> Self {
+        OptionKeys {
+            step: options.step,
+            post: options.post(),
+            repeats: options.repeats,
+            budget_ms: options.budget.map(|budget| budget.as_secs_f64() * 1e3),
+            settings: options.planner.settings(),
+        }
+    }
+}
+
+fn rows(points: &[Point]) -> Vec<[f64; 3]> {
+    points.iter().map(|p| [p.x, p.y, p.z]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::plan;
+    use crate::testing::hard1;
+    use serde_json::{Value, json};
+
+    fn keys(value: &Value) -> Vec<&str> {
+        value.as_object().unwrap().keys().map(String::as_str).collect()
+    }
+
+    #[test]
+    fn what_planning_writes_is_read_without_the_keys_that_only_it_writes() {
+        let (scene, options) = (hard1(), PlanOptions::paper());
+        let result = plan(&scene, &options, &()).unwrap().result;
+        let written = json!(PathFile::planned(&scene, &options, &result, &Appraisal::default()));
+        assert_eq!(written["orientation_name"], Value::Null);
+        assert_eq!(written["options"]["post"], "both");
+        assert!(!keys(&written).contains(&"lower_bound"));
+        let read: PathFile = serde_json::from_value(written.clone()).unwrap();
+        assert_eq!((read.points(), read.status.as_deref()), (result.waypoints, Some("solved")));
+        let again = json!(read);
+        let users =
+            ["cost", "orientation", "planner", "raw_cost", "raw_waypoints", "scene", "status", "version", "waypoints"];
+        assert_eq!(keys(&again), users);
+        assert!(users.iter().all(|key| again[key] == written[key]));
+    }
+
+    #[test]
+    fn numbers_that_a_result_lacks_are_null() {
+        let result = PlanResult::out_of_time();
+        let file = PathFile::planned(&hard1(), &PlanOptions::default(), &result, &Appraisal::default());
+        let written = json!(file.with_lower_bound(None));
+        for key in ["cost", "raw_cost", "lower_bound", "reason", "min_clearance"] {
+            assert_eq!(written.get(key), Some(&Value::Null), "{key}");
+        }
+        assert_eq!((&written["status"], &written["raw_waypoints"]), (&json!("budget_spent"), &json!([])));
+    }
+
+    #[test]
+    fn a_path_without_a_result_has_no_keys_of_one() {
+        let ends = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
+        let written = json!(PathFile::of(&hard1(), &ends));
+        assert_eq!(keys(&written), ["cost", "orientation", "orientation_name", "scene", "version", "waypoints"]);
+        assert_eq!(written["cost"], 1.0);
+    }
+}
