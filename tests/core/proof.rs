@@ -3,6 +3,7 @@
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, RobotSource, Scene, SceneSpec, WrenchSpec};
+use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, Content, Proof, decide};
@@ -15,7 +16,7 @@ use rand_chacha::ChaCha8Rng;
 
 fn answer(scene: &Scene) -> Answer {
     let engine = engine_for(scene, Default::default(), Interference::Exact).unwrap();
-    decide(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE).unwrap()
+    decide(&*engine, [&scene.start().unwrap(), &scene.goal().unwrap()], PROOF_EFFORT, &Watch::NONE).unwrap()
 }
 
 fn proof(spec: SceneSpec) -> Proof {

@@ -5,6 +5,7 @@
 use std::time::Instant;
 
 use cdpr_core::collision::{CspaceEngine, Interference};
+use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::proof::{Answer, Proof, decide};
 use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;
@@ -23,7 +24,8 @@ fn main() -> Result<(), cdpr_core::Error> {
             let clock = Instant::now();
             let engine = CspaceEngine::new(&scene, Interference::Exact)?;
 
-            let answer = decide(&engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
+            let answer =
+                decide(&engine, [&scene.start().unwrap(), &scene.goal().unwrap()], PROOF_EFFORT, &Watch::NONE)?;
             let milliseconds = 1e3 * clock.elapsed().as_secs_f64();
             match answer {
                 Answer::Path(_) => found.push(milliseconds),

@@ -383,5 +383,8 @@ pub const PROOF_MARGIN_USED: f64 = 0.99;
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
-/// Cells that a proof may visit.
+/// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
+
+/// Number of these cells per sample that the planner may draw, so that its limit limits both.
+pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::choice::Choice;
 use crate::collision::path_check::{Nearest, path_length};
@@ -13,7 +13,7 @@ use crate::collision::{Engine, Interference, Violation};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
-use crate::plan::{Appraisal, PlanOptions, PlanResult, Post, Stats};
+use crate::plan::{Appraisal, NoPath, PlanOptions, PlanResult, Post, Stats};
 use crate::planning::{Milestone, PlannerSettings, SearchTree};
 use crate::wrench::PathWrench;
 
@@ -37,7 +37,7 @@ pub struct PathFile {
     /// The scene that the path was planned for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<SceneId>,
-    /// How planning ended: solved, budget_spent, start_invalid or goal_invalid.
+    /// How planning ended: solved, budget_spent, no_path, start_invalid or goal_invalid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub status: Option<String>,
     /// Length of the path, m.
@@ -78,6 +78,12 @@ pub struct SceneId {
 pub struct PlannedKeys {
     /// Why the start or goal is invalid.
     pub reason: Option<Violation>,
+    /// Why there is no path, if that was proved.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "shared")]
+    pub proof: Option<Arc<NoPath>>,
+    /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opening_below: Option<f64>,
     /// The engine that checked motions.
     pub engine: Engine,
     /// Rule for interference between cables.
@@ -112,6 +118,9 @@ pub struct OptionKeys {
     pub repeats: usize,
     /// Time limit, ms.
     pub budget_ms: Option<f64>,
+    /// Whether it was decided, beside the search, if there is a path at all; left out if so.
+    #[serde(skip_serializing_if = "Clone::clone")]
+    pub proof: bool,
     /// Settings of the planner.
     #[serde(flatten)]
     pub settings: PlannerSettings,
@@ -134,9 +143,12 @@ impl PathFile {
 
     /// A planning result in a scene; `lower_bound` is left out.
     pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
-        let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats } = result;
+        let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats, .. } = result;
+        let PlanResult { no_path, opening_below, .. } = result;
         let planned = PlannedKeys {
             reason: reason.clone(),
+            proof: no_path.clone(),
+            opening_below: *opening_below,
             engine: options.engine,
             interference: options.interference,
             seed: options.seed,
@@ -178,9 +190,14 @@ impl OptionKeys {
             post: options.post(),
             repeats: options.repeats,
             budget_ms: options.budget.map(|budget| budget.as_secs_f64() * 1e3),
+            proof: options.proof,
             settings: options.planner.settings(),
         }
     }
+}
+
+fn shared<S: Serializer>(proof: &Option<Arc<NoPath>>, serializer: S) -> Result<S::Ok, S::Error> {
+    proof.as_deref().serialize(serializer)
 }
 
 fn rows(points: &[Point]) -> Vec<[f64; 3]> {

@@ -1,6 +1,8 @@
 //! Planning as a whole: engine, planner, post-processing, and a final check of the path.
 
 mod choosing;
+mod deciding;
+mod no_path;
 mod query;
 
 use std::sync::Arc;
@@ -23,6 +25,8 @@ use crate::postprocess::{Direction, Order, RewindOptions, StringPuller, Trace, r
 use crate::watch::{Interrupt, Watch};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
+use deciding::{Decided, search_and_decide};
+pub use no_path::NoPath;
 pub use query::{Observer, Planned, Query};
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
@@ -117,6 +121,8 @@ pub struct PlanOptions {
     pub post: Option<Post>,
     /// Number of times that rewinding runs.
     pub repeats: usize,
+    /// Whether to decide, beside the search, if there is a path at all.
+    pub proof: bool,
     /// Time limit of the call, including the time to compile the scene; the best path so far is returned.
     pub budget: Option<Duration>,
 }
@@ -132,6 +138,7 @@ impl Default for PlanOptions {
             step,
             post: None,
             repeats,
+            proof: true,
             budget: None,
         }
     }
@@ -176,6 +183,10 @@ pub struct PlanResult {
     pub status: Status,
     /// Why the start or goal is invalid.
     pub reason: Option<Violation>,
+    /// Why there is no path, if that was proved.
+    pub no_path: Option<Arc<NoPath>>,
+    /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
+    pub opening_below: Option<f64>,
     /// The final path, m; empty unless solved.
     pub waypoints: Vec<Point>,
     /// Its length, m; NaN unless solved.
@@ -373,11 +384,26 @@ fn search(
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let outcome = options.planner.search(&problem, engine, &StringPuller::new(engine), improved, &mut rng, watch)?;
+    let puller = StringPuller::new(engine);
+    let planner = |improved: &Improved, watch: &Watch| {
+        options.planner.search(&problem, engine, &puller, improved, &mut rng, watch)
+    };
+    let decided =
+        search_and_decide(engine, [&start, &goal], (options, query.answer), (improved, watch), &puller, planner)?;
+    let (outcome, opening_below) = match decided {
+        Decided::Searched(outcome, opening_below) => (outcome, opening_below),
+        Decided::NoPath(proof) => {
+            let no_path = NoPath::of(*proof, query.scene, engine, options, watch)?;
+            let stats = Stats { planning_seconds: clock.elapsed().as_secs_f64(), ..Stats::default() };
+            let no_path = Some(Arc::new(no_path));
+            return Ok(PlanResult { no_path, ..PlanResult::unsolved(Status::NoPath, None, stats) });
+        }
+    };
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    let unsolved = PlanResult { tree: tree.into(), history, ..PlanResult::unsolved(status, None, stats) };
+    let unsolved =
+        PlanResult { tree: tree.into(), history, opening_below, ..PlanResult::unsolved(status, None, stats) };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
         _ => unsolved,
@@ -438,6 +464,8 @@ impl PlanResult {
         PlanResult {
             status,
             reason,
+            no_path: None,
+            opening_below: None,
             waypoints: Vec::new(),
             cost,
             raw_waypoints: Vec::new(),

@@ -15,7 +15,7 @@ mod certificate;
 mod closing;
 mod tiling;
 
-pub use certificate::{BoxRow, Certificate, NamedRegion, Reason};
+pub use certificate::{BoxRow, Certificate, NamedRegion, Reason, WRENCH};
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};
@@ -71,7 +71,7 @@ const TASTE: Taste = Taste { level: 5, haste: 2.0 };
 const REACH_LEVEL: u8 = 5;
 const REACH_CELLS: usize = 50_000;
 
-/// Decides whether there is a path from start to goal, both valid positions.
+/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells.
 ///
 /// # Errors
 /// [`Error::interrupted`]; [`Error::out_of_time`] if time runs out before the scene's polyhedra are ready.
@@ -79,22 +79,36 @@ const REACH_CELLS: usize = 50_000;
 /// # Example
 /// ```
 /// use cdpr_core::collision::{CspaceEngine, Interference};
+/// use cdpr_core::numerics::PROOF_EFFORT;
 /// use cdpr_core::proof::{Answer, decide};
 /// use cdpr_core::testing::{scene, walled};
 /// use cdpr_core::watch::Watch;
 /// let scene = scene(walled(0.94)); // the platform needs 0.95 m to pass over the wall
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let answer = decide(&engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;
+/// let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];
+/// let answer = decide(&engine, ends, PROOF_EFFORT, &Watch::NONE)?;
 /// let Answer::NoPath(proof) = answer else { panic!("there is no path") };
 /// assert_eq!(proof.blocking, [0]); // the first obstacle
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn decide(checker: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<Answer, Error> {
-    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, [start, goal]);
-    Ok(match search.run(watch)? {
+pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &Watch) -> Result<Answer, Error> {
+    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, ends);
+    Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),
-        Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening([start, goal])),
+        Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
         Way::None => Answer::NoPath(Box::new(search.proof(watch)?)),
+    })
+}
+
+/// A path from start to goal, both valid positions, not shortened; `None` if there is none or it is not found.
+///
+/// # Errors
+/// As [`decide`].
+pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
+    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, ends);
+    Ok(match search.run(PROOF_EFFORT, watch)? {
+        Way::Path(path) => Some(path),
+        Way::None | Way::Undecided => None,
     })
 }
 
@@ -115,8 +129,8 @@ impl<'a> Search<'a> {
         Search { checker, ends, regions, cells }
     }
 
-    fn run(&mut self, watch: &Watch) -> Result<Way, Error> {
-        self.cells.way(self.ends, &self.regions, TASTE, PROOF_EFFORT, watch)
+    fn run(&mut self, effort: usize, watch: &Watch) -> Result<Way, Error> {
+        self.cells.way(self.ends, &self.regions, TASTE, effort, watch)
     }
 
     /// The proof of a search that found no way.

@@ -266,6 +266,7 @@ impl Scene {
         repeats: usize,
         budget: Option<f64>,
         settings: &str,
+        proof: bool,
         on_improvement: Option<Py<PyAny>>,
     ) -> PyResult<Planned<'py>> {
         let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
@@ -278,6 +279,7 @@ impl Scene {
             step,
             post: post.map(named).transpose()?,
             repeats,
+            proof,
             budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
         let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&self.0) };

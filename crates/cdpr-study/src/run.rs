@@ -17,8 +17,10 @@ use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::error::{Error, ErrorClass, caught};
 use cdpr_core::model::Scene;
+use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_within, plan, post_process};
 use cdpr_core::planning::{Milestone, Status};
+use cdpr_core::proof::{Answer, decide};
 use cdpr_core::watch::{Interrupt, Watch, thread_count};
 
 /// Maximum number of trials finished ahead of the oldest unfinished one; limits memory.
@@ -332,10 +334,28 @@ struct Engines {
     drawn: Option<(usize, usize, Scene, Vec<Compiled>)>,
 }
 
-type Compiled = ((Engine, Interference), Box<dyn Checker>);
+/// A scene compiled for an engine and an interference rule.
+struct Compiled {
+    key: (Engine, Interference),
+    engine: Box<dyn Checker>,
+    /// Whether there is a path; `None` if start or goal is invalid.
+    answer: Option<Answer>,
+}
+
+impl Compiled {
+    fn new(scene: &Scene, key: (Engine, Interference), watch: &Watch) -> Result<Self, Error> {
+        let engine = engine_within(scene, key.0, key.1, watch)?;
+        let ends = [scene.start(), scene.goal()].map(|end| end.filter(|end| engine.state_valid(end)));
+        let answer = match &ends {
+            [Some(start), Some(goal)] => Some(decide(&*engine, [start, goal], PROOF_EFFORT, watch)?),
+            _ => None,
+        };
+        Ok(Compiled { key, engine, answer })
+    }
+}
 
 impl Engines {
-    /// The scene of a trial, and the engine for it.
+    /// The scene of a trial, compiled.
     fn of<'a>(
         &'a mut self,
         experiment: &'a Experiment,
@@ -343,7 +363,7 @@ impl Engines {
         trial: usize,
         options: &PlanOptions,
         watch: &Watch,
-    ) -> Result<(&'a Scene, &'a dyn Checker), Error> {
+    ) -> Result<(&'a Scene, &'a Compiled), Error> {
         let (scene, known) = match &scenario.random {
             None => (&scenario.scene, self.fixed.entry(number).or_default()),
             Some(random) => {
@@ -358,14 +378,14 @@ impl Engines {
             }
         };
         let wanted = (options.engine, options.interference);
-        let at = match known.iter().position(|(key, _)| *key == wanted) {
+        let at = match known.iter().position(|compiled| compiled.key == wanted) {
             Some(at) => at,
             None => {
-                known.push((wanted, engine_within(scene, wanted.0, wanted.1, watch)?));
+                known.push(Compiled::new(scene, wanted, watch)?);
                 known.len() - 1
             }
         };
-        Ok((scene, &*known[at].1))
+        Ok((scene, &known[at]))
     }
 }
 
@@ -376,14 +396,17 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (number, scenario, method) = parts(experiment, unit.group);
-    let (scene, engine) =
+    let (scene, Compiled { engine, answer, .. }) =
         engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     let options = PlanOptions { seed, ..method.options.clone() };
     let planned = || {
-        let raw = plan(Query::of(scene).by(engine), &options, &|| interrupted())?.result;
+        let query = Query { answer: answer.as_ref(), ..Query::of(scene).by(&**engine) };
+        let raw = plan(query, &options, &|| interrupted())?.result;
         let variants = method.variants.iter();
-        variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
+        variants
+            .map(|(_, how)| post_process(&**engine, &raw, how, &Watch::on(interrupted)))
+            .collect::<Result<Vec<_>, _>>()
     };
     match planned() {
         Ok(results) => {

@@ -42,6 +42,12 @@ pub struct PlanArgs {
     /// Goal instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub goal: Option<Vec<f64>>,
+    /// Only search: do not decide, beside the search, if there is a path at all.
+    #[arg(long, conflicts_with = "proof")]
+    pub no_proof: bool,
+    /// If there is no path, write the proof here (.json); `cdpr check` checks it.
+    #[arg(long, value_name = "PROOF", value_hint = ValueHint::FilePath)]
+    pub proof: Option<PathBuf>,
     /// Write the result here (.json, or .csv for the waypoints alone).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
@@ -131,6 +137,7 @@ impl PlanArgs {
             step: self.rewinding.step,
             post: self.post,
             repeats: self.rewinding.repeats,
+            proof: !self.no_proof,
             budget: self.budget_ms,
         })
     }

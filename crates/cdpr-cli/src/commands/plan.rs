@@ -4,9 +4,10 @@ use cdpr_core::collision::{Checker, Kind, Violation};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
+use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Interrupt;
+use cdpr_core::words::small_length;
 use cdpr_core::{Error, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::page;
@@ -23,9 +24,10 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    let files = [args.output.as_deref(), args.html.as_deref()];
+    let files = [args.output.as_deref(), args.html.as_deref(), args.proof.as_deref()];
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
-        return Err(Error::invalid("", "found - for both -o and --html; only one of them can be standard output"));
+        let problem = "found - for more than one of -o, --html and --proof; only one can be standard output";
+        return Err(Error::invalid("", problem));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
     let scene = input::scene(&args.scene, out)?;
@@ -55,6 +57,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Format::Text => {
             out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
+            found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
@@ -62,6 +65,12 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.output {
         save_path(path, &file, out)?;
+    }
+    if let Some(path) = &args.proof {
+        match &found.no_path {
+            Some(no_path) => out.write(path, format!("{}\n", serde_json::json!(no_path.certificate)).as_bytes(), "")?,
+            None => out.say(&format!("{} was not written: it was not proved that there is no path", path.display())),
+        }
     }
     if interrupted() {
         out.say("interrupted; this is the best path found so far");
@@ -87,6 +96,19 @@ impl Observer for Reporter<'_> {
     fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
         self.out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
     }
+}
+
+/// What removing obstacles gives, how far the platform gets, and what was proved.
+fn no_path_lines(no_path: &NoPath) -> Vec<String> {
+    let remedies = Some(no_path.remedies()).filter(|remedies| !remedies.is_empty());
+    let reach = format!(
+        "the platform reaches {:.3} m³; the reachable position nearest to the goal is {}",
+        no_path.reachable_volume,
+        position(&no_path.nearest_to_goal.into())
+    );
+    let (boxes, margin) = (no_path.boxes, small_length(no_path.margin));
+    let proved = format!("proved with {boxes} boxes: no path keeps a gap of more than {margin}");
+    remedies.into_iter().chain([reach, proved]).collect()
 }
 
 fn excess_line(cost: f64, bound: f64) -> String {
@@ -115,8 +137,14 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
         }
         Status::BudgetSpent => {
             let (samples, ms) = (count(found.stats.samples, "sample"), found.stats.planning_seconds * 1e3);
-            let rest = format!(" after {samples} ({ms:.1} ms, seed {}); there may still be one", options.seed);
+            let through = found.opening_below.map(|width| format!(", through openings below {}", small_length(width)));
+            let through = through.unwrap_or_default();
+            let rest = format!(" after {samples} ({ms:.1} ms, seed {}); there may still be one{through}", options.seed);
             Verdict::no("no path found", rest)
+        }
+        Status::NoPath => {
+            let reason = found.no_path.as_ref().map_or(String::new(), |no_path| no_path.reason());
+            Verdict::no("no path exists:", format!(" {reason}"))
         }
         Status::StartInvalid => Verdict::no("no:", format!(" the start of {} is not valid{}", scene.name(), reason())),
         Status::GoalInvalid => Verdict::no("no:", format!(" the goal of {} is not valid{}", scene.name(), reason())),
@@ -168,6 +196,13 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
         }
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
+        (Status::NoPath, _) => match &args.proof {
+            Some(proof) if !is_stream(proof) => {
+                out.say(&format!("next: cdpr check {scene} {}{turned}", proof.display()))
+            }
+            Some(_) => {}
+            None => out.say(&format!("next: cdpr plan {scene}{turned} --proof proof.json, and check that")),
+        },
         (Status::StartInvalid | Status::GoalInvalid, _) => {
             if let Some([cable, obstacle]) = stands_beside(asked, found) {
                 let pair = format!("[{cable:?}, {obstacle:?}]");

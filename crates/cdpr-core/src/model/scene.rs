@@ -241,6 +241,35 @@ impl Scene {
         names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
     }
 
+    /// The scene without an obstacle and the rules for its pairs.
+    ///
+    /// # Errors
+    /// An unknown name.
+    ///
+    /// # Example
+    /// ```
+    /// let scene = cdpr_core::testing::hard3().without("west")?;
+    /// assert_eq!(scene.obstacles().len(), 2);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn without(&self, obstacle: &str) -> Result<Scene, Error> {
+        if !self.obstacles.iter().any(|known| known.name == obstacle) {
+            return Err(Error::invalid("obstacles", format!("found none with the name \"{obstacle}\"")));
+        }
+        let mut spec = self.spec.clone();
+        for (k, body) in spec.obstacles.iter_mut().enumerate() {
+            body.name.get_or_insert_with(|| format!("obstacle {k}"));
+        }
+        spec.obstacles.retain(|body| body.name.as_deref() != Some(obstacle));
+        let concerned = |pair: &[String; 2]| pair.iter().any(|name| name == obstacle);
+        spec.ignore.retain(|pair| !concerned(pair));
+        spec.touch.retain(|pair| !concerned(pair));
+        if let Some(clearances) = &mut spec.clearances {
+            clearances.pairs.retain(|rule| !concerned(&rule.between));
+        }
+        Scene::new(spec)
+    }
+
     /// The rules for pairs of bodies.
     pub fn pairs(&self) -> &PairRules {
         &self.pairs

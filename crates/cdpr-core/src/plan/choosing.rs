@@ -76,8 +76,9 @@ impl Planned {
         let rank = |status: Status| match status {
             Status::Solved => 0,
             Status::BudgetSpent => 1,
-            Status::GoalInvalid => 2,
-            Status::StartInvalid => 3,
+            Status::NoPath => 2,
+            Status::GoalInvalid => 3,
+            Status::StartInvalid => 4,
         };
         let (own, others) = (rank(self.result.status), rank(other.result.status));
         own < others || own == others && self.length() < other.length()

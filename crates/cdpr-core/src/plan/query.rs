@@ -5,6 +5,7 @@ use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{Scene, body};
+use crate::proof::Answer;
 
 /// A planning query: start and goal in a scene.
 ///
@@ -30,12 +31,14 @@ pub struct Query<'a> {
     pub goal: Option<Point>,
     /// An engine compiled earlier from the scene; the options' engine and interference rule are then ignored.
     pub engine: Option<&'a dyn Checker>,
+    /// Whether there is a path, if that was decided earlier with this engine; planning then does not decide it again.
+    pub answer: Option<&'a Answer>,
 }
 
 impl<'a> Query<'a> {
     /// From the scene's start to its goal.
     pub fn of(scene: &'a Scene) -> Self {
-        Query { scene, start: None, goal: None, engine: None }
+        Query { scene, start: None, goal: None, engine: None, answer: None }
     }
 
     /// The same from another start, m.

@@ -12,6 +12,8 @@ pub enum Status {
     Solved,
     /// The limit on samples or time was reached first.
     BudgetSpent,
+    /// There is no path: it was proved.
+    NoPath,
     /// The start is not a valid state.
     StartInvalid,
     /// The goal is not a valid state.
@@ -21,6 +23,7 @@ pub enum Status {
 choices!(Status, "status", [
     Solved = "solved": "A path was found",
     BudgetSpent = "budget_spent": "The limit on samples or time was reached first",
+    NoPath = "no_path": "There is no path: it was proved",
     StartInvalid = "start_invalid": "The start is not a valid state",
     GoalInvalid = "goal_invalid": "The goal is not a valid state",
 ]);

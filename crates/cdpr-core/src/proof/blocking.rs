@@ -9,6 +9,7 @@ use super::Search;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
 use crate::error::Error;
 use crate::geometry::Point;
+use crate::numerics::PROOF_EFFORT;
 use crate::watch::Watch;
 
 /// A proof by fewer obstacles and conditions.
@@ -26,15 +27,15 @@ pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Er
     let mut blocking = irreducible(&whole.cells, whole.ends, |condition| whole.obstacles_of(condition));
     let mut search = whole.among(&blocking);
     // What the cells at hand prove without an obstacle, a search without it proves as well, unless its effort ends.
-    if search.run(watch)? != Way::None {
+    if search.run(PROOF_EFFORT, watch)? != Way::None {
         blocking = whole.obstacles();
         search = whole.among(&blocking);
-        search.run(watch)?;
+        search.run(PROOF_EFFORT, watch)?;
     }
     for obstacle in blocking.clone() {
         let left: Vec<usize> = blocking.iter().copied().filter(|&other| other != obstacle).collect();
         let mut fewer = whole.among(&left);
-        if fewer.run(watch)? == Way::None {
+        if fewer.run(PROOF_EFFORT, watch)? == Way::None {
             (search, blocking) = (fewer, left);
         }
     }
