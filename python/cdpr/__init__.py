@@ -21,6 +21,7 @@ from ._core import __version__
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
+from ._proof import Proof, check_proof
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
@@ -55,6 +56,7 @@ __all__ = [
     "Mesh",
     "Milestone",
     "Path",
+    "Proof",
     "Report",
     "Result",
     "Robot",
@@ -68,6 +70,7 @@ __all__ = [
     "__version__",
     "capacity_margin",
     "check",
+    "check_proof",
     "distance",
     "force_margin",
     "force_set",

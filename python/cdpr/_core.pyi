@@ -82,8 +82,9 @@ class Scene:
         repeats: int,
         budget: float | None,
         settings: str,
+        proof: bool,
         on_improvement: Callable[[float, float, _Floats], object] | None,
-    ) -> tuple[str, tuple[_Floats, _Ints]]: ...
+    ) -> tuple[str, tuple[_Floats, _Ints], str | None]: ...
     def lower_bound(self, start: _Point | None, goal: _Point | None) -> float: ...
     def shorten(
         self, waypoints: _Floats, post: str, step: float, repeats: int, engine: str, interference: str

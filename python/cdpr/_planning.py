@@ -16,6 +16,7 @@ from . import _core
 from ._arrays import Floats, finite, flat_points, number, point, rows, shown, whole
 from ._given import file_name, flag, instance, text
 from ._questions import Engine, Interference, judges
+from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Scene
 from ._violation import exemption_from, violation_from
@@ -56,6 +57,7 @@ def plan(
     orientation: ArrayLike | str | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
+    proof: bool = True,
     on_improvement: Callable[[float, float, Floats], object] | None = None,
 ) -> Result:
     """Plan a path from start to goal.
@@ -106,6 +108,9 @@ def plan(
         the scene's. If neither selects one, the orientation with the shortest path is used.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
+    proof : bool
+        Decide, beside the search, whether there is a path at all. If there is none, ``status`` is "no_path" and ``proof``
+        says why; if the search fails in a narrow passage, the decision finds the path. It costs almost nothing.
     on_improvement : callable, optional
         Called with (seconds, cost, waypoints) for every better path that "anytime" finds.
 
@@ -147,7 +152,7 @@ def plan(
     if on_improvement is not None and not callable(on_improvement):
         raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
     asked = scene if orientation is None else scene.replace(orientation=orientation)
-    written, tree = asked._core.plan(
+    written, tree, certificate = asked._core.plan(
         text("planner", planner),
         *judges(engine, interference),
         whole("seed", seed),
@@ -158,12 +163,13 @@ def plan(
         whole("repeats", repeats),
         None if budget is None else number("budget", budget),
         json.dumps(settings),
+        flag("proof", proof),
         on_improvement,
     )
-    return _result(written, SearchTree(*tree))
+    return _result(written, SearchTree(*tree), certificate)
 
 
-def _result(written: str, tree: SearchTree) -> Result:
+def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
     """The result that JSON of the core describes: the keys that `Result` has, those of arrays and tuples converted."""
     found = json.loads(written)
     converted = {
@@ -173,6 +179,7 @@ def _result(written: str, tree: SearchTree) -> Result:
         "raw_waypoints": _array(found["raw_waypoints"]),
         "raw_cost": _number(found["raw_cost"]),
         "reason": None if found["reason"] is None else violation_from(found["reason"]),
+        "proof": None if certificate is None else proof_from(found["proof"], certificate),
         "exempt": tuple(exemption_from(values) for values in found["exempt"]),
         "history": tuple(Milestone(**entry) for entry in found["history"]),
     }

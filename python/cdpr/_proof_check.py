@@ -24,12 +24,15 @@ Vector: TypeAlias = tuple[float, float, float]
 Exact: TypeAlias = tuple[Fraction, Fraction, Fraction]
 Quaternion: TypeAlias = tuple[float, ...]
 Pair: TypeAlias = tuple[int, int]
+Test: TypeAlias = Callable[[Exact], bool]
 N = TypeVar("N", float, Fraction)
 
 ON_SURFACE = 1e-7  # m: a point this close to a body lies on it, a body this thin is flat, the shortest cable
 KEYS = {"format", "version", "scene", "orientation", "margin", "start", "goal", "box", "regions", "boxes"}
 MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES = 1_000_000, 10_000, 1_000
 MOST_NUMBER = 1e12
+TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than this is allowed
+ROUNDING = Fraction(1e-12)  # m: by this much the witnesses of contact may be apart
 FRACTIONS_OF_A_CABLE = (Fraction(1), Fraction(1, 16), Fraction(1, 256), Fraction(1, 4096))
 
 
@@ -81,8 +84,8 @@ class Certificate:
         if not isinstance(file["scene"], str):
             raise ValueError(f"scene: found {type(file['scene']).__name__}, expected a fingerprint")
         self.margin = _numbers("margin", [file["margin"]], 1)[0]
-        if not 0 < self.margin <= 1e-3:
-            raise ValueError(f"margin: found {self.margin!r}, expected more than 0 and at most 0.001 m")
+        if not 1e-8 <= self.margin <= 1e-3:
+            raise ValueError(f"margin: found {self.margin!r}, expected 1e-8 to 0.001 m")
         self.orientation = _numbers("orientation", file["orientation"], 4)
         self.start, self.goal = (_numbers(key, file[key], 3) for key in ("start", "goal"))
         low, high = (_numbers("box", corner, 3) for corner in _items("box", file["box"], 2, 2))
@@ -368,7 +371,7 @@ class Model:
     """What a scene forbids, within the certificate's margin, at the certificate's orientation."""
 
     def __init__(self, scene: Mapping[str, Any], proof: Certificate) -> None:
-        self.scene, self.margin = scene, Fraction(proof.margin)
+        self.scene, self.margin, self.ends = scene, Fraction(proof.margin), (proof.start, proof.goal)
         robot, query = scene["robot"], scene.get("query") or {}
         for key, given in (("start", proof.start), ("goal", proof.goal)):
             if query.get(key) is not None and tuple(query[key]) != given:
@@ -409,14 +412,14 @@ class Model:
         """Whether one pair of convex parts of the two members forbids all of these positions, and so their hull."""
         return any(all(test(p) for p in positions) for test in self.tests(who))
 
-    def _tests(self, who: tuple[str, ...]) -> list[Callable[[Exact], bool]]:
+    def _tests(self, who: tuple[str, ...]) -> list[Test]:
         """For each pair of convex parts, whether it forbids a position, or one at most the margin away."""
         first, *others = sorted(who, key=lambda name: (name not in self.cables, name != "platform"))
         other = others[0] if others else ""
         if first == "platform" and other in self.obstacles:
-            gap = Fraction(self._clearance("platform_obstacle", who)) + self.margin
+            required = Fraction(self._clearance("platform_obstacle", who))
             pairs = product(self.platform, self.obstacles[other])
-            return [_moving(part, obstacle, gap) for part, obstacle in pairs]
+            return [self._test(required, _moving(part, obstacle)) for part, obstacle in pairs]
         if first not in self.cables or (other != "platform" and other not in self.obstacles):
             raise ValueError(f"found {list(who)}, expected a cable or the platform, and an obstacle or the platform")
         cable, on_platform = self.cables[first], other == "platform"
@@ -429,32 +432,41 @@ class Model:
         tests = []
         for body, distance in zip(bodies, distances, strict=True):
             required = _kept(clearance, cable.radius, distance if carried else math.inf)
-            if distance <= ON_SURFACE:
-                if not _is_flat(body):
-                    tests.append(_entering(fixed, zero, sign, body, self.margin))
-            elif not required < distance <= required + self.margin:  # else the margin alone would forbid everything
-                tests.append(_crossing(fixed, zero, sign, body, required + self.margin))
+            if distance > ON_SURFACE:
+                tests.append(self._test(required, _crossing(fixed, zero, sign, body)))
+            elif not _is_flat(body):
+                tests.append(self._test(Fraction(0), _entering(fixed, zero, sign, body)))
         return tests
+
+    def _test(self, required: Fraction, make: Callable[[Fraction], Test]) -> Test:
+        """A test for less than the required distance plus the margin, or minus the depth of contact if both ends fail it.
+
+        What the platform touches at the start and at the goal it may touch everywhere, such as a floor that it slides on.
+        """
+        test = make(required + self.margin)
+        return make(max(required - TOUCHING, ROUNDING)) if all(test(_exact(end)) for end in self.ends) else test
 
     def closes(self, reason: tuple[Any, ...], box: tuple[float, ...]) -> bool:
         """Whether a reason forbids all positions of a box."""
         corners = [_exact(corner) for corner in product(*zip(box[:3], box[3:], strict=True))]
         if reason[0] == "wrench" and len(reason) == 7:
             return self._lacks_wrench(_exact(reason[1:4]), _exact(reason[4:]), corners)
-        if all(name in self.cables for name in reason):
-            return self._bad_length(reason[0], box, corners) if len(reason) == 1 else self._too_near(reason, corners)
-        return self.forbids(reason, corners)
+        if not all(name in self.cables for name in reason):
+            return self.forbids(reason, corners)
+        by = self._bad_length if len(reason) == 1 else self._too_near
+        touched = all(by(reason, [_exact(end)] * 8, self.margin) for end in self.ends)
+        return by(reason, corners, -TOUCHING if touched else self.margin)
 
-    def _bad_length(self, name: str, box: tuple[float, ...], corners: list[Exact]) -> bool:
-        cable = self.cables[name]
+    def _bad_length(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
+        cable = self.cables[names[0]]
         center, (least, most) = _sub(cable.outlet, cable.arm), cable.length
         farthest = max(_square(_sub(corner, center)) for corner in corners)
-        nearest = [min(max(center[k], Fraction(box[k])), Fraction(box[k + 3])) for k in range(3)]
+        nearest = [min(max(center[k], corners[0][k]), corners[7][k]) for k in range(3)]
         away = _square(_sub((nearest[0], nearest[1], nearest[2]), center))
-        too_short = farthest <= (Fraction(least) + self.margin) ** 2
-        return too_short or (most < math.inf and away >= max(Fraction(most) - self.margin, Fraction(0)) ** 2)
+        too_short = farthest <= max(Fraction(least) + margin, Fraction(0)) ** 2
+        return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
 
-    def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
+    def _too_near(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
         """Two cables: the vector between two fixed fractions of them is linear in the position."""
         i, j = (self.cables[name] for name in names)
         outlets, arms = _sub(j.outlet, i.outlet), _sub(j.arm, i.arm)
@@ -462,14 +474,12 @@ class Model:
             return False  # they share an end, and forbid nothing
         most = _nearest(Hull((_exact((0, 0, 0)),)), Hull((outlets, arms)))[1]
         required = _kept(self._clearance("cable_cable", names), i.radius + j.radius, most)
-        if required < most <= required + self.margin:
-            return False  # the margin alone would forbid everything
         center = _along(corners[0], corners[7], Fraction(1, 2))
         a, b = (Hull((cable.outlet, _add(center, cable.arm))) for cable in (i, j))
         weights = _nearest(a, b)[0]
         s, r = (min(Fraction(sum(w for pair, w in weights.items() if pair[k] == 1)), Fraction(1)) for k in range(2))
         points = ((_along(i.outlet, _add(p, i.arm), s), _along(j.outlet, _add(p, j.arm), r)) for p in corners)
-        return all(_square(_sub(x, y)) <= (required + self.margin) ** 2 for x, y in points)
+        return all(_square(_sub(x, y)) <= max(required + margin, ROUNDING) ** 2 for x, y in points)
 
     def _lacks_wrench(self, force: Exact, moment: Exact, corners: list[Exact]) -> bool:
         """Whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
@@ -518,25 +528,25 @@ def _farthest(q: Exact, line: Exact, radius: Fraction) -> Fraction:
     return along * _root(rest, along >= 0) + sine * _root(max(size - along * along, Fraction(0)), 1)
 
 
-def _moving(part: Hull, obstacle: Hull, gap: Fraction) -> Callable[[Exact], bool]:
-    return cache(lambda p: _near(Hull(tuple(_add(v, p) for v in part.points)), obstacle, gap))
+def _moving(part: Hull, obstacle: Hull) -> Callable[[Fraction], Test]:
+    return lambda gap: cache(lambda p: _near(Hull(tuple(_add(v, p) for v in part.points)), obstacle, gap))
 
 
-def _crossing(fixed: Exact, zero: Exact, sign: int, body: Hull, gap: Fraction) -> Callable[[Exact], bool]:
-    return cache(lambda p: _near(Hull((fixed, _add(zero, _times(p, sign)))), body, gap))
+def _crossing(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
+    return lambda gap: cache(lambda p: _near(Hull((fixed, _add(zero, _times(p, sign)))), body, gap))
 
 
-def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull, margin: Fraction) -> Callable[[Exact], bool]:
+def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
     """A cable that starts on a body must not enter it: its moving end is within the margin of the cone into the body.
 
     The end is that near if the point at some fraction of the cable is within this fraction of the margin of the body.
     """
 
-    def test(p: Exact) -> bool:
+    def near(p: Exact, margin: Fraction) -> bool:
         end = _add(zero, _times(p, sign))
         return any(_near(Hull((_along(fixed, end, s),)), body, s * margin) for s in FRACTIONS_OF_A_CABLE)
 
-    return cache(test)
+    return lambda margin: cache(lambda p: near(p, margin))
 
 
 def _kept(clearance: float, radii: float, attainable: float) -> Fraction:

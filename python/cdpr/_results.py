@@ -14,6 +14,7 @@ from . import _core
 from ._arrays import Floats, Ints, numbers, rows, shown
 from ._given import file_name
 from ._pandas import frame
+from ._proof import Proof
 from ._values import ByValue, same
 from ._violation import Exemption, Violation
 from .exceptions import InputError
@@ -205,7 +206,7 @@ class Result(Path):
     orientation : ndarray (4,)
         World-from-platform unit quaternion w x y z, held along the whole path.
     status : str
-        "solved", "budget_spent", "start_invalid" or "goal_invalid".
+        "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid".
     orientation_name : str or None
         Name of the orientation, if the scene names it.
     raw_waypoints : ndarray (k, 3)
@@ -214,6 +215,10 @@ class Result(Path):
         Its length, m; NaN unless solved.
     reason : Violation or None
         Why the start or goal is invalid.
+    proof : Proof or None
+        Why there is no path, if that was proved.
+    opening_below : float or None
+        If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
     min_clearance : dict or None
         Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
         clearance required of this pair, m. Exempt pairs are included.
@@ -244,6 +249,8 @@ class Result(Path):
     raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
     raw_cost: float = float("nan")
     reason: Violation | None = None
+    proof: Proof | None = None
+    opening_below: float | None = None
     min_clearance: Mapping[str, Any] | None = None
     min_clearance_not_exempt: Mapping[str, Any] | None = None
     exempt: tuple[Exemption, ...] = ()
@@ -271,7 +278,8 @@ class Result(Path):
         """Show the path's length and size, or why there is none."""
         if self.solved:
             return f"Result({self.status!r}, {self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
-        return f"Result({self.status!r}{'' if self.reason is None else f', {self.reason}'})"
+        why = self.proof if self.reason is None else self.reason
+        return f"Result({self.status!r}{'' if why is None else f', {why}'})"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

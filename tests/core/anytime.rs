@@ -257,7 +257,7 @@ fn a_time_budget_is_used_and_honoured() {
         let budget = Duration::from_millis(40);
         let run = || {
             let clock = Instant::now();
-            let options = PlanOptions { budget: Some(budget), ..seeded(1) };
+            let options = PlanOptions { budget: Some(budget), proof: false, ..seeded(1) };
             let found = plan(Query::of(scene).by(&*engine), &options, &()).unwrap().result;
             assert_eq!(found.status, status);
             clock.elapsed()
@@ -274,8 +274,9 @@ fn a_time_budget_is_used_and_honoured() {
 #[test]
 fn without_a_budget_a_scene_without_a_path_is_given_up() {
     let walled = platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])]);
-    let found = planned(&walled, &seeded(0));
+    let found = planned(&walled, &PlanOptions { proof: false, ..seeded(0) });
     assert_eq!((found.status, found.waypoints.len()), (Status::BudgetSpent, 0));
+    assert_eq!(planned(&walled, &seeded(0)).status, Status::NoPath);
     let gone = plan(&walled, &seeded(0), &|| true).unwrap_err();
     assert!(gone.to_string().contains("interrupted"));
 }

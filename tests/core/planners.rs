@@ -183,10 +183,11 @@ fn nodes_time_and_interruption_end_every_planner() {
     let wall = scene(spec);
     for mut planner in every_planner() {
         *planner.limits_mut() = Limits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
-        let found = planned(&wall, &planner, 0);
+        let options = PlanOptions { planner: planner.clone(), proof: false, ..PlanOptions::paper() };
+        let found = plan(&wall, &options, &()).unwrap().result;
         assert_eq!((found.status, found.stats.nodes), (Status::BudgetSpent, 20));
         planner.limits_mut().max_nodes = usize::MAX;
-        let options = PlanOptions { planner, budget: Some(Duration::from_millis(30)), ..PlanOptions::paper() };
+        let options = PlanOptions { planner, budget: Some(Duration::from_millis(30)), ..options };
         let clock = Instant::now();
         assert_eq!(plan(&wall, &options, &|| false).unwrap().result.status, Status::BudgetSpent);
         let asked = plan(&wall, &PlanOptions { budget: None, ..options }, &|| clock.elapsed().as_millis() > 100);

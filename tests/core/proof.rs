@@ -2,12 +2,12 @@
 
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
-use cdpr_core::model::{ClearancesSpec, RobotSource, Scene, SceneSpec, WrenchSpec};
+use cdpr_core::model::{ClearancesSpec, QuerySpec, RobotSource, Scene, SceneSpec, WrenchSpec};
 use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, Content, Proof, decide};
-use cdpr_core::testing::{block, empty, scene, walled};
+use cdpr_core::testing::{block, empty, hard1, scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_study::{RandomScenes, RandomScenesSpec};
@@ -158,4 +158,19 @@ fn an_end_that_touches_something_is_no_obstacle() {
     };
     assert!(is_path(resting(false)));
     assert_eq!(proof(resting(true)).blocking, [0]);
+}
+
+#[test]
+fn what_start_and_goal_touch_a_path_may_touch() {
+    // The attachments of cable 0 and cable 4 are 5 cm apart, so the cables are, too, at best.
+    let mut spec = hard1().spec().clone();
+    spec.clearance = Some(0.05);
+    assert!(is_path(spec));
+    // The platform slides on a table under a ceiling.
+    let mut spec = empty().spec().clone();
+    spec.ignore = (0..8).map(|k| [format!("cable {k}"), "table".to_string()]).collect();
+    spec.obstacles = vec![block("table", [2.0, 2.0, 0.2], [1.0, 1.0, 0.1])];
+    spec.workspace.max[2] = 0.25 + 1e-7;
+    spec.query = Some(QuerySpec { start: Some([0.3, 1.0, 0.225]), goal: Some([1.7, 1.0, 0.225]), orientation: None });
+    assert!(!matches!(answer(&scene(spec)), Answer::NoPath(_)));
 }

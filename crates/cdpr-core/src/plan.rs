@@ -391,7 +391,10 @@ fn search(
     let decided =
         search_and_decide(engine, [&start, &goal], (options, query.answer), (improved, watch), &puller, planner)?;
     let (outcome, opening_below) = match decided {
-        Decided::Searched(outcome, opening_below) => (outcome, opening_below),
+        Decided::Searched(outcome, opening_below) => {
+            let (low, high) = engine.conditions().position_box();
+            (outcome, opening_below.filter(|width| *width < (high - low).min())) // else it says nothing
+        }
         Decided::NoPath(proof) => {
             let no_path = NoPath::of(*proof, query.scene, engine, options, watch)?;
             let stats = Stats { planning_seconds: clock.elapsed().as_secs_f64(), ..Stats::default() };

@@ -124,7 +124,7 @@ impl<'a> Search<'a> {
     /// A search that knows these pieces, and of conditions without pieces those that `known` names by their index.
     fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, known: &dyn Fn(usize) -> bool, ends: [&'a Point; 2]) -> Self {
         let (low, high) = checker.conditions().position_box();
-        let regions = Regions::new(checker, &pieces, known).with_end(&pieces, ends[0]).with_end(&pieces, ends[1]);
+        let regions = Regions::new(checker, &pieces, known).between(&pieces, ends);
         let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
         Search { checker, ends, regions, cells }
     }

@@ -250,7 +250,8 @@ impl Scene {
         })
     }
 
-    /// The result of planning as JSON, as in a path file, and the search tree: states (n, 3) and parents (n,).
+    /// The result of planning as JSON, as in a path file, the search tree, states (n, 3) and parents (n,), and the certificate of
+    /// a proof that there is no path.
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
     fn plan<'py>(
         &self,
@@ -307,7 +308,8 @@ impl Scene {
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;
-        Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?))
+        let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
+        Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate))
     }
 
     /// Lower bound on the length of every path between two positions, m.

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use crate::convert::{points, triples};
 use crate::errors::{interruptible_with_rest, raised};
 
-pub type Planned<'py> = (String, TreeArrays<'py>);
+pub type Planned<'py> = (String, TreeArrays<'py>, Option<String>);
 pub type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
 pub type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
 

@@ -26,7 +26,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
     let files = [args.output.as_deref(), args.html.as_deref(), args.proof.as_deref()];
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
-        let problem = "found - for more than one of -o, --html and --proof; only one can be standard output";
+        let problem = "found - for more than one of -o, --html and --proof; only one of them can be standard output";
         return Err(Error::invalid("", problem));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));

@@ -8,7 +8,7 @@ use crate::collision::{Checker, Conditions, Piece};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
-use crate::numerics::{PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCHING_END};
+use crate::numerics::{PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
 
 /// How far regions and bounds reach beyond what is forbidden, m.
 const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
@@ -25,6 +25,8 @@ pub struct Regions<'a> {
     rounding: f64,
     /// For each piece its region, once it is needed; `None` if it has none.
     regions: Vec<OnceLock<Option<Vec<HalfSpace>>>>,
+    /// For each condition how far beyond what it forbids its regions and bounds reach, m.
+    reach: Vec<f64>,
     /// Conditions whose forbidden positions no piece describes.
     without_piece: Vec<usize>,
     /// Cells that touch these are not closed.
@@ -45,21 +47,36 @@ impl<'a> Regions<'a> {
             complete: (0..conditions.list.len()).all(known),
             bounds: Cuboid::new(low, high),
             rounding: ROUNDING * (low.coords.abs().sup(&high.coords.abs()).norm() + 1.0) + 1e-12,
+            reach: vec![REACH; conditions.list.len()],
             regions: pieces.iter().map(|_| OnceLock::new()).collect(),
             without_piece: (1..conditions.list.len()).filter(loose).collect(),
             kept_open: Vec::new(),
         }
     }
 
-    /// Keeps the surroundings of an end open if it touches something.
-    pub fn with_end(mut self, pieces: &[Piece], end: &Point) -> Self {
-        let at_end = Cuboid::new(*end, *end);
-        let touches = |(index, piece): (usize, &Piece)| self.closes(index as u32, piece, &at_end);
-        if pieces.iter().enumerate().any(touches) || self.closed_by_bound(&at_end).is_some() {
-            let around = Vector::repeat(TOUCHING_END);
-            self.kept_open.push(Cuboid::new(end - around, end + around));
+    /// The same for paths between two ends. What both of them touch, paths may touch everywhere, such as a floor that the platform
+    /// slides on, or cables whose ends are no farther apart than required; what only one of them touches, near that end.
+    pub fn between(mut self, pieces: &[Piece], ends: [&Point; 2]) -> Self {
+        let touched = ends.map(|end| self.touched(pieces, end));
+        for &condition in touched[0].iter().filter(|condition| touched[1].contains(condition)) {
+            self.reach[condition] = -2.0 * TOUCH_DEPTH;
+        }
+        self.regions = pieces.iter().map(|_| OnceLock::new()).collect();
+        for (end, touched) in ends.into_iter().zip(&touched) {
+            if touched.iter().any(|&condition| self.reach[condition] > 0.0) {
+                let around = Vector::repeat(TOUCHING_END);
+                self.kept_open.push(Cuboid::new(end - around, end + around));
+            }
         }
         self
+    }
+
+    /// The conditions that a position breaks or nearly breaks.
+    fn touched(&self, pieces: &[Piece], position: &Point) -> Vec<usize> {
+        let at = Cuboid::new(*position, *position);
+        let by_piece = pieces.iter().enumerate().filter(|(index, piece)| self.closes(*index as u32, piece, &at));
+        let by_bound = self.without_piece.iter().copied().filter(|&condition| self.forbids_all(condition, &at));
+        by_piece.map(|(_, piece)| piece.condition).chain(by_bound).collect()
     }
 
     /// The polyhedron of a piece in which all positions are within the margin of forbidden ones.
@@ -80,6 +97,9 @@ impl<'a> Regions<'a> {
         let certain = piece.certain.as_ref()?;
         let Conditions { bodies, list, .. } = self.checker.conditions();
         let condition = list[piece.condition].details();
+        if self.reach[piece.condition] < 0.0 {
+            return Some(certain.clone());
+        }
         let widened = |by: f64| -> Vec<HalfSpace> { certain.iter().map(|plane| plane.widened(by)).collect() };
         if condition.ends_on_body() {
             return Some(widened(REACH / mitre(certain)));
@@ -148,6 +168,6 @@ impl Regions<'_> {
     /// Whether a bound shows that a condition forbids a whole cell.
     fn forbids_all(&self, condition: usize, cell: &Cuboid) -> bool {
         let Conditions { bodies, list, .. } = self.checker.conditions();
-        list[condition].details().forbids_all(bodies, cell, REACH)
+        list[condition].details().forbids_all(bodies, cell, self.reach[condition])
     }
 }
