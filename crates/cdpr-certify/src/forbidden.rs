@@ -1,0 +1,298 @@
+//! The positions that a scene forbids, from the scene alone: for each pair of bodies, convex sets of positions.
+
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Point, Polytope, Vector};
+use cdpr_core::model::{Member, Scene};
+
+use crate::exact::{Exact, Exact3, dot, exact, exact3, minus, plus, times};
+use crate::nearest::{distance, nearest};
+use crate::polyhedron::Place;
+
+/// A point this close to a body lies on its surface, and a body this thin is flat, m.
+const ON_SURFACE: f64 = 1e-7;
+/// A corner this far above a plane through three others still lies in it, m.
+const COPLANAR: f64 = 1e-9;
+/// Ends of two cables this close are one point, m.
+const SAME_POINT: f64 = 1e-9;
+
+/// A point in the world that moves with the platform (its place if the platform's origin is at zero) or stays.
+#[derive(Debug, Clone)]
+pub struct Spot {
+    at: Vector,
+    moves: bool,
+}
+
+impl Spot {
+    fn at(&self, position: &Vector) -> Vector {
+        if self.moves { self.at + position } else { self.at }
+    }
+}
+
+/// A set of forbidden positions of the platform.
+#[derive(Debug)]
+pub enum Forbidden {
+    /// Two convex hulls are closer than a distance. The set is convex unless both bodies are cables.
+    Close {
+        /// The corners of both.
+        hulls: [Vec<Spot>; 2],
+        /// The distance, m.
+        required: Exact,
+    },
+    /// A cable that ends on a body enters it: the direction from that end to the other is below all of the body's faces
+    /// that contain the end. The set is a cone.
+    Enters {
+        /// The end on the body.
+        end: Spot,
+        /// The other end.
+        tip: Spot,
+        /// Outward unit normals of the faces.
+        faces: Vec<Vector>,
+    },
+}
+
+impl Forbidden {
+    /// Whether a position is within `margin` of this set: that is proved.
+    pub fn is_near(&self, place: &Place, margin: &Exact) -> bool {
+        let position = place.to_f64();
+        match self {
+            Self::Close { .. } => self.is_near_at(&self.nearest_at(&position), place, margin),
+            Self::Enters { end, tip, faces } => {
+                let found = below(&(tip.at(&position) - end.at(&position)), faces);
+                let Some(below) = finite(&found) else { return false };
+                let direction = minus(&moved(tip, place), &moved(end, place)); // as all that follows: times place.scale
+                let step = minus(&times(&place.scale, &below), &direction);
+                let reach = margin * &place.scale;
+                faces.iter().all(|face| dot(&exact3(face), &below).sign().is_le())
+                    && dot(&step, &step) <= &reach * &reach
+            }
+        }
+    }
+
+    /// Weights of the corners in the nearest points of the two hulls; none for cones.
+    pub fn nearest_at(&self, position: &Vector) -> [Vec<f64>; 2] {
+        let Self::Close { hulls, .. } = self else { return Default::default() };
+        let at = |hull: &[Spot]| hull.iter().map(|spot| spot.at(position)).collect::<Vec<_>>();
+        nearest(&at(&hulls[0]), &at(&hulls[1]))
+    }
+
+    /// Whether two points of the hulls, given by the weights of the corners, are close enough: a proof that the
+    /// position is within `margin` of this set.
+    pub fn is_near_at(&self, weights: &[Vec<f64>; 2], place: &Place, margin: &Exact) -> bool {
+        let Self::Close { hulls, required } = self else { return false };
+        let [Some((a, all_a, moving_a)), Some((b, all_b, moving_b))] =
+            [0, 1].map(|k| weighted(&hulls[k], &weights[k], place))
+        else {
+            return false;
+        };
+        // The points are a / all_a and b / all_b. A step of the platform moves them apart by `share` times the step.
+        let all = &all_a * &all_b * &place.scale;
+        let gap = minus(&times(&all_b, &a), &times(&all_a, &b));
+        let share = (&all_b * moving_a - &all_a * moving_b).abs() * &place.scale;
+        let reach = &all * required + share * margin;
+        all.sign().is_gt() && dot(&gap, &gap) <= &reach * &reach
+    }
+}
+
+/// The sum of weight · corner, times the place's scale; the sum of the weights; and that of the corners that move.
+fn weighted(hull: &[Spot], weights: &[f64], place: &Place) -> Option<(Exact3, Exact, Exact)> {
+    let mut sums = (exact3(&Vector::zeros()), exact(0.0), exact(0.0));
+    for (spot, weight) in hull.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+        if !(weight.is_finite() && *weight >= 0.0) {
+            return None;
+        }
+        let weight = exact(*weight);
+        sums.0 = plus(&sums.0, &times(&weight, &moved(spot, place)));
+        sums.1 = sums.1 + &weight;
+        sums.2 = if spot.moves { sums.2 + weight } else { sums.2 };
+    }
+    Some(sums)
+}
+
+/// Where a spot is, times the place's scale.
+fn moved(spot: &Spot, place: &Place) -> Exact3 {
+    let own = times(&place.scale, &exact3(&spot.at));
+    if spot.moves { plus(&own, &place.at) } else { own }
+}
+
+fn finite(v: &Vector) -> Option<Exact3> {
+    v.iter().all(|x| x.is_finite()).then(|| exact3(v))
+}
+
+/// About the nearest vector that is below planes through zero, and a little below each (Hildreth's algorithm).
+fn below(v: &Vector, normals: &[Vector]) -> Vector {
+    let little = 1e-15 * v.amax();
+    let (mut found, mut pushed) = (*v, vec![0.0; normals.len()]);
+    for _ in 0..1000 {
+        let before = found;
+        for (normal, pushed) in normals.iter().zip(&mut pushed) {
+            let push = f64::max(normal.dot(&found) + little, -*pushed);
+            *pushed += push;
+            found -= normal * push;
+        }
+        if (found - before).amax() <= 0.1 * little {
+            break;
+        }
+    }
+    found
+}
+
+/// Outward unit normals of the faces of a hull that contain a point, `None` if the hull is flat. Every plane through
+/// three corners is a face if no corner lies above it.
+fn faces_at(point: &Vector, corners: &[Vector]) -> Option<Vec<Vector>> {
+    let mut faces: Vec<Vector> = Vec::new();
+    for (i, a) in corners.iter().enumerate() {
+        for (j, b) in corners.iter().enumerate().skip(i + 1) {
+            for c in &corners[j + 1..] {
+                let normal = (b - a).cross(&(c - a));
+                let Some(normal) = normal.try_normalize(1e-9 * (b - a).norm() * (c - a).norm()) else { continue };
+                if !(normal.dot(&(point - a)).abs() <= ON_SURFACE) {
+                    continue;
+                }
+                let heights = || corners.iter().map(|corner| normal.dot(&(corner - a)));
+                let (low, high) = (heights().fold(0.0, f64::min), heights().fold(0.0, f64::max));
+                if high - low <= ON_SURFACE {
+                    return None;
+                }
+                let outward = if high <= COPLANAR { normal } else { -normal };
+                if (high <= COPLANAR || low >= -COPLANAR) && !faces.contains(&outward) {
+                    faces.push(outward);
+                }
+            }
+        }
+    }
+    (!faces.is_empty()).then_some(faces)
+}
+
+/// The bodies of a scene in the world, at its orientation, with the platform's origin at zero.
+pub struct Bodies<'a> {
+    scene: &'a Scene,
+    /// Corners of each part of the platform.
+    pub platform: Vec<Vec<Vector>>,
+    /// From the platform's origin to the attachment of each cable.
+    pub arms: Vec<Vector>,
+    /// Two positions at which a free path would have to keep all distances: its start and goal.
+    ends: [Vector; 2],
+}
+
+impl<'a> Bodies<'a> {
+    /// The bodies of a scene, for paths between these ends.
+    pub fn of(scene: &'a Scene, ends: [Vector; 2]) -> Self {
+        let turned = |p: &Point| scene.orientation() * p.coords;
+        let corners = |part: &Polytope| part.vertices().iter().map(turned).collect();
+        Bodies {
+            scene,
+            platform: scene.robot().parts().iter().map(corners).collect(),
+            arms: scene.robot().cables().iter().map(|cable| turned(&cable.attachment)).collect(),
+            ends,
+        }
+    }
+
+    /// The member with this name.
+    pub fn member(&self, name: &str) -> Result<Member, Error> {
+        let obstacles = (0..self.scene.obstacles().len()).map(Member::Obstacle);
+        let mut all = (0..self.arms.len()).map(Member::Cable).chain([Member::Platform]).chain(obstacles);
+        all.find(|member| self.scene.member_name(*member) == name).ok_or_else(|| {
+            let problem = format!("found \"{name}\", expected the name of a cable or an obstacle, or \"platform\"");
+            Error::invalid("", problem)
+        })
+    }
+
+    /// What a pair of members forbids: each set by two convex bodies, one of either member.
+    pub fn forbidden(&self, [a, b]: [Member; 2]) -> Result<Vec<Forbidden>, Error> {
+        let (first, second) = (a.min(b), a.max(b)); // cables, then the platform, then obstacles
+        if a == b || self.scene.pairs().ignores(a, b) {
+            return Ok(Vec::new());
+        }
+        match (first, second) {
+            (Member::Platform, Member::Obstacle(j)) => Ok(self.platform_obstacle(j)),
+            (Member::Cable(i), Member::Obstacle(j)) => Ok(self.cable_obstacle(i, j)),
+            (Member::Cable(i), Member::Platform) => Ok(self.cable_platform(i)),
+            (Member::Cable(i), Member::Cable(j)) => Ok(self.cable_cable(i, j)),
+            _ => Err(Error::invalid("", "found two obstacles, expected at least one member of the robot")),
+        }
+    }
+
+    fn platform_obstacle(&self, j: usize) -> Vec<Forbidden> {
+        let clearance = self.scene.pairs().clearance(Member::Platform, Member::Obstacle(j));
+        let pairs = self.platform.iter().flat_map(|part| self.obstacle(j).into_iter().map(move |other| (part, other)));
+        let close = |(part, other): (&Vec<Vector>, Vec<Vector>)| Forbidden::Close {
+            hulls: [spots(part, true), spots(&other, false)],
+            required: exact(clearance),
+        };
+        pairs.map(close).collect()
+    }
+
+    fn cable_obstacle(&self, i: usize, j: usize) -> Vec<Forbidden> {
+        let [outlet, attachment] = self.cable(i);
+        let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Obstacle(j));
+        let parts = self.obstacle(j);
+        let far: Vec<f64> = parts.iter().map(|part| distance(&[outlet.at], part)).collect();
+        let mounted = far.iter().any(|far| *far <= ON_SURFACE);
+        let of_part = |(part, far): (Vec<Vector>, f64)| {
+            if far <= ON_SURFACE {
+                let faces = faces_at(&outlet.at, &part)?;
+                return Some(Forbidden::Enters { end: outlet.clone(), tip: attachment.clone(), faces });
+            }
+            let attainable = if mounted { far } else { f64::INFINITY };
+            let required = kept(clearance, &[self.radius(i)], attainable);
+            Some(Forbidden::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(&part, false)], required })
+        };
+        parts.into_iter().zip(far).filter_map(of_part).collect()
+    }
+
+    fn cable_platform(&self, i: usize) -> Vec<Forbidden> {
+        let [outlet, attachment] = self.cable(i);
+        let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Platform);
+        let of_part = |part: &Vec<Vector>| {
+            let far = distance(&[attachment.at], part);
+            if far <= ON_SURFACE {
+                let faces = faces_at(&attachment.at, part)?;
+                return Some(Forbidden::Enters { end: attachment.clone(), tip: outlet.clone(), faces });
+            }
+            let required = kept(clearance, &[self.radius(i)], far);
+            Some(Forbidden::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(part, true)], required })
+        };
+        self.platform.iter().filter_map(of_part).collect()
+    }
+
+    /// Cables that share an end forbid nothing. Whether two others can keep a distance anywhere is not derived here: a
+    /// smaller distance is assumed unless they keep it at the start or the goal, where a free path has to keep it.
+    fn cable_cable(&self, i: usize, j: usize) -> Vec<Forbidden> {
+        let (one, other) = (self.cable(i), self.cable(j));
+        if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_POINT) {
+            return Vec::new();
+        }
+        let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));
+        let gap =
+            |position| distance(&one.each_ref().map(|s| s.at(position)), &other.each_ref().map(|s| s.at(position)));
+        let attainable = self.ends.iter().map(gap).fold(0.0, f64::max);
+        let required = kept(clearance, &[self.radius(i), self.radius(j)], attainable);
+        vec![Forbidden::Close { hulls: [one.to_vec(), other.to_vec()], required }]
+    }
+
+    fn cable(&self, i: usize) -> [Spot; 2] {
+        let outlet = self.scene.robot().cables()[i].outlet.coords;
+        [Spot { at: outlet, moves: false }, Spot { at: self.arms[i], moves: true }]
+    }
+
+    fn radius(&self, i: usize) -> f64 {
+        0.5 * self.scene.robot().cables()[i].diameter
+    }
+
+    fn obstacle(&self, j: usize) -> Vec<Vec<Vector>> {
+        let corners = |part: &Polytope| part.vertices().iter().map(|v| v.coords).collect();
+        self.scene.obstacles()[j].parts.iter().map(corners).collect()
+    }
+}
+
+fn spots(corners: &[Vector], moves: bool) -> Vec<Spot> {
+    corners.iter().map(|at| Spot { at: *at, moves }).collect()
+}
+
+/// The distance to keep between two axes or bodies: clearance and radii; where that is not attainable the radii, and
+/// where that is not either, none.
+fn kept(clearance: f64, radii: &[f64], attainable: f64) -> Exact {
+    let thick: Exact = radii.iter().map(|radius| exact(*radius)).sum();
+    let mut choices = [exact(clearance) + &thick, thick].into_iter();
+    choices.find(|distance| distance.to_f64() <= attainable).unwrap_or(exact(0.0))
+}

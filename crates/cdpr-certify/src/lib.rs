@@ -1,0 +1,318 @@
+//! Checks certificates that a cable robot has no path. It shares no code with the program that writes them: what a
+//! scene forbids is derived again, and every decision is exact.
+//!
+//! # What a certificate proves
+//!
+//! Every path from start to goal (a continuous curve of the platform's origin, at one orientation, in the scene's box
+//! of positions) contains a position that is within `margin` of one that breaks a condition of the scene.
+//!
+//! # Why
+//!
+//! A certificate lists boxes, open and closed. [`Certificate::check`] proves:
+//!
+//! 1. The boxes tile the box of positions (`tiling`), which is the scene's up to `margin` on each side. Within
+//!    `margin` of its sides, a position is within `margin` of leaving the workspace.
+//! 2. No chain of open boxes, each touching the next, leads from the start to the goal (`tiling`). So on every path
+//!    there is a position that lies in no open box of the start's chain, but arbitrarily close to that chain, and thus
+//!    in a closed box.
+//! 3. Each closed box lies in a region, or is closed by a bound.
+//! 4. Each region, cut to the box of positions, is the convex hull of its corners (`polyhedron`). All of its corners
+//!    are within `margin` of one convex set of forbidden positions, and hence the whole region is (`forbidden`).
+//! 5. A bound holds in the whole box: by convexity again, for a pair of cables by an affine function of the position,
+//!    for tensions by the largest angle that a cable turns (`wrench`).
+//!
+//! All of this is decided by integers of any size (`exact`): the numbers of the file, of the scene, and of the bodies
+//! at the certificate's orientation are taken as exactly what they are in double precision. Floating point only
+//! guesses, such as where two bodies are nearest (`nearest`); a wrong guess can only refuse a certificate. Two
+//! choices are made in floating point, as in the definition of the scene: whether a cable's end lies on a body (within
+//! 1e-7 m), and which clearance is attainable at all.
+
+mod certificate;
+mod exact;
+mod forbidden;
+mod nearest;
+mod polyhedron;
+mod tiling;
+mod wrench;
+
+use std::collections::BTreeMap;
+
+use cdpr_core::Scene;
+use cdpr_core::error::Error;
+use cdpr_core::geometry::Vector;
+use cdpr_core::model::Member;
+
+pub use certificate::{Cell, Certificate, Region, Status};
+
+use exact::{Exact, exact, exact3};
+use forbidden::{Bodies, Forbidden};
+use polyhedron::{HalfSpace, Place, box_corners, corners};
+use tiling::{Bounds, Tiling, middle, point, touch};
+
+/// The size of a certificate that was accepted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// The number of boxes.
+    pub boxes: usize,
+    /// How many of them are closed.
+    pub closed: usize,
+    /// The number of regions.
+    pub regions: usize,
+    /// How close to forbidden positions every path comes at least, m.
+    pub margin: f64,
+}
+
+/// Checks the text of a certificate for a scene at its orientation.
+///
+/// # Errors
+/// What is wrong with the certificate, and where: then it proves nothing.
+///
+/// # Example
+/// ```
+/// let scene = cdpr_core::testing::empty();
+/// let error = cdpr_certify::check_certificate(&scene, "{").unwrap_err();
+/// assert!(error.to_string().starts_with("found no certificate: EOF"));
+/// ```
+pub fn check_certificate(scene: &Scene, text: &str) -> Result<Summary, Error> {
+    Certificate::parse(text)?.check(scene)
+}
+
+impl Certificate {
+    /// Checks the certificate for a scene at the certificate's orientation.
+    ///
+    /// # Errors
+    /// As [`check_certificate`].
+    pub fn check(&self, scene: &Scene) -> Result<Summary, Error> {
+        self.numbers_are_sound()?;
+        self.is_of(scene)?;
+        let boxes: Vec<Bounds> = self.boxes.iter().map(|cell| cell.bounds).collect();
+        self.separates(&boxes)?;
+        self.boxes_lie_in_their_regions()?;
+        let mut proofs =
+            Proofs { bodies: Bodies::of(scene, [self.start.into(), self.goal.into()]), scene, known: BTreeMap::new() };
+        let margin = exact(self.margin);
+        for (k, region) in self.regions.iter().enumerate() {
+            proofs.region(region, &self.bounds, &margin).map_err(|e| e.under(&format!("regions[{k}]")))?;
+        }
+        for (k, cell) in self.boxes.iter().enumerate() {
+            proofs.bound(cell, &margin).map_err(|e| e.under(&format!("boxes[{k}]")))?;
+        }
+        let closed = self.boxes.iter().filter(|cell| cell.status != Status::Open).count();
+        Ok(Summary { boxes: boxes.len(), closed, regions: self.regions.len(), margin: self.margin })
+    }
+
+    fn numbers_are_sound(&self) -> Result<(), Error> {
+        let finite = |place: &str, numbers: &[f64]| match numbers.iter().find(|x| !x.is_finite()) {
+            Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers"))),
+            None => Ok(()),
+        };
+        let positive = |place: &str, bounds: &Bounds| {
+            finite(place, bounds.as_flattened())?;
+            match (0..3).find(|k| !(bounds[0][*k] < bounds[1][*k])) {
+                Some(k) => Err(Error::invalid(
+                    place,
+                    format!(
+                        "found a box from {} to {} along {}, expected a positive size",
+                        bounds[0][k], bounds[1][k], AXES[k]
+                    ),
+                )),
+                None => Ok(()),
+            }
+        };
+        if !(self.margin > 0.0 && self.margin <= 1e-3) {
+            return Err(Error::invalid(
+                "margin",
+                format!("found {}, expected more than 0, at most 1e-3 m", self.margin),
+            ));
+        }
+        finite("orientation", &self.orientation)?;
+        finite("start", &self.start)?;
+        finite("goal", &self.goal)?;
+        positive("box", &self.bounds)?;
+        for (k, region) in self.regions.iter().enumerate() {
+            finite(&format!("regions[{k}].half_spaces"), region.half_spaces.as_flattened())?;
+        }
+        for (k, cell) in self.boxes.iter().enumerate() {
+            positive(&format!("boxes[{k}]"), &cell.bounds)?;
+            if let Status::TooWeak(direction) = &cell.status {
+                finite(&format!("boxes[{k}]"), direction)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Orientation, scene, query, and the box of positions.
+    fn is_of(&self, scene: &Scene) -> Result<(), Error> {
+        let turn = scene.orientation();
+        let own = [turn.w, turn.i, turn.j, turn.k];
+        let same = |sign: f64| own.iter().zip(&self.orientation).all(|(a, b)| (a - sign * b).abs() <= 1e-9);
+        if !same(1.0) && !same(-1.0) {
+            let problem = format!("found {:?}, but the scene is at {own:?}; expected the same", self.orientation);
+            return Err(Error::invalid("orientation", problem));
+        }
+        let fingerprint = scene.fingerprint();
+        if self.scene != fingerprint {
+            let problem = format!("found a proof for another scene, {}, expected one for {fingerprint}", self.scene);
+            return Err(Error::invalid("scene", problem));
+        }
+        for (place, found, asked) in [("start", &self.start, scene.start()), ("goal", &self.goal, scene.goal())] {
+            if let Some(asked) = asked.map(|p| -> [f64; 3] { p.coords.into() }).filter(|asked| asked != found) {
+                let problem =
+                    format!("found a proof for another question, from or to {found:?}; the scene asks {asked:?}");
+                return Err(Error::invalid(place, problem));
+            }
+        }
+        let bodies = Bodies::of(scene, [Vector::zeros(); 2]);
+        let platform = || bodies.platform.iter().flatten();
+        for k in 0..3 {
+            let reach = |pick: fn(f64, f64) -> f64, from: f64| exact(platform().map(|v| v[k]).fold(from, pick));
+            let low = exact(scene.workspace().min[k]) - reach(f64::min, f64::INFINITY);
+            let high = exact(scene.workspace().max[k]) - reach(f64::max, f64::NEG_INFINITY);
+            let [from, to] = [0, 1].map(|side| exact(self.bounds[side][k]));
+            if from > &low + exact(self.margin) || to < &high - exact(self.margin) {
+                let (from, to, low, high) = (from.to_f64(), to.to_f64(), low.to_f64(), high.to_f64());
+                let problem = format!("found {from} to {to} along {}, expected at least {low} to {high}", AXES[k]);
+                return Err(Error::invalid("box", problem));
+            }
+        }
+        Ok(())
+    }
+
+    /// The boxes tile the box of positions, and open ones do not lead from the start to the goal.
+    fn separates(&self, boxes: &[Bounds]) -> Result<(), Error> {
+        let open = |k: usize| self.boxes[k].status == Status::Open;
+        let holds = |k: &usize, p: &[f64; 3]| touch(&boxes[*k], &point(p));
+        let tiling = Tiling::of(&self.bounds, boxes)?;
+        for (place, p) in [("start", &self.start), ("goal", &self.goal)] {
+            if !(0..boxes.len()).any(|k| open(k) && holds(&k, p)) {
+                return Err(Error::invalid(place, format!("found {p:?} in no open box, expected it in at least one")));
+            }
+        }
+        match tiling.connected(&self.start, open).into_iter().find(|k| holds(k, &self.goal)) {
+            None => Ok(()),
+            Some(k) => {
+                let problem = "found a chain of open boxes from the start to this box, which contains the goal; \
+                               expected closed boxes between them";
+                Err(Error::invalid(format!("boxes[{k}]"), problem))
+            }
+        }
+    }
+
+    fn boxes_lie_in_their_regions(&self) -> Result<(), Error> {
+        let half_spaces: Vec<Vec<HalfSpace>> =
+            self.regions.iter().map(|region| region.half_spaces.iter().map(HalfSpace::of).collect()).collect();
+        for (k, cell) in self.boxes.iter().enumerate() {
+            let Status::Within(region) = cell.status else { continue };
+            let problem = match half_spaces.get(region) {
+                None => format!("found region {region}, expected one of the {} regions", self.regions.len()),
+                Some(half_spaces) => {
+                    let bounds = cell.bounds.map(|corner| exact3(&corner.into()));
+                    match half_spaces.iter().position(|half| !half.contains(&bounds)) {
+                        None => continue,
+                        Some(h) => {
+                            format!("found a corner beyond half-space {h} of region {region}, expected the box inside")
+                        }
+                    }
+                }
+            };
+            return Err(Error::invalid(format!("boxes[{k}]"), problem));
+        }
+        Ok(())
+    }
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Proofs that positions are forbidden.
+struct Proofs<'a> {
+    scene: &'a Scene,
+    bodies: Bodies<'a>,
+    /// What the pairs that were asked for forbid.
+    known: BTreeMap<[Member; 2], Vec<Forbidden>>,
+}
+
+impl Proofs<'_> {
+    /// All corners of a region are near one forbidden set.
+    fn region(&mut self, region: &Region, bounds: &Bounds, margin: &Exact) -> Result<(), Error> {
+        let pair = self.pair(&region.who)?;
+        if let [Member::Cable(_), Member::Cable(_)] = pair {
+            return Err(Error::invalid(
+                "who",
+                "found two cables, expected a pair with a body: cables forbid no region",
+            ));
+        }
+        self.all_near(pair, &corners(bounds, &region.half_spaces), margin)
+    }
+
+    /// All positions of a box are forbidden for its reason.
+    fn bound(&mut self, cell: &Cell, margin: &Exact) -> Result<(), Error> {
+        let places: Vec<Place> = box_corners(&cell.bounds).iter().map(Place::of).collect();
+        let names = match &cell.status {
+            Status::Open | Status::Within(_) => return Ok(()),
+            Status::TooWeak(direction) => {
+                let proved = wrench::too_weak(self.scene, &self.bodies, direction, &cell.bounds)?;
+                return expect(proved, || "found no proof that the cables are too weak in this direction".to_string());
+            }
+            Status::Broken(names) => names,
+        };
+        if let [name] = &names[..] {
+            let Member::Cable(i) = self.bodies.member(name)? else {
+                return Err(Error::invalid(
+                    "",
+                    format!("found \"{name}\" alone, expected a cable because of its length"),
+                ));
+            };
+            let cable = &self.scene.robot().cables()[i];
+            let proved = wrench::wrong_length(&cable.outlet, &self.bodies.arms[i], cable.length, &cell.bounds, margin);
+            return expect(proved, || format!("found no proof that {name} is too short or too long"));
+        }
+        let pair =
+            self.pair(names.first_chunk().ok_or_else(|| Error::invalid("", "found no names, expected one or two"))?)?;
+        let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places, margin) };
+        let near = |set: &Forbidden| {
+            let weights = set.nearest_at(&middle(&cell.bounds));
+            places.iter().all(|place| set.is_near_at(&weights, place, margin))
+        };
+        expect(self.forbidden(pair)?.iter().any(near), || {
+            format!("found no proof that {} and {} are too close", names[0], names[1])
+        })
+    }
+
+    fn all_near(&mut self, pair: [Member; 2], places: &[Place], margin: &Exact) -> Result<(), Error> {
+        let names = pair.map(|member| self.scene.member_name(member).to_string());
+        let far = |set: &Forbidden| places.iter().find(|place| !set.is_near(place, margin));
+        let mut missed = None;
+        for set in self.forbidden(pair)? {
+            match far(set) {
+                None => return Ok(()),
+                Some(place) => missed = Some(place.to_f64()),
+            }
+        }
+        let problem = match missed {
+            Some(p) => format!(
+                "found the position {:?}, expected it within the margin of where {} and {} are too close",
+                [p.x, p.y, p.z],
+                names[0],
+                names[1]
+            ),
+            None => format!("found {} and {}, which forbid no positions in this scene", names[0], names[1]),
+        };
+        Err(Error::invalid("", problem))
+    }
+
+    fn pair(&self, names: &[String; 2]) -> Result<[Member; 2], Error> {
+        Ok([self.bodies.member(&names[0])?, self.bodies.member(&names[1])?])
+    }
+
+    fn forbidden(&mut self, pair: [Member; 2]) -> Result<&[Forbidden], Error> {
+        if !self.known.contains_key(&pair) {
+            self.known.insert(pair, self.bodies.forbidden(pair)?);
+        }
+        Ok(&self.known[&pair])
+    }
+}
+
+/// An error unless something is proved.
+fn expect(proved: bool, problem: impl Fn() -> String) -> Result<(), Error> {
+    if proved { Ok(()) } else { Err(Error::invalid("", format!("{}; expected one", problem()))) }
+}

@@ -1,0 +1,134 @@
+//! Boxes of positions in which the cables cannot exert a required wrench.
+
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::{MarginSpec, RuleSpec, Scene};
+
+use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
+use crate::forbidden::Bodies;
+use crate::tiling::{Bounds, middle};
+
+/// Whether it is proved for every position in a box that the cables fall short of a required wrench in the direction
+/// `[c_f; c_m]` of forces and moments: sum of max(t_min h, t_max h) < c·w, with h = c_f·u + c_m·(arm × u) = q·u,
+/// q = c_f + c_m × arm, for the unit vector u from the attachment to the outlet of each cable.
+///
+/// # Errors
+/// A scene without such a requirement, or with one that this direction does not concern.
+pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bounds) -> Result<bool, Error> {
+    let [force, moment] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&direction[k..k + 3])));
+    let demand = demand(scene, bodies, &force, &moment)?;
+    let center = middle(cell);
+    let (low, high) = (exact3(&cell[0].into()), exact3(&cell[1].into()));
+    // The larger of the distances from the middle to the two faces, along each axis.
+    let [below, above] = [minus(&exact3(&center), &low), minus(&high, &exact3(&center))];
+    let half: Exact3 = std::array::from_fn(|k| if below[k] > above[k] { below[k].clone() } else { above[k].clone() });
+    let mut supply = exact(0.0);
+    for (cable, arm) in scene.robot().cables().iter().zip(&bodies.arms) {
+        let Some([least, largest]) = cable.tension else { return refused("a cable without tension limits") };
+        let arm = exact3(arm);
+        let pull = plus(&force, &cross(&moment, &arm));
+        let line = minus(&minus(&exact3(&cable.outlet.coords), &arm), &exact3(&center));
+        let Some(height) = largest_height(&pull, &line, &dot(&half, &half)) else { return Ok(false) };
+        let tension = if height.sign().is_gt() { largest } else { least };
+        supply = supply + exact(tension) * height;
+    }
+    Ok(supply < demand)
+}
+
+fn refused<T>(found: &str) -> Result<T, Error> {
+    let problem = format!("found the reason \"wrench\" for {found}; it proves nothing there");
+    Err(Error::invalid("", problem))
+}
+
+/// The largest c·w over the required wrenches w, or a little less.
+fn demand(scene: &Scene, bodies: &Bodies, force: &Exact3, moment: &Exact3) -> Result<Exact, Error> {
+    let Some(spec) = scene.wrench() else { return refused("a scene without requirements on wrenches") };
+    let Some(mass) = scene.robot().mass() else { return refused("a robot without mass") };
+    let zero = |v: &Exact3| v.iter().all(|x| x.sign().is_eq());
+    if spec.rule == Some(RuleSpec::Grid) {
+        return refused("the rule \"grid\", which looks at some positions only");
+    }
+    if spec.margin == Some(MarginSpec::Projected) && !zero(force) && !zero(moment) {
+        return refused("the margin \"projected\", with a direction of both forces and moments");
+    }
+    if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= 1e-9) && !zero(moment) {
+        return refused("cables that meet in one point, with a direction of moments");
+    }
+    let weight = times(&exact(mass), &exact3(&scene.gravity()));
+    let to_center = scene.orientation() * scene.robot().center_of_mass().coords;
+    let turning = cross(&exact3(&to_center), &weight);
+    let along = |w: &[f64; 6]| {
+        let [f, m] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&w[k..k + 3])));
+        dot(force, &f) + dot(moment, &m)
+    };
+    let load = dot(force, &weight) + dot(moment, &turning) + along(&spec.load.unwrap_or_default());
+    let balls = [(spec.force, force), (spec.moment, moment)];
+    let beyond = match &spec.vertices {
+        Some(vertices) => {
+            let first = along(&vertices[0]);
+            vertices.iter().map(along).fold(first, |a, b| if b > a { b } else { a })
+        }
+        None => balls.iter().map(|(radius, c)| exact(radius.unwrap_or(0.0)) * dot(c, c).root_below()).sum(),
+    };
+    Ok(beyond - load)
+}
+
+/// An upper bound of q·l / |l| over all l within a distance of a vector, given its square: |q| cos(angle between q and
+/// the vector, less the angle at which the distance is seen). `None` beyond the range of `f64`.
+///
+/// With the vector d, the distance r and cos a = sqrt(d² - r²) / |d|, sin a = r / |d|: if q is in the cone of all l, or
+/// zero is among them, the bound is |q|; otherwise it is (q·d sqrt(d² - r²) + |q × d| r) / d².
+fn largest_height(q: &Exact3, d: &Exact3, r2: &Exact) -> Option<Exact> {
+    let (along, across, d2) = (dot(q, d), cross(q, d), dot(d, d));
+    let rest = &d2 - r2;
+    let in_cone = along.sign().is_gt() && &along * &along >= dot(q, q) * &rest;
+    if rest.sign().is_le() || in_cone {
+        return dot(q, q).root_above();
+    }
+    let root = if along.sign().is_gt() { rest.root_above()? } else { rest.root_below() };
+    let bound = along * root + (dot(&across, &across) * r2).root_above()?;
+    bound.quotient_above(&d2)
+}
+
+/// Whether it is proved that a cable breaks its limits of length, up to `margin`, at every position in a box: it is too
+/// short at all corners (where a distance is largest), or too long at the nearest point of the box.
+pub fn wrong_length(outlet: &Point, arm: &Vector, limits: Option<[f64; 2]>, cell: &Bounds, margin: &Exact) -> bool {
+    let hook = minus(&exact3(&outlet.coords), &exact3(arm));
+    let (low, high) = (minus(&exact3(&cell[0].into()), &hook), minus(&exact3(&cell[1].into()), &hook));
+    let squares = |pick: &dyn Fn(usize) -> Exact| (0..3).map(|k| pick(k) * pick(k)).sum::<Exact>();
+    let far = squares(&|k| if low[k].abs() > high[k].abs() { low[k].clone() } else { high[k].clone() });
+    let near = squares(&|k| match (low[k].sign(), high[k].sign()) {
+        (std::cmp::Ordering::Greater, _) => low[k].clone(),
+        (_, std::cmp::Ordering::Less) => high[k].clone(),
+        _ => exact(0.0),
+    });
+    let short = exact(limits.map_or(0.0, |[least, _]| least).max(SHORTEST)) + margin;
+    let long = limits.map(|[_, most]| exact(most) - margin);
+    far <= &short * &short || long.is_some_and(|long| long.sign().is_le() || near >= &long * &long)
+}
+
+/// A shorter cable has no direction, m.
+const SHORTEST: f64 = 1e-7;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_vector_near_another_exceeds_the_largest_height() {
+        let spiral = |k: usize, turns: f64| {
+            let (angle, z) = (turns * k as f64, 1.0 - (2 * k + 1) as f64 / 400.0);
+            let across = (1.0 - z * z).sqrt();
+            Vector::new(across * angle.cos(), across * angle.sin(), z)
+        };
+        let d = Vector::new(0.5, -0.3, 2.0);
+        for radius in [0.0, 0.1, 0.7, 2.0, 2.2] {
+            for q in (0..400).map(|k| 3.0 * spiral(k, 2.4)) {
+                let largest = largest_height(&exact3(&q), &exact3(&d), &exact(radius * radius)).unwrap().to_f64();
+                let seen = (0..400).map(|k| q.dot(&(d + radius * spiral(k, 0.618)).normalize())).fold(-3.0, f64::max);
+                assert!(seen <= largest + 1e-12 && largest <= 3.0 + 1e-12, "{radius} {q} {seen} {largest}");
+                assert!(radius > 2.0 || largest <= seen + 0.1 * radius + 1e-12, "{radius} {q} {seen} {largest}");
+            }
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! Small scenes in which each kind of proof is known: one slab between start and goal is closed for a reason, or the
+//! region between them.
+
+use cdpr_certify::check_certificate;
+use cdpr_core::Scene;
+use serde_json::{Value, json};
+
+/// A scene of a small platform in a workspace from (-1, -1, -1) to (3, 1, 1), with the given keys changed.
+fn scene(changes: Value) -> Scene {
+    let mut spec = json!({
+        "version": 1, "workspace": {"min": [-1.0, -1.0, -1.0], "max": [3.0, 1.0, 1.0]},
+        "robot": {"mass": 1.0, "platform": [{"vertices": [[0.0, 0.0, 0.0]]}], "cables": [
+            {"outlet": [0.0, 0.0, 2.0], "attachment": [0.0, 0.0, 0.0], "tension": [1.0, 100.0]},
+        ]},
+    });
+    merge(&mut spec, changes);
+    Scene::new(serde_json::from_value(spec).unwrap()).unwrap()
+}
+
+fn merge(into: &mut Value, changes: Value) {
+    match (into, changes) {
+        (Value::Object(into), Value::Object(changes)) => {
+            changes.into_iter().for_each(|(key, value)| merge(into.entry(key).or_insert(Value::Null), value));
+        }
+        (into, value) => *into = value,
+    }
+}
+
+/// A certificate whose boxes are cut at two x: the middle one is closed.
+fn certificate(scene: &Scene, cuts: [f64; 2], half_spaces: Option<Value>, reason: &Value) -> String {
+    let (min, max) = (scene.workspace().min, scene.workspace().max);
+    let row = |from: f64, to: f64, status: &[Value]| {
+        let mut row = vec![json!(from), json!(min.y), json!(min.z), json!(to), json!(max.y), json!(max.z)];
+        row.extend(status.iter().cloned());
+        Value::from(row)
+    };
+    let status = if half_spaces.is_some() { vec![json!(0)] } else { vec![json!(-2), reason.clone()] };
+    let regions: Vec<Value> =
+        half_spaces.into_iter().map(|planes| json!({"who": reason, "half_spaces": planes})).collect();
+    let middle = |from: f64, to: f64| [0.5 * (from + to), 0.5 * (min.y + max.y), 0.5 * (min.z + max.z)];
+    json!({
+        "format": "cdpr-proof", "version": 1, "scene": scene.fingerprint(), "orientation": [1.0, 0.0, 0.0, 0.0],
+        "margin": 1e-6, "start": middle(min.x, cuts[0]), "goal": middle(cuts[1], max.x),
+        "box": [[min.x, min.y, min.z], [max.x, max.y, max.z]], "regions": regions,
+        "boxes": [row(min.x, cuts[0], &[json!(-1)]), row(cuts[0], cuts[1], &status), row(cuts[1], max.x, &[json!(-1)])],
+    })
+    .to_string()
+}
+
+fn slab(scene: &Scene, cuts: [f64; 2], reason: Value) -> Result<(), String> {
+    let text = certificate(scene, cuts, None, &reason);
+    check_certificate(scene, &text).map(|_| ()).map_err(|error| error.to_string())
+}
+
+/// A slab in the region from x = `from` to x = `to`.
+fn region(scene: &Scene, [from, to]: [f64; 2], who: Value) -> Result<(), String> {
+    let half_spaces = json!([[-1.0, 0.0, 0.0, -from], [1.0, 0.0, 0.0, to]]);
+    let text = certificate(scene, [from + 1e-9, to - 1e-9], Some(half_spaces), &who);
+    check_certificate(scene, &text).map(|_| ()).map_err(|error| error.to_string())
+}
+
+/// What is accepted for x from 0.5 to 1, and refused if the slab is 2 µm or 0.1 m wider to one side.
+fn exactly(check: impl Fn([f64; 2]) -> Result<(), String>, [from, to]: [f64; 2]) {
+    assert_eq!(check([from, to]), Ok(()));
+    for wider in [2e-6, 0.1] {
+        assert!(check([from - wider, to]).is_err() && check([from, to + wider]).is_err());
+    }
+}
+
+fn wall(from: f64, to: f64) -> Value {
+    json!({"name": "wall", "box": [to - from, 4.0, 4.0], "position": [0.5 * (from + to), 0.0, 0.0]})
+}
+
+#[test]
+fn a_platform_keeps_its_clearance_from_an_obstacle() {
+    let cube = json!({"platform": [{"box": [0.2, 0.2, 0.2]}], "cables": [
+        {"outlet": [0.0, 0.0, 2.0], "attachment": [0.0, 0.0, 0.1]},
+    ]});
+    let own = |more: Value| {
+        let mut changes = json!({
+            "workspace": {"min": [-1.1, -1.1, -1.1], "max": [3.1, 1.1, 1.1]},
+            "robot": cube, "obstacles": [wall(0.6, 0.9)],
+        });
+        merge(&mut changes, more);
+        scene(changes)
+    };
+    // The box of positions is smaller than the workspace by half of the platform: `certificate` takes too large a box,
+    // which is allowed.
+    for (more, gap) in [
+        (json!({}), 0.0),
+        (json!({"clearance": 0.25}), 0.25),
+        (json!({"clearance": 0.25, "clearances": {"platform_obstacle": 0.5}}), 0.5),
+        (json!({"clearances": {"pairs": [{"between": ["wall", "platform"], "clearance": 0.125}]}}), 0.125),
+        (json!({"clearance": 0.25, "touch": [["platform", "wall"]]}), 0.0),
+    ] {
+        let (scene, cuts) = (own(more), [0.5 - gap, 1.0 + gap]);
+        exactly(|cuts| slab(&scene, cuts, json!(["platform", "wall"])), cuts);
+        exactly(|cuts| region(&scene, cuts, json!(["wall", "platform"])), cuts);
+    }
+    let ignored = own(json!({"ignore": [["platform", "wall"]]}));
+    let error = slab(&ignored, [0.7, 0.8], json!(["platform", "wall"])).unwrap_err();
+    assert!(error.contains("forbid no positions in this scene"), "{error}");
+}
+
+/// The cable hangs from (0, 0, 2) into a slot; behind the wall it cannot be straight.
+#[test]
+fn a_cable_does_not_pass_through_an_obstacle() {
+    let high = |more: Value| {
+        let mut changes =
+            json!({"obstacles": [{"name": "wall", "box": [0.5, 4.0, 6.0], "position": [0.75, 0.0, 0.0]}]});
+        merge(&mut changes, more);
+        scene(changes)
+    };
+    for x in [0.5, 0.9, 2.0] {
+        assert_eq!(region(&high(json!({})), [x, 2.5], json!(["cable 0", "wall"])), Ok(()), "{x}");
+    }
+    assert!(region(&high(json!({})), [0.5 - 2e-6, 2.5], json!(["cable 0", "wall"])).is_err());
+    let thick = json!({"clearance": 0.125, "robot": {"cables": [
+        {"outlet": [0.0, 0.0, 2.0], "attachment": [0.0, 0.0, 0.0], "diameter": 0.25},
+    ]}});
+    assert_eq!(region(&high(thick.clone()), [0.25, 2.5], json!(["wall", "cable 0"])), Ok(()));
+    assert!(region(&high(thick), [0.25 - 2e-6, 2.5], json!(["cable 0", "wall"])).is_err());
+}
+
+/// A gap to the cable's middle shrinks half as fast as the platform moves.
+#[test]
+fn the_margin_is_a_distance_of_positions() {
+    let knife = json!({"obstacles": [
+        {"name": "wall", "vertices": [
+            [0.5, -4.0, 1.0], [0.5, 4.0, 1.0], [9.0, -4.0, 1.0], [9.0, 4.0, 1.0],
+            [0.5, -4.0, 1.5], [0.5, 4.0, 1.5], [9.0, -4.0, 1.5], [9.0, 4.0, 1.5],
+        ]},
+    ]});
+    // In the plane z = 0 the shadow of the edge at (0.5, z = 1) is x > 1; elsewhere it is x > 1 - z.
+    let planes = |moved: f64| json!([[-1.0, 0.0, -0.5, -1.0 + moved], [1.0, 0.0, 0.0, 2.75]]);
+    let scene = scene(knife);
+    let check = |moved: f64| {
+        let text = certificate(&scene, [2.0, 2.5], Some(planes(moved)), &json!(["cable 0", "wall"]));
+        check_certificate(&scene, &text)
+    };
+    assert!(check(0.99e-6).is_ok());
+    assert!(check(1.5e-6).is_err()); // the gap is 0.75 µm
+}
+
+/// The platform is a wall between two outlets and the cable's attachment is on one side of it, at some distance.
+#[test]
+fn a_cable_does_not_pass_through_the_platform() {
+    let lever = |attachment: f64| {
+        scene(json!({"robot": {
+            "platform": [{"box": [0.1, 0.5, 0.5]}],
+            "cables": [{"outlet": [0.75, 0.0, 0.0], "attachment": [attachment, 0.0, 0.0]}],
+        }, "workspace": {"min": [-1.05, -0.275, -0.275], "max": [3.05, 0.275, 0.275]}}))
+    };
+    // Attached 0.25 m behind the origin, the cable passes through the plate where the platform is left of the outlet.
+    let who = || json!(["cable 0", "platform"]);
+    assert_eq!(slab(&lever(-0.25), [0.3, 0.6], who()), Ok(()));
+    assert_eq!(region(&lever(-0.25), [0.3, 0.6], who()), Ok(()));
+    assert!(slab(&lever(-0.25), [0.9, 1.0], who()).is_err());
+    // Attached on the face at -0.05, it enters the plate wherever the outlet is right of that face.
+    assert_eq!(slab(&lever(-0.05), [0.3, 0.8], who()), Ok(()));
+    assert!(slab(&lever(-0.05), [0.3, 0.8 + 2e-6], who()).is_err());
+    assert!(slab(&lever(0.05), [0.3, 0.6], who()).is_err());
+}
+
+#[test]
+fn a_flat_part_forbids_nothing_to_a_cable_on_it() {
+    let plate = scene(json!({"robot": {
+        "platform": [{"box": [0.0, 0.5, 0.5]}], "cables": [{"outlet": [0.75, 0.0, 0.0], "attachment": [0.0, 0.0, 0.0]}],
+    }}));
+    let error = slab(&plate, [0.3, 0.6], json!(["cable 0", "platform"])).unwrap_err();
+    assert!(error.contains("forbid no positions"), "{error}");
+}
+
+/// An outlet on a wall: positions on the wall's side are forbidden. An outlet that lies a little below the surface, as
+/// rounding may have it, forbids no more: the cone of directions from there to the wall is all of space.
+#[test]
+fn an_outlet_on_an_obstacle_forbids_the_cone_below_its_faces() {
+    for depth in [0.0, 1e-16, 5e-8, -5e-8] {
+        let mounted = scene(json!({
+            "obstacles": [wall(0.5, 1.5)],
+            "robot": {"cables": [{"outlet": [0.5 + depth, 0.25, 0.25], "attachment": [0.0, 0.0, 0.0]}]},
+        }));
+        for check in [slab, region] {
+            assert_eq!(check(&mounted, [0.5 + depth, 0.8], json!(["cable 0", "wall"])), Ok(()), "{depth}");
+            assert!(check(&mounted, [0.5 + depth - 2e-6, 0.8], json!(["cable 0", "wall"])).is_err(), "{depth}");
+            assert!(check(&mounted, [-0.3, 0.3], json!(["cable 0", "wall"])).is_err(), "{depth}");
+        }
+    }
+}
+
+/// At an edge of the wall a cable has to be below both faces.
+#[test]
+fn an_outlet_on_an_edge_forbids_the_cone_below_two_faces() {
+    let block = json!({"name": "wall", "box": [1.0, 4.0, 2.0], "position": [1.0, 0.0, 0.0]});
+    let mounted = scene(json!({
+        "obstacles": [block],
+        "robot": {"cables": [{"outlet": [0.5, 0.25, 1.0], "attachment": [0.0, 0.0, 0.0]}]},
+    }));
+    assert_eq!(region(&mounted, [0.5, 0.8], json!(["cable 0", "wall"])), Ok(()));
+    let beside = scene(json!({
+        "workspace": {"max": [3.0, 1.0, 1.1]},
+        "obstacles": [{"name": "wall", "box": [1.0, 4.0, 2.0], "position": [1.0, 0.0, 0.0]}],
+        "robot": {"cables": [{"outlet": [0.5, 0.25, 1.0], "attachment": [0.0, 0.0, 0.0]}]},
+    }));
+    assert!(region(&beside, [0.5, 0.8], json!(["cable 0", "wall"])).is_err());
+}
+
+/// Two cables to the ends of a bar cross left of the left outlet.
+#[test]
+fn two_cables_keep_their_clearance() {
+    let bar = |clearance: f64, arm: f64| {
+        scene(json!({
+            "clearance": clearance, "workspace": {"min": [-3.5, -0.05, 1.8], "max": [0.0, 0.05, 1.9]},
+            "robot": {"cables": [
+                {"outlet": [-2.0, 0.0, 2.0], "attachment": [-arm, 0.0, 0.0]},
+                {"outlet": [2.0, 0.0, 2.0], "attachment": [arm, 0.0, 0.0]},
+            ]},
+        }))
+    };
+    let (who, cuts) = (|| json!(["cable 1", "cable 0"]), [-3.0, -2.6]);
+    assert_eq!(slab(&bar(0.3, 0.2), cuts, who()), Ok(()));
+    assert!(slab(&bar(0.01, 0.2), cuts, who()).is_err());
+    assert!(slab(&bar(0.3, 0.2), [-1.5, -1.0], who()).is_err());
+    assert!(slab(&bar(0.5, 0.2), cuts, who()).is_err()); // nowhere attainable: 0 is required
+    assert!(slab(&bar(0.3, 0.0), cuts, who()).unwrap_err().contains("no proof")); // they share an end
+    assert!(region(&bar(0.3, 0.2), cuts, who()).unwrap_err().contains("found two cables"));
+}
+
+#[test]
+fn a_cable_keeps_its_limits_of_length() {
+    let limited = |length: [f64; 2]| {
+        scene(json!({"robot": {"cables": [
+            {"outlet": [-1.0, 0.0, 0.0], "attachment": [0.0, 0.0, 0.0], "length": length},
+        ]}}))
+    };
+    assert_eq!(slab(&limited([0.0, 1.5]), [0.5, 0.75], json!(["cable 0"])), Ok(()));
+    assert!(slab(&limited([0.0, 1.5]), [0.5 - 2e-6, 0.75], json!(["cable 0"])).is_err());
+    assert_eq!(slab(&limited([1.5, 9.0]), [-0.75, -0.5], json!(["cable 0"])), Ok(())); // sqrt(0.5² + 1 + 1) = 1.5
+    assert!(slab(&limited([1.5, 9.0]), [-0.75, -0.5 + 4e-6], json!(["cable 0"])).is_err());
+    assert!(slab(&limited([0.0, 1.5]), [0.5, 0.75], json!(["platform"])).unwrap_err().contains("expected a cable"));
+}
+
+/// The only cable hangs from (0, 0, 2): at x > 0 it pulls to the left.
+#[test]
+fn a_cable_that_pulls_to_the_left_cannot_balance() {
+    let check = |wrench: Value, cuts: [f64; 2], c: [f64; 6]| {
+        let reason: Vec<Value> = std::iter::once(json!("wrench")).chain(c.iter().map(|x| json!(x))).collect();
+        slab(&scene(json!({"wrench": wrench})), cuts, reason.into())
+    };
+    let (right, up) = ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(check(json!({}), [2.0, 2.5], right), Ok(()));
+    assert!(check(json!({}), [2.0, 2.5], right.map(|x| -x)).is_err());
+    assert!(check(json!({}), [2.0, 2.5], up).is_err());
+    assert!(check(json!({}), [-0.5, 0.5], right).is_err());
+    assert_eq!(check(json!({"force": 200.0}), [-0.5, 0.5], up), Ok(()));
+    assert_eq!(check(json!({"vertices": [[0, 0, 0, 0, 0, 0], [0, 0, 200, 0, 0, 0]]}), [-0.5, 0.5], up), Ok(()));
+    assert_eq!(check(json!({"load": [0, 0, -200, 0, 0, 0]}), [-0.5, 0.5], up), Ok(()));
+    assert!(check(json!({"load": [0, 0, 200, 0, 0, 0]}), [-0.5, 0.5], up).is_err());
+    let moment = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+    assert!(check(json!({"force": 200.0}), [-0.5, 0.5], moment).unwrap_err().contains("meet in one point"));
+    assert!(check(json!({"force": 200.0, "rule": "grid"}), [-0.5, 0.5], up).unwrap_err().contains("grid"));
+    let error = slab(&scene(json!({})), [2.0, 2.5], json!(["wrench", 1, 0, 0, 0, 0, 0])).unwrap_err();
+    assert!(error.contains("without requirements on wrenches"), "{error}");
+}
