@@ -12,6 +12,10 @@ use crate::polyhedron::Place;
 const ON_SURFACE: f64 = 1e-7;
 /// A corner this far above a plane through three others still lies in it, m.
 const COPLANAR: f64 = 1e-9;
+/// A gap that is less than required by no more than this is contact, m.
+pub const TOUCHING: f64 = 1e-9;
+/// The witnesses of contact may be this far apart, m.
+const ROUNDING: f64 = 1e-12;
 /// Ends of two cables this close are one point, m.
 const SAME_POINT: f64 = 1e-9;
 
@@ -51,7 +55,7 @@ pub enum Forbidden {
 }
 
 impl Forbidden {
-    /// Whether a position is within `margin` of this set: that is proved.
+    /// Whether at a position the gap is at most `margin` more than required: that is proved.
     pub fn is_near(&self, place: &Place, margin: &Exact) -> bool {
         let position = place.to_f64();
         match self {
@@ -68,6 +72,15 @@ impl Forbidden {
         }
     }
 
+    /// The margin for a set that both start and goal touch: what the platform touches there it may touch everywhere, such
+    /// as a floor that it slides on. A gap that is a little less than required is contact.
+    pub fn contact(&self) -> Exact {
+        match self {
+            Self::Close { required, .. } if required.sign().is_gt() => exact(-TOUCHING),
+            _ => exact(ROUNDING),
+        }
+    }
+
     /// Weights of the corners in the nearest points of the two hulls; none for cones.
     pub fn nearest_at(&self, position: &Vector) -> [Vec<f64>; 2] {
         let Self::Close { hulls, .. } = self else { return Default::default() };
@@ -75,35 +88,31 @@ impl Forbidden {
         nearest(&at(&hulls[0]), &at(&hulls[1]))
     }
 
-    /// Whether two points of the hulls, given by the weights of the corners, are close enough: a proof that the
-    /// position is within `margin` of this set.
+    /// Whether two points of the hulls, given by the weights of the corners, are at most `margin` farther apart than
+    /// required.
     pub fn is_near_at(&self, weights: &[Vec<f64>; 2], place: &Place, margin: &Exact) -> bool {
         let Self::Close { hulls, required } = self else { return false };
-        let [Some((a, all_a, moving_a)), Some((b, all_b, moving_b))] =
-            [0, 1].map(|k| weighted(&hulls[k], &weights[k], place))
-        else {
+        let [Some((a, all_a)), Some((b, all_b))] = [0, 1].map(|k| weighted(&hulls[k], &weights[k], place)) else {
             return false;
         };
-        // The points are a / all_a and b / all_b. A step of the platform moves them apart by `share` times the step.
+        // The points are a / all_a and b / all_b.
         let all = &all_a * &all_b * &place.scale;
         let gap = minus(&times(&all_b, &a), &times(&all_a, &b));
-        let share = (&all_b * moving_a - &all_a * moving_b).abs() * &place.scale;
-        let reach = &all * required + share * margin;
-        all.sign().is_gt() && dot(&gap, &gap) <= &reach * &reach
+        let reach = &all * &(required + margin);
+        all.sign().is_gt() && reach.sign().is_ge() && dot(&gap, &gap) <= &reach * &reach
     }
 }
 
-/// The sum of weight · corner, times the place's scale; the sum of the weights; and that of the corners that move.
-fn weighted(hull: &[Spot], weights: &[f64], place: &Place) -> Option<(Exact3, Exact, Exact)> {
-    let mut sums = (exact3(&Vector::zeros()), exact(0.0), exact(0.0));
+/// The sum of weight · corner, times the place's scale, and the sum of the weights.
+fn weighted(hull: &[Spot], weights: &[f64], place: &Place) -> Option<(Exact3, Exact)> {
+    let mut sums = (exact3(&Vector::zeros()), exact(0.0));
     for (spot, weight) in hull.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
         if !(weight.is_finite() && *weight >= 0.0) {
             return None;
         }
         let weight = exact(*weight);
         sums.0 = plus(&sums.0, &times(&weight, &moved(spot, place)));
-        sums.1 = sums.1 + &weight;
-        sums.2 = if spot.moves { sums.2 + weight } else { sums.2 };
+        sums.1 = sums.1 + weight;
     }
     Some(sums)
 }

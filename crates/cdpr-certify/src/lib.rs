@@ -4,7 +4,9 @@
 //! # What a certificate proves
 //!
 //! Every path from start to goal (a continuous curve of the platform's origin, at one orientation, in the scene's box
-//! of positions) contains a position that is within `margin` of one that breaks a condition of the scene.
+//! of positions) contains a position where some gap is at most `margin` larger than the scene requires, or where the
+//! cables lack a required wrench. Pairs whose gap is that small at both start and goal count only where they break the
+//! condition: what the platform touches at both ends it may touch on the way.
 //!
 //! # Why
 //!
@@ -17,7 +19,7 @@
 //!    in a closed box.
 //! 3. Each closed box lies in a region, or is closed by a bound.
 //! 4. Each region, cut to the box of positions, is the convex hull of its corners (`polyhedron`). All of its corners
-//!    are within `margin` of one convex set of forbidden positions, and hence the whole region is (`forbidden`).
+//!    have too small a gap between one pair of convex bodies, and hence the whole region has (`forbidden`).
 //! 5. A bound holds in the whole box: by convexity again, for a pair of cables by an affine function of the position,
 //!    for tensions by the largest angle that a cable turns (`wrench`).
 //!
@@ -88,14 +90,19 @@ impl Certificate {
         let boxes: Vec<Bounds> = self.boxes.iter().map(|cell| cell.bounds).collect();
         self.separates(&boxes)?;
         self.boxes_lie_in_their_regions()?;
-        let mut proofs =
-            Proofs { bodies: Bodies::of(scene, [self.start.into(), self.goal.into()]), scene, known: BTreeMap::new() };
-        let margin = exact(self.margin);
+        let ends = [&self.start, &self.goal];
+        let mut proofs = Proofs {
+            bodies: Bodies::of(scene, ends.map(|end| (*end).into())),
+            scene,
+            ends: ends.map(|end| Place::of(&(*end).into())),
+            margin: exact(self.margin),
+            known: BTreeMap::new(),
+        };
         for (k, region) in self.regions.iter().enumerate() {
-            proofs.region(region, &self.bounds, &margin).map_err(|e| e.under(&format!("regions[{k}]")))?;
+            proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
         for (k, cell) in self.boxes.iter().enumerate() {
-            proofs.bound(cell, &margin).map_err(|e| e.under(&format!("boxes[{k}]")))?;
+            proofs.bound(cell).map_err(|e| e.under(&format!("boxes[{k}]")))?;
         }
         let closed = self.boxes.iter().filter(|cell| cell.status != Status::Open).count();
         Ok(Summary { boxes: boxes.len(), closed, regions: self.regions.len(), margin: self.margin })
@@ -119,11 +126,8 @@ impl Certificate {
                 None => Ok(()),
             }
         };
-        if !(self.margin > 0.0 && self.margin <= 1e-3) {
-            return Err(Error::invalid(
-                "margin",
-                format!("found {}, expected more than 0, at most 1e-3 m", self.margin),
-            ));
+        if !(1e-8..=1e-3).contains(&self.margin) {
+            return Err(Error::invalid("margin", format!("found {}, expected 1e-8 to 1e-3 m", self.margin)));
         }
         finite("orientation", &self.orientation)?;
         finite("start", &self.start)?;
@@ -227,13 +231,15 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 struct Proofs<'a> {
     scene: &'a Scene,
     bodies: Bodies<'a>,
+    ends: [Place; 2],
+    margin: Exact,
     /// What the pairs that were asked for forbid.
     known: BTreeMap<[Member; 2], Vec<Forbidden>>,
 }
 
 impl Proofs<'_> {
     /// All corners of a region are near one forbidden set.
-    fn region(&mut self, region: &Region, bounds: &Bounds, margin: &Exact) -> Result<(), Error> {
+    fn region(&mut self, region: &Region, bounds: &Bounds) -> Result<(), Error> {
         let pair = self.pair(&region.who)?;
         if let [Member::Cable(_), Member::Cable(_)] = pair {
             return Err(Error::invalid(
@@ -241,11 +247,12 @@ impl Proofs<'_> {
                 "found two cables, expected a pair with a body: cables forbid no region",
             ));
         }
-        self.all_near(pair, &corners(bounds, &region.half_spaces), margin)
+        self.all_near(pair, &corners(bounds, &region.half_spaces))
     }
 
     /// All positions of a box are forbidden for its reason.
-    fn bound(&mut self, cell: &Cell, margin: &Exact) -> Result<(), Error> {
+    fn bound(&mut self, cell: &Cell) -> Result<(), Error> {
+        let contact = exact(-forbidden::TOUCHING);
         let places: Vec<Place> = box_corners(&cell.bounds).iter().map(Place::of).collect();
         let names = match &cell.status {
             Status::Open | Status::Within(_) => return Ok(()),
@@ -263,24 +270,36 @@ impl Proofs<'_> {
                 ));
             };
             let cable = &self.scene.robot().cables()[i];
-            let proved = wrench::wrong_length(&cable.outlet, &self.bodies.arms[i], cable.length, &cell.bounds, margin);
+            let wrong = |bounds: &Bounds, margin: &Exact| {
+                wrench::wrong_length(&cable.outlet, &self.bodies.arms[i], cable.length, bounds, margin)
+            };
+            let touched = self.ends.iter().all(|end| {
+                let at: [f64; 3] = end.to_f64().into();
+                wrong(&[at, at], &self.margin)
+            });
+            let proved = wrong(&cell.bounds, if touched { &contact } else { &self.margin });
             return expect(proved, || format!("found no proof that {name} is too short or too long"));
         }
         let pair =
             self.pair(names.first_chunk().ok_or_else(|| Error::invalid("", "found no names, expected one or two"))?)?;
-        let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places, margin) };
+        let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places) };
+        let (ends, margin) = (self.ends.clone(), self.margin.clone());
         let near = |set: &Forbidden| {
-            let weights = set.nearest_at(&middle(&cell.bounds));
-            places.iter().all(|place| set.is_near_at(&weights, place, margin))
+            let (weights, margin) = (set.nearest_at(&middle(&cell.bounds)), margin_for(set, &ends, &margin));
+            places.iter().all(|place| set.is_near_at(&weights, place, &margin))
         };
         expect(self.forbidden(pair)?.iter().any(near), || {
             format!("found no proof that {} and {} are too close", names[0], names[1])
         })
     }
 
-    fn all_near(&mut self, pair: [Member; 2], places: &[Place], margin: &Exact) -> Result<(), Error> {
+    fn all_near(&mut self, pair: [Member; 2], places: &[Place]) -> Result<(), Error> {
         let names = pair.map(|member| self.scene.member_name(member).to_string());
-        let far = |set: &Forbidden| places.iter().find(|place| !set.is_near(place, margin));
+        let (ends, margin) = (self.ends.clone(), self.margin.clone());
+        let far = |set: &Forbidden| {
+            let margin = margin_for(set, &ends, &margin);
+            places.iter().find(|place| !set.is_near(place, &margin))
+        };
         let mut missed = None;
         for set in self.forbidden(pair)? {
             match far(set) {
@@ -310,6 +329,11 @@ impl Proofs<'_> {
         }
         Ok(&self.known[&pair])
     }
+}
+
+/// The margin by which a region may reach beyond a set.
+fn margin_for(set: &Forbidden, ends: &[Place; 2], margin: &Exact) -> Exact {
+    if ends.iter().all(|end| set.is_near(end, margin)) { set.contact() } else { margin.clone() }
 }
 
 /// An error unless something is proved.

@@ -383,6 +383,9 @@ pub const PROOF_MARGIN_USED: f64 = 0.99;
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
+/// Largest certificate of a proof that is read, bytes.
+pub const MOST_CERTIFICATE_BYTES: u64 = 200_000_000;
+
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::output::write_atomically;
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fixed_length::FixedLength;
-use cdpr_core::numerics::{MOST_TABLE_BYTES, MOST_TEXT_BYTES};
+use cdpr_core::numerics::{MOST_CERTIFICATE_BYTES, MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -51,6 +51,24 @@ pub fn other_extension(path: &Path, expected: &str) -> Error {
 /// A file that cannot be read, is too large, is not a regular file, or is not text in UTF-8.
 pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
+}
+
+/// The text of a file if it is a certificate: JSON in whose beginning the name of that format is found.
+///
+/// # Errors
+/// A certificate that cannot be read or is larger than [`MOST_CERTIFICATE_BYTES`].
+pub fn read_certificate(path: &Path) -> Result<Option<String>, Error> {
+    let mut beginning = String::new();
+    if !path.is_file() {
+        return Ok(None); // a pipe can be read only once
+    }
+    let Ok(file) = File::open(path) else { return Ok(None) };
+    let is_text = file.take(256).read_to_string(&mut beginning).is_ok();
+    let name = format!("\"{}\"", cdpr_core::proof::FORMAT);
+    if !is_text || !beginning.trim_start().starts_with('{') || !beginning.contains(&name) {
+        return Ok(None);
+    }
+    read_at_most(path, MOST_CERTIFICATE_BYTES).map(Some)
 }
 
 /// The error for a file that cannot be read; for a missing file, it suggests a similar name in the same folder.

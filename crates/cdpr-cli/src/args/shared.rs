@@ -36,7 +36,8 @@ pub struct SceneArgs {
 pub struct PathArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z. For `check` also a proof that there is no path,
+    /// as written by `plan --proof`.
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: PathBuf,
     #[command(flatten)]

@@ -1,11 +1,12 @@
 //! `cdpr check`
 
+use cdpr_certify::Summary;
 use cdpr_core::Error;
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason};
 use cdpr_core::plan::{CheckReport, check, engine_within};
-use cdpr_core::watch::Watch;
-use cdpr_core::words::length;
+use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
 
 use crate::Answer;
@@ -13,8 +14,12 @@ use crate::args::{Format, PathArgs};
 use crate::input;
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, scene_line, short, thousandths};
+use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
+    if let Some(text) = cdpr_files::text::read_certificate(&args.path)? {
+        return check_proof(args, &text, out);
+    }
     let (scene, path) = input::scene_and_path(args, out)?;
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
     let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
@@ -32,6 +37,36 @@ pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
+}
+
+/// Checks a proof that there is no path, in exact arithmetic and without the code that made it.
+fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Error> {
+    let in_proof = |e: Error| e.in_file(&args.path);
+    let scene = input::scene(&args.scene, out)?;
+    let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
+    let turned = match scene.orientation_is_open() {
+        true => scene.turned(certificate.orientation.into()).map_err(in_proof)?,
+        false => scene,
+    };
+    let check = |_: &Interrupt| certificate.check(&turned);
+    let found = with_sign_of_life(out, "checking", check).map_err(in_proof)?;
+    let Summary { boxes, closed, regions, margin } = found;
+    match args.scene.format {
+        Format::Json => {
+            let answer = serde_json::json!({
+                "valid": true, "boxes": boxes, "closed": closed, "regions": regions, "margin": margin,
+            });
+            out.result(&format!("{answer:#}"));
+        }
+        Format::Text => {
+            out.result(&scene_line(&turned));
+            let gap = small_length(margin);
+            out.verdict(&Verdict::yes("proved:", format!(" no path keeps a gap of more than {gap}")));
+            let closed = format!("{closed} of {boxes} boxes are closed, by {}", count(regions, "region"));
+            out.result(&format!("{closed}; checked exactly"));
+        }
+    }
+    Ok(Answer::Yes)
 }
 
 fn verdict(report: &PathReport, waypoints: usize) -> Verdict {

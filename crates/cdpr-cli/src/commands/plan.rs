@@ -68,7 +68,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.proof {
         match &found.no_path {
-            Some(no_path) => out.write(path, format!("{}\n", serde_json::json!(no_path.certificate)).as_bytes(), "")?,
+            Some(no_path) => out.write(path, certificate_text(no_path).as_bytes(), "")?,
             None => out.say(&format!("{} was not written: it was not proved that there is no path", path.display())),
         }
     }
@@ -96,6 +96,10 @@ impl Observer for Reporter<'_> {
     fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
         self.out.detail(&format!("{:9.2} ms: {} m, {}", 1e3 * seconds, short(cost), count(path.len(), "waypoint")));
     }
+}
+
+fn certificate_text(no_path: &NoPath) -> String {
+    serde_json::to_string(&no_path.certificate).expect("its numbers are finite") + "\n"
 }
 
 /// What removing obstacles gives, how far the platform gets, and what was proved.
