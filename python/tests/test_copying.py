@@ -37,6 +37,7 @@ REPRS = {
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
     "BatchResult": "BatchResult('experiment', 3 rows)",
     "View": "View(1 kB)",
+    "Proof": "Proof(cable 1 and south, cable 3 and north; 953 boxes)",
 }
 
 
@@ -80,6 +81,8 @@ def make(name):
             return cdpr.run_batch(EXPERIMENT)
         case "View":
             return cdpr.View("x" * 1000)
+        case "Proof":
+            return cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/closed.toml")).proof
     raise KeyError(name)
 
 

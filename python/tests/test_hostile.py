@@ -27,7 +27,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Tensions", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Proof", "Tensions", "Violation", "View", "WrenchMap", "WrenchReport"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -100,13 +100,16 @@ def calls(tmp_path, monkeypatch, batch):
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
         "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "name": "s", "obstacles": {"crate": CUBE},
     }  # fmt: skip
+    closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml").replace(**end)
+    proof = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/closed.toml")).proof
+    proof.save("proof.json")
     information = cdpr.ompl.simple_setup(scene).getSpaceInformation()
     experiment = {"experiment": EXPERIMENT, "executor": None, "progress": None, "trials": 1, "threads": 1}
     figure = {"view": (20.0, -60.0), "ax": None}
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
-        "near_radius": None, "orientation": None, **judges, "on_improvement": None,
+        "near_radius": None, "orientation": None, **judges, "proof": False, "on_improvement": None,
     }  # fmt: skip
     return {
         "Robot": (cdpr.Robot, cables),
@@ -135,6 +138,8 @@ def calls(tmp_path, monkeypatch, batch):
         "Path": (cdpr.Path, {"waypoints": [HERE, THERE], "cost": 1.0, "orientation": [1.0, 0, 0, 0]}),
         "Path.save": (path.save, {"path": "path.csv"}),
         "Path.to_pandas": (path.to_pandas, {}),
+        "Proof.save": (proof.save, {"path": "proof.json"}),
+        "check_proof": (cdpr.check_proof, {"scene": closed, "path": "proof.json"} | end),
         "View.save": (cdpr.View("<html>").save, {"path": "view.html"}),
         "WrenchMap.save": (grid.save, {"path": "map.vti"}),
         "WrenchMap.load": (cdpr.WrenchMap.load, {"path": "map.npz", "scene": held, "force": None, "moment": None}),

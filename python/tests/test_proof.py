@@ -10,7 +10,9 @@ from typing import Any
 
 import pytest
 
+import cdpr
 from cdpr._proof_check import check_certificate
+from conftest import TESTDATA
 
 DATA = Path(__file__).parent / "data"
 SAMPLES = ["corner", "platform", "two-cables"]
@@ -404,3 +406,54 @@ def test_turned_platform():
     check_certificate(scene, file, None)
     refused({**scene, "orientations": []}, file, "another orientation")
     refused({**scene, "orientations": []}, {**file, "orientation": [1, 0, 0, 0]})
+
+
+def test_planning_proves_and_anyone_can_check(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
+    result = cdpr.plan(scene)
+    assert (result.status, result.solved, result.waypoints.shape) == ("no_path", False, (0, 3))
+    proof = result.proof
+    assert proof.culprits == (("cable 1", "south"), ("cable 3", "north")) and proof.blocking == ("south", "north")
+    for name, cost in proof.without.items():
+        found = cdpr.plan(scene.without(name))
+        assert found.solved and found.cost <= cost * 1.0001
+    assert scene.states_valid([proof.nearest_to_goal])[0] and proof.margin == 1e-6
+    file = tmp_path / "proof.json"
+    proof.save(file)
+    assert cdpr.check_proof(scene, file)
+    with pytest.raises(cdpr.FileError, match="another scene"):
+        cdpr.check_proof(scene.without("south"), file)
+    with pytest.raises(cdpr.FileError, match="another question"):
+        cdpr.check_proof(scene.replace(start=[0.3, 1, 0.5]), file)
+    file.write_text(file.read_text()[:-100])
+    with pytest.raises(cdpr.FileError, match="truncated"):
+        cdpr.check_proof(scene, file)
+    with pytest.raises(cdpr.FileError, match="cannot be read"):
+        cdpr.check_proof(scene, tmp_path / "missing.json")
+
+
+@pytest.mark.parametrize("planner", ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
+def test_every_planner_gives_the_same_proof(planner):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
+    first, second = (cdpr.plan(scene, planner, seed=seed) for seed in range(2))
+    assert first.status == "no_path" and first.proof == second.proof
+    assert first.stats["samples"] == second.stats["samples"] == 0
+    assert cdpr.plan(scene, planner, max_samples=300, proof=False).status == "budget_spent"
+
+
+def test_a_narrow_passage_is_found_where_sampling_fails():
+    # The platform passes between the wall, 0.9 m high, and the ceiling with 1 cm to spare.
+    robot = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml").robot
+    upper = cdpr.Robot(robot.outlets[4:], robot.attachments[4:], [cdpr_box([0.15, 0.15, 0.05])])
+    space = [[0, 0, 0], [2, 2, 0.96]]
+    wall = cdpr.Scene(upper, workspace=space, start=[0.3, 1, 0.3], goal=[1.7, 1, 0.3])
+    wall = wall.with_obstacle("wall", cdpr_box([0.1, 2.0, 0.9]), position=[1, 1, 0.45])
+    assert cdpr.plan(wall, "rrt", max_samples=200, proof=False).status == "budget_spent"
+    found = cdpr.plan(wall, "rrt", max_samples=200)
+    assert found.solved and cdpr.check(wall, found).valid
+
+
+def cdpr_box(sides: list[float]) -> list[list[float]]:
+    """The corners of a box."""
+    return [[x, y, z] for x in (-sides[0] / 2, sides[0] / 2) for y in (-sides[1] / 2, sides[1] / 2)
+            for z in (-sides[2] / 2, sides[2] / 2)]  # fmt: skip

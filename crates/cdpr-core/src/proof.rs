@@ -24,6 +24,7 @@ use crate::error::Error;
 use crate::geometry::{Cuboid, Point};
 use crate::numerics::{PROOF_EFFORT, PROOF_MARGIN};
 use crate::watch::Watch;
+use blocking::Smaller;
 use closing::Regions;
 use tiling::tiling;
 
@@ -64,11 +65,11 @@ pub struct Proof {
     pub nearest_to_goal: Point,
 }
 
-/// Prefers wide passages, and visits few cells.
-const TASTE: Taste = Taste { level: 5, haste: 2.0 };
+/// Prefers wide passages: proofs and paths then need the fewest cells.
+const TASTE: Taste = Taste { level: 2, haste: 1.0 };
 
 /// Halvings of the box after which what can be reached is measured, and cells that this may take.
-const REACH_LEVEL: u8 = 5;
+const REACH_LEVEL: u8 = 4;
 const REACH_CELLS: usize = 50_000;
 
 /// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells.
@@ -135,8 +136,9 @@ impl<'a> Search<'a> {
 
     /// The proof of a search that found no way.
     fn proof(mut self, watch: &Watch) -> Result<Proof, Error> {
-        let blocking::Smaller { search, conditions, blocking } = blocking::smallest(&self, watch)?;
-        let (regions, boxes) = tiling(&search.cells, &search.regions);
+        let Smaller { search, conditions, blocking } = blocking::smallest(&self, watch)?;
+        let search = search.as_ref().unwrap_or(&self);
+        let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
         let (reachable_volume, nearest_to_goal) = self.reachable();
         let (low, high) = self.checker.conditions().position_box();
         Ok(Proof {

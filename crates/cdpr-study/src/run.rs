@@ -399,7 +399,9 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
     let (scene, Compiled { engine, answer, .. }) =
         engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
-    let options = PlanOptions { seed, ..method.options.clone() };
+    // A trial measures its planner: only scenes without a path are decided for it.
+    let proof = matches!(answer, Some(Answer::NoPath(_)));
+    let options = PlanOptions { seed, proof, ..method.options.clone() };
     let planned = || {
         let query = Query { answer: answer.as_ref(), ..Query::of(scene).by(&**engine) };
         let raw = plan(query, &options, &|| interrupted())?.result;

@@ -14,8 +14,8 @@ use crate::watch::Watch;
 
 /// A proof by fewer obstacles and conditions.
 pub struct Smaller<'a> {
-    /// The search without the other obstacles.
-    pub search: Search<'a>,
+    /// The search without the other obstacles, if one was needed to find them.
+    pub search: Option<Search<'a>>,
     /// The conditions that its proof needs, as indices; wrenches have the index after the last condition.
     pub conditions: Vec<usize>,
     /// Its obstacles.
@@ -24,22 +24,18 @@ pub struct Smaller<'a> {
 
 /// Leaves out obstacles, then conditions, of a search that found no way.
 pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Error> {
-    let mut blocking = irreducible(&whole.cells, whole.ends, |condition| whole.obstacles_of(condition));
-    let mut search = whole.among(&blocking);
-    // What the cells at hand prove without an obstacle, a search without it proves as well, unless its effort ends.
-    if search.run(PROOF_EFFORT, watch)? != Way::None {
-        blocking = whole.obstacles();
-        search = whole.among(&blocking);
-        search.run(PROOF_EFFORT, watch)?;
-    }
+    let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
+    let mut search = None;
     for obstacle in blocking.clone() {
         let left: Vec<usize> = blocking.iter().copied().filter(|&other| other != obstacle).collect();
         let mut fewer = whole.among(&left);
         if fewer.run(PROOF_EFFORT, watch)? == Way::None {
-            (search, blocking) = (fewer, left);
+            (search, blocking) = (Some(fewer), left);
         }
     }
-    let conditions = irreducible(&search.cells, whole.ends, |condition| vec![condition]);
+    let cells = &search.as_ref().unwrap_or(whole).cells;
+    let needed = |condition: usize| whole.obstacles_of(condition).iter().all(|j| blocking.contains(j));
+    let conditions = irreducible(cells, whole.ends, &needed, &|condition| vec![condition]);
     Ok(Smaller { search, conditions, blocking })
 }
 
@@ -53,11 +49,6 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// All obstacles that close cells.
-    fn obstacles(&self) -> Vec<usize> {
-        closed_cells(&self.cells, |condition| self.obstacles_of(condition)).into_keys().collect()
-    }
-
     /// A new search that knows no obstacles but these.
     fn among(&self, obstacles: &[usize]) -> Self {
         let known = |condition: usize| self.obstacles_of(condition).iter().all(|obstacle| obstacles.contains(obstacle));
@@ -66,15 +57,20 @@ impl<'a> Search<'a> {
     }
 }
 
+/// The condition that closes a cell, if one does.
+fn closed_by(cells: &Decomposition, cell: u32) -> Option<usize> {
+    match cells.kind(cell) {
+        Kind::Closed(Closed::Piece(index)) => Some(cells.pieces()[index as usize].condition),
+        Kind::Closed(Closed::Bound(condition)) => Some(condition as usize),
+        _ => None,
+    }
+}
+
 /// The closed cells, by what `of` makes of the conditions that close them.
 fn closed_cells(cells: &Decomposition, of: impl Fn(usize) -> Vec<usize>) -> BTreeMap<usize, Vec<u32>> {
     let mut found: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
     for cell in cells.leaves() {
-        let condition = match cells.kind(cell) {
-            Kind::Closed(Closed::Piece(index)) => cells.pieces()[index as usize].condition,
-            Kind::Closed(Closed::Bound(condition)) => condition as usize,
-            _ => continue,
-        };
+        let Some(condition) = closed_by(cells, cell) else { continue };
         for item in of(condition) {
             found.entry(item).or_default().push(cell);
         }
@@ -82,12 +78,19 @@ fn closed_cells(cells: &Decomposition, of: impl Fn(usize) -> Vec<usize>) -> BTre
     found
 }
 
-/// Items none of which can be left out: their closed cells separate start and goal. Those with few cells are left out first.
-fn irreducible(cells: &Decomposition, ends: [&Point; 2], of: impl Fn(usize) -> Vec<usize>) -> Vec<usize> {
+/// Items none of which can be left out: the cells that they close separate start and goal. `of` gives the items of a condition;
+/// conditions for which `counts` is false close nothing. Items with few cells are left out first.
+fn irreducible(
+    cells: &Decomposition,
+    ends: [&Point; 2],
+    counts: &dyn Fn(usize) -> bool,
+    of: &dyn Fn(usize) -> Vec<usize>,
+) -> Vec<usize> {
+    let of = |condition: usize| if counts(condition) { of(condition) } else { Vec::new() };
     let mut items: Vec<(usize, Vec<u32>)> = closed_cells(cells, of).into_iter().collect();
     items.sort_by_key(|(_, cells)| cells.len());
     let ends = ends.map(|end| cells.cell_at(end));
-    let mut open = Open::new(cells);
+    let mut open = Open::new(cells, |condition| !counts(condition));
     let mut needed = Vec::new();
     for (item, closed) in items {
         let mut more = open.clone();
@@ -110,10 +113,11 @@ struct Open {
 }
 
 impl Open {
-    fn new(cells: &Decomposition) -> Self {
+    /// The cells that nothing closes, or a condition that `leaves_open` names.
+    fn new(cells: &Decomposition, leaves_open: impl Fn(usize) -> bool) -> Self {
         let count = cells.leaves().map(|cell| cell as usize + 1).max().unwrap_or(0);
         let mut groups = Open { open: vec![false; count], parent: (0..count as u32).collect() };
-        let open = |cell: &u32| !matches!(cells.kind(*cell), Kind::Closed(_));
+        let open = |cell: &u32| closed_by(cells, *cell).is_none_or(&leaves_open);
         cells.leaves().filter(open).for_each(|cell| groups.open(cells, cell));
         groups
     }

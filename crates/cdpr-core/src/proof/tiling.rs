@@ -33,14 +33,19 @@ pub enum Content {
     Bound(usize),
 }
 
-/// The boxes of a decomposition, and the regions that close them.
-pub fn tiling(cells: &Decomposition, regions: &Regions) -> (Vec<ProofRegion>, Vec<ProofBox>) {
+/// The boxes of a decomposition, and the regions that close them. What other conditions close counts as open.
+pub fn tiling(cells: &Decomposition, regions: &Regions, conditions: &[usize]) -> (Vec<ProofRegion>, Vec<ProofBox>) {
     let mut used: Vec<Option<usize>> = vec![None; cells.pieces().len()];
     let mut list = Vec::new();
     let mut content = |kind: Kind, positions: &Cuboid| match kind {
-        Kind::Closed(Closed::Bound(condition)) => Content::Bound(condition as usize),
+        Kind::Closed(Closed::Bound(condition)) if conditions.contains(&(condition as usize)) => {
+            Content::Bound(condition as usize)
+        }
         Kind::Closed(Closed::Piece(index)) => {
             let piece = &cells.pieces()[index as usize];
+            if !conditions.contains(&piece.condition) {
+                return Content::Open;
+            }
             let Some(half_spaces) = regions.holding(index, piece, positions) else {
                 return Content::Bound(piece.condition);
             };
