@@ -6,6 +6,7 @@ The same files come out every time, but for what is measured in seconds (fig7, r
 """
 
 import functools
+import json
 import os
 import shutil
 import sys
@@ -19,14 +20,17 @@ import matplotlib
 matplotlib.use("Agg")
 import numpy as np
 from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Patch, Rectangle
+from matplotlib.patheffects import withStroke
 from mpl_toolkits.mplot3d import Axes3D
 from playwright.sync_api import sync_playwright
 
 import cdpr
 from cdpr import figures
-from cdpr.figures import BLACK, BLUE, COLUMN, GREY, LIGHT, PAGE, VERMILION
+from cdpr.figures import BLACK, BLUE, COLUMN, GREY, LIGHT, ORANGE, PAGE, SKY, VERMILION
 
 FOLDER = Path(__file__).parent
 ROOT = FOLDER.parents[1]
@@ -285,6 +289,67 @@ def slack_of(scenes: dict[str, cdpr.Scene]) -> Figure:
     return figure
 
 
+OPEN, REACHED = -1, "#d7ecd9"  # region of open boxes in certificates; tint
+
+
+def no_path() -> Figure:
+    """Two slices through the certificate that scene closed has no path."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "proof.json"
+        cdpr.plan(scene("closed")).proof.save(file)
+        certificate = json.loads(file.read_text())
+    boxes = np.array([row[:6] for row in certificate["boxes"]])
+    regions = np.array([row[6] for row in certificate["boxes"]])
+    pairs = [" and ".join(region["who"]) for region in certificate["regions"]]
+    ends = {name: np.array(certificate[name]) for name in ("start", "goal")}
+    reached = flood(boxes, regions == OPEN, ends["start"])
+    colours = np.where(reached, REACHED, "white").astype(object)
+    filled = dict(zip(pairs, (SKY, ORANGE), strict=True))
+    for k, colour in enumerate(filled.values()):
+        colours[regions == k] = colour
+    figure, axes = charts(2, 3.7)
+    for letter, ax, normal, height in zip("ab", axes, (1, 2), (ends["goal"][1], ends["goal"][2]), strict=True):
+        slice_of(boxes, colours, normal, height, ax)
+        for name, place in ends.items():
+            if place[normal] == height:
+                across = np.delete(place, normal)
+                ax.plot(*across, "D", color=BLACK, markersize=4)
+                words = ax.annotate(name, across, (0, 6), textcoords="offset points", ha="center", fontweight="bold")
+                words.set_path_effects([withStroke(linewidth=2, foreground="white")])
+        ax.set_title(f"({letter}) {'xyz'[normal]} = {height:g} m")
+    patches = [Patch(facecolor=colour, edgecolor=GREY, label=f"closed by {pair}") for pair, colour in filled.items()]
+    patches.append(Patch(facecolor=REACHED, edgecolor=GREY, label="open, connected with the start"))
+    patches.append(Patch(facecolor="white", edgecolor=GREY, label="open, not connected with it"))
+    figure.legend(handles=patches, loc="outside lower center", ncols=2)
+    return figure
+
+
+def flood(boxes: np.ndarray, passable: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Which boxes are connected with a point through passable boxes that touch."""
+    low, high = boxes[:, :3], boxes[:, 3:]
+    reached = passable & (low <= start).all(axis=1) & (start <= high).all(axis=1)
+    waiting = list(np.flatnonzero(reached))
+    while waiting:
+        box = waiting.pop()
+        touching = passable & ~reached & (low <= high[box]).all(axis=1) & (low[box] <= high).all(axis=1)
+        reached |= touching
+        waiting += list(np.flatnonzero(touching))
+    return reached
+
+
+def slice_of(boxes: np.ndarray, colours: np.ndarray, normal: int, height: float, ax: Axes) -> None:
+    """Draw the boxes at a height along one axis; where two meet there, the one above."""
+    u, v = np.delete(np.arange(3), normal)
+    cut = (boxes[:, normal] <= height) & (height < boxes[:, normal + 3])
+    low_u, low_v, high_u, high_v = (boxes[cut][:, k] for k in (u, v, u + 3, v + 3))
+    corners = [(low_u, low_v), (high_u, low_v), (high_u, high_v), (low_u, high_v)]
+    squares = np.array(corners).transpose(2, 0, 1)
+    ax.add_collection(PolyCollection(squares, facecolors=list(colours[cut]), edgecolors=GREY, linewidths=0.4))
+    ticks = np.linspace(0, 2, 5)
+    ax.set(xlim=(0, 2), ylim=(0, 2), xticks=ticks, yticks=ticks, aspect="equal")
+    ax.set(xlabel=f"{'xyz'[u]} (m)", ylabel=f"{'xyz'[v]} (m)")
+
+
 def charts(columns: int, height: float) -> tuple[Figure, np.ndarray]:
     """A page-wide figure of charts."""
     return pyplot.subplots(1, columns, figsize=(PAGE, height), layout="constrained")
@@ -306,6 +371,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "planners-random": functools.partial(planners, "3 random prisms", "6 random prisms"),
     "wrench-study": wrench_study,
     "wrench-rules": wrench_rules,
+    "no-path": no_path,
 }
 
 
