@@ -74,7 +74,7 @@ class Proof(ByValue):
         FileError
             A file that cannot be written; nothing half-written is left.
         """
-        _core.save_text(file_name(path), self._certificate)
+        _core.save_text(file_name(path), self._certificate + "\n")
 
     def __repr__(self) -> str:
         """Show the culprits and the size of the proof."""

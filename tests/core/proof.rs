@@ -174,3 +174,10 @@ fn what_start_and_goal_touch_a_path_may_touch() {
     spec.query = Some(QuerySpec { start: Some([0.3, 1.0, 0.225]), goal: Some([1.7, 1.0, 0.225]), orientation: None });
     assert!(!matches!(answer(&scene(spec)), Answer::NoPath(_)));
 }
+
+#[test]
+fn a_straight_line_through_a_slit_without_width_is_a_path() {
+    let mut spec = walled(0.95);
+    spec.query = Some(QuerySpec { start: Some([0.5, 1.0, 0.925]), goal: Some([1.5, 1.0, 0.925]), orientation: None });
+    assert!(is_path(spec));
+}

@@ -93,6 +93,9 @@ const REACH_CELLS: usize = 50_000;
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &Watch) -> Result<Answer, Error> {
+    if checker.motion_valid(ends[0], ends[1]) {
+        return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
+    }
     let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, ends);
     Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),

@@ -201,6 +201,7 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
         (Status::NoPath, _) => match &args.proof {
+            Some(_) if args.start.is_some() || args.goal.is_some() => {} // `check` asks about the ends of the scene
             Some(proof) if !is_stream(proof) => {
                 out.say(&format!("next: cdpr check {scene} {}{turned}", proof.display()))
             }

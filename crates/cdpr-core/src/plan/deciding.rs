@@ -1,7 +1,8 @@
 //! Whether there is a path at all, decided on a second thread while the planner searches.
 //!
-//! The answer depends on neither thread: a path that the planner finds counts before everything else, and where there is none, the
-//! planner finds none. Only how long it takes depends on which of the two is done first.
+//! Which of the two is done first changes only how long it takes: a path of the planner takes precedence over one of the decision,
+//! which is used only after the planner has failed, and a planner finds nothing where it is proved that there is no path. An
+//! exception are paths that keep no gap at all, such as a bent path through slits without width: planners hardly ever find them.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -59,7 +60,7 @@ pub fn search_and_decide(
     };
     let (outcome, answer) = thread::scope(|scope| {
         // Without a second thread the decision follows the search.
-        let beside = thread::Builder::new().spawn_scoped(scope, &decision).ok();
+        let beside = thread::Builder::new().spawn_scoped(scope, decision).ok();
         let stop = || none.load(Ordering::Relaxed) || (watch.interrupted)();
         let better = |seconds: f64, cost: f64, path: &[Point]| {
             found.store(true, Ordering::Relaxed);

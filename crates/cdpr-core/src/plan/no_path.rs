@@ -84,11 +84,11 @@ impl NoPath {
         pairs.join(", ")
     }
 
-    /// What removing each obstacle gives: "without pillar 2.930 m, without beam still none".
+    /// What removing each obstacle gives: "without pillar 2.930 m, without beam no path found".
     pub fn remedies(&self) -> String {
         let remedy = |(name, found): (&String, &Option<f64>)| match found {
             Some(cost) => format!("without {name} {}", length(*cost)),
-            None => format!("without {name} still none"),
+            None => format!("without {name} no path found"),
         };
         self.without.iter().map(remedy).collect::<Vec<_>>().join(", ")
     }
