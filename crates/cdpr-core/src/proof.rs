@@ -15,7 +15,7 @@ mod certificate;
 mod closing;
 mod tiling;
 
-pub use certificate::{BoxRow, Certificate, FORMAT, NamedRegion, Reason, WRENCH};
+pub use certificate::{BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Reason, VERSION, WRENCH};
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};

@@ -5,8 +5,9 @@
 //! exception are paths that keep no gap at all, such as a bent path through slits without width: planners hardly ever find them.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::{Improved, PlanOptions};
 use crate::collision::Checker;
@@ -47,21 +48,26 @@ pub fn search_and_decide(
     if !options.proof || effort == 0 {
         return search(improved, watch).map(|outcome| Decided::Searched(outcome, None));
     }
-    let (found, none) = (AtomicBool::new(false), AtomicBool::new(false));
+    let (found, none, begun) = (AtomicBool::new(false), AtomicBool::new(false), AtomicBool::new(false));
     let decision = || {
-        thread::park_timeout(HEAD_START);
         let useless = || found.load(Ordering::Relaxed) || (watch.interrupted)();
-        if useless() {
-            return None;
-        }
         let answer = decide(engine, [start, goal], effort, &Watch { interrupted: &useless, ..*watch }).ok();
         none.store(matches!(answer, Some(Answer::NoPath(_))), Ordering::Relaxed);
         answer
     };
+    let clock = Instant::now();
     let (outcome, answer) = thread::scope(|scope| {
-        // Without a second thread the decision follows the search.
-        let beside = thread::Builder::new().spawn_scoped(scope, decision).ok();
-        let stop = || none.load(Ordering::Relaxed) || (watch.interrupted)();
+        let beside = Mutex::new(None);
+        // The planner polls this: scenes that it solves quickly never start a thread.
+        let stop = || {
+            let late =
+                !begun.load(Ordering::Relaxed) && !found.load(Ordering::Relaxed) && clock.elapsed() >= HEAD_START;
+            if late && !begun.swap(true, Ordering::Relaxed) {
+                // Where no thread can be started the decision follows the search.
+                *lock(&beside) = thread::Builder::new().spawn_scoped(scope, decision).ok();
+            }
+            none.load(Ordering::Relaxed) || (watch.interrupted)()
+        };
         let better = |seconds: f64, cost: f64, path: &[Point]| {
             found.store(true, Ordering::Relaxed);
             improved(seconds, cost, path);
@@ -69,16 +75,19 @@ pub fn search_and_decide(
         let outcome = search(&better, &Watch { interrupted: &stop, ..*watch });
         let solved = outcome.as_ref().is_ok_and(|outcome| outcome.status == Status::Solved);
         found.fetch_or(solved, Ordering::Relaxed);
+        let beside = lock(&beside).take();
         let answer = match beside {
-            Some(beside) => {
-                beside.thread().unpark();
-                beside.join().expect("the decision does not panic")
-            }
+            Some(beside) => beside.join().expect("the decision does not panic"),
+            None if solved => None,
             None => decision(),
         };
         (outcome, answer)
     });
     conclude(outcome, answer, puller, watch)
+}
+
+fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
+    value.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What the planner's result and the decision say together.
