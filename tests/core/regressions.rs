@@ -8,7 +8,7 @@ use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, S
 use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::plan::{Processing, engine_for, shorten_path};
 use cdpr_core::postprocess::RewindOptions;
-use cdpr_core::testing::block;
+use cdpr_core::testing::{block, scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_tests::{rng, rotation, uniform, vector};
 use rand::RngExt;
@@ -364,4 +364,14 @@ fn what_is_too_small_is_named() {
         r.cables[0].attachment = [0.0; 3];
     };
     assert!(with(&|_, r| lone(r)).is_ok());
+}
+
+#[test]
+fn a_platform_between_wall_and_ceiling_touches_both() {
+    // The top of the box of positions lies in a plane of what the wall forbids; that plane was once left out.
+    let scene = scene(walled(0.95));
+    let ends = [Point::new(0.5, 1.0, 0.925), Point::new(1.5, 1.0, 0.925)];
+    for engine in [Engine::Cspace, Engine::Gjk] {
+        assert!(engine_for(&scene, engine, Interference::Exact).unwrap().motion_valid(&ends[0], &ends[1]));
+    }
 }

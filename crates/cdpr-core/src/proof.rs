@@ -22,7 +22,7 @@ use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, Way};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point};
-use crate::numerics::{PROOF_EFFORT, PROOF_MARGIN};
+use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN};
 use crate::watch::Watch;
 use blocking::Smaller;
 use closing::Regions;
@@ -61,7 +61,7 @@ pub struct Proof {
     pub blocking: Vec<usize>,
     /// Volume of the free boxes that are connected with the start, m³.
     pub reachable_volume: f64,
-    /// The position in these boxes that is nearest to the goal, m; the start if there are none.
+    /// Where the platform gets from the point of these boxes that is nearest to the goal, straight towards the goal, m.
     pub nearest_to_goal: Point,
 }
 
@@ -158,6 +158,18 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// How far the platform gets from a free position straight towards the goal.
+    fn further(&self, from: Point) -> Point {
+        let at = |t: f64| from + (self.ends[1] - from) * t;
+        let (mut free, mut blocked) = (0.0, 1.0);
+        for _ in 0..BISECTION_STEPS {
+            let middle = 0.5 * (free + blocked);
+            let side = if self.checker.motion_valid(&from, &at(middle)) { &mut free } else { &mut blocked };
+            *side = middle;
+        }
+        at(free)
+    }
+
     /// The volume of the free cells that are connected with the start, and their point nearest to the goal.
     fn reachable(&mut self) -> (f64, Point) {
         let [start, goal] = self.ends;
@@ -169,6 +181,6 @@ impl<'a> Search<'a> {
         let nearest = free.iter().map(|cell| cell.nearest_to(goal)).chain([*start]);
         let distance = |place: &Point| (place - goal).norm();
         let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the start is among them");
-        (free.iter().map(Cuboid::volume).sum(), nearest)
+        (free.iter().map(Cuboid::volume).sum(), self.further(nearest))
     }
 }

@@ -6,7 +6,7 @@
 
 use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::{FATTENED, ROUNDING, SUPERSET};
+use crate::numerics::{FATTENED, GAP_TOLERANCE, ROUNDING, SUPERSET};
 
 /// An open convex polyhedron of positions.
 #[derive(Debug, Clone, PartialEq)]
@@ -142,7 +142,7 @@ impl Scale {
 fn sorted(half_spaces: Vec<HalfSpace>, min: &Point, max: &Point) -> Vec<HalfSpace> {
     let (center, half) = (nalgebra::center(min, max), (max - min) * 0.5);
     let mut left: Vec<HalfSpace> =
-        half_spaces.into_iter().filter(|h| h.height(&center) + h.normal.abs().dot(&half) >= 0.0).collect();
+        half_spaces.into_iter().filter(|h| h.height(&center) + h.normal.abs().dot(&half) >= -GAP_TOLERANCE).collect();
     let place = |k: usize| {
         let share = |axis: i32| ((k / SAMPLES.pow(axis as u32) % SAMPLES) as f64 + 0.5) / SAMPLES as f64;
         min + (max - min).component_mul(&Vector::new(share(0), share(1), share(2)))
