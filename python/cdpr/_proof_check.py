@@ -31,6 +31,7 @@ ON_SURFACE = 1e-7  # m: a point this close to a body lies on it, a body this thi
 KEYS = {"format", "version", "scene", "orientation", "margin", "start", "goal", "box", "regions", "boxes"}
 MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES = 1_000_000, 10_000, 1_000
 MOST_NUMBER = 1e12
+NEAR_END = 0.999e-3  # m
 TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than this is allowed
 ROUNDING = Fraction(1e-12)  # m: by this much the witnesses of contact may be apart
 FRACTIONS_OF_A_CABLE = (Fraction(1), Fraction(1, 16), Fraction(1, 256), Fraction(1, 4096))
@@ -57,6 +58,9 @@ def check_certificate(scene: Mapping[str, Any], certificate: Mapping[str, Any] |
     for k, reason in proof.reasons.items():
         if not model.closes(reason, proof.boxes[k]):
             raise ValueError(f"boxes[{k}]: not all of its positions are forbidden by {list(reason)}")
+    for end, point in enumerate((proof.start, proof.goal)):
+        if end in model.touched:
+            _check_open_around("goal" if end else "start", point, proof)
 
 
 # Reading the file
@@ -84,8 +88,8 @@ class Certificate:
         if not isinstance(file["scene"], str):
             raise ValueError(f"scene: found {type(file['scene']).__name__}, expected a fingerprint")
         self.margin = _numbers("margin", [file["margin"]], 1)[0]
-        if not 1e-8 <= self.margin <= 1e-3:
-            raise ValueError(f"margin: found {self.margin!r}, expected 1e-8 to 0.001 m")
+        if not 1e-8 <= self.margin <= 1e-6:
+            raise ValueError(f"margin: found {self.margin!r}, expected 1e-8 to 1e-6 m")
         self.orientation = _numbers("orientation", file["orientation"], 4)
         self.start, self.goal = (_numbers(key, file[key], 3) for key in ("start", "goal"))
         low, high = (_numbers("box", corner, 3) for corner in _items("box", file["box"], 2, 2))
@@ -235,6 +239,14 @@ def _touching(tree: list[Any], box: Sequence[float]) -> Iterator[int]:
         stack += ([below] if box[axis] <= at else []) + ([above] if box[axis + 3] >= at else [])
 
 
+def _check_open_around(name: str, point: Sequence[float], proof: Certificate) -> None:
+    """Nothing is closed within 1 mm of an end that touches something which the other end does not."""
+    for k, box in enumerate(proof.boxes):
+        near = all(box[i] < point[i] + NEAR_END and point[i] - NEAR_END < box[i + 3] for i in range(3))
+        if near and proof.kinds[k] != -1:
+            raise ValueError(f"{name}: found contact there, and boxes[{k}] closed beside it, expected it open for 1 mm")
+
+
 def _check_separation(proof: Certificate, tree: list[Any]) -> None:
     def of(point: tuple[float, ...]) -> set[int]:
         inside = all(proof.box[k] <= point[k] <= proof.box[k + 3] for k in range(3))
@@ -372,6 +384,7 @@ class Model:
 
     def __init__(self, scene: Mapping[str, Any], proof: Certificate) -> None:
         self.scene, self.margin, self.ends = scene, Fraction(proof.margin), (proof.start, proof.goal)
+        self.touched: set[int] = set()  # ends (0: start, 1: goal) that touch something which the other does not
         robot, query = scene["robot"], scene.get("query") or {}
         for key, given in (("start", proof.start), ("goal", proof.goal)):
             if query.get(key) is not None and tuple(query[key]) != given:
@@ -444,7 +457,13 @@ class Model:
         What the platform touches at the start and at the goal it may touch everywhere, such as a floor that it slides on.
         """
         test = make(required + self.margin)
-        return make(max(required - TOUCHING, ROUNDING)) if all(test(_exact(end)) for end in self.ends) else test
+        return make(max(required - TOUCHING, ROUNDING)) if self._touch([test(_exact(end)) for end in self.ends]) else test
+
+    def _touch(self, at_ends: list[bool]) -> bool:
+        """Whether both ends touch something; notes an end that alone touches it."""
+        if at_ends[0] != at_ends[1]:
+            self.touched.add(at_ends.index(True))
+        return all(at_ends)
 
     def closes(self, reason: tuple[Any, ...], box: tuple[float, ...]) -> bool:
         """Whether a reason forbids all positions of a box."""
@@ -454,7 +473,7 @@ class Model:
         if not all(name in self.cables for name in reason):
             return self.forbids(reason, corners)
         by = self._bad_length if len(reason) == 1 else self._too_near
-        touched = all(by(reason, [_exact(end)] * 8, self.margin) for end in self.ends)
+        touched = self._touch([by(reason, [_exact(end)] * 8, self.margin) for end in self.ends])
         return by(reason, corners, -TOUCHING if touched else self.margin)
 
     def _bad_length(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:

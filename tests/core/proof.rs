@@ -1,12 +1,14 @@
 //! Proofs that there is no path, against planners and known answers.
 
+use cdpr_certify::{Summary, check_certificate};
+use cdpr_core::Error;
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, QuerySpec, RobotSource, Scene, SceneSpec, WrenchSpec};
 use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
-use cdpr_core::proof::{Answer, Content, Proof, decide};
+use cdpr_core::proof::{Answer, Certificate, Content, Proof, decide};
 use cdpr_core::testing::{block, empty, hard1, scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
@@ -19,11 +21,22 @@ fn answer(scene: &Scene) -> Answer {
     decide(&*engine, [&scene.start().unwrap(), &scene.goal().unwrap()], PROOF_EFFORT, &Watch::NONE).unwrap()
 }
 
+/// A proof, whose certificate the independent checker accepts.
 fn proof(spec: SceneSpec) -> Proof {
-    match answer(&scene(spec)) {
-        Answer::NoPath(proof) => *proof,
+    let scene = scene(spec);
+    match answer(&scene) {
+        Answer::NoPath(proof) => {
+            accepted(&scene, &proof).unwrap();
+            *proof
+        }
         other => panic!("{other:?}"),
     }
+}
+
+fn accepted(scene: &Scene, proof: &Proof) -> Result<Summary, Error> {
+    let engine = engine_for(scene, Default::default(), Interference::Exact).unwrap();
+    let certificate = Certificate::of(proof, scene, &*engine);
+    check_certificate(scene, &serde_json::to_string(&certificate).unwrap())
 }
 
 fn is_path(spec: SceneSpec) -> bool {
@@ -86,8 +99,9 @@ fn answers_agree_with_planners_on_random_scenes() {
                     let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
                     assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
                 }
-                Answer::NoPath(_) => {
+                Answer::NoPath(proof) => {
                     none += 1;
+                    accepted(&scene, &proof).unwrap();
                     let planner = PlannerOptions::of(Planner::TwoTrees);
                     let found = plan(&scene, &PlanOptions { planner, ..PlanOptions::default() }, &()).unwrap().result;
                     assert_ne!(found.status, Status::Solved, "count {count}, seed {seed}");
@@ -181,4 +195,57 @@ fn a_straight_line_through_a_slit_without_width_is_a_path() {
     let mut spec = walled(0.95);
     spec.query = Some(QuerySpec { start: Some([0.5, 1.0, 0.925]), goal: Some([1.5, 1.0, 0.925]), orientation: None });
     assert!(is_path(spec));
+}
+
+#[test]
+fn boxes_of_positions_with_odd_numbers_or_without_height_are_proved() {
+    let ends =
+        |start: [f64; 3], goal: [f64; 3]| Some(QuerySpec { start: Some(start), goal: Some(goal), orientation: None });
+    // 0.1 + 0.025 is not the sum in doubles; start and goal are on the floor.
+    let mut spec = walled(0.94);
+    spec.workspace.min = [0.0, 0.0, 0.1];
+    spec.query = ends([0.3, 1.0, 0.125], [1.7, 1.0, 0.125]);
+    spec.ignore = (0..4).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
+    assert_eq!(proof(spec.clone()).blocking, [0]);
+    spec.workspace.max[2] = 0.15;
+    assert_eq!(proof(spec).blocking, [0]);
+}
+
+#[test]
+fn parts_that_abut_are_proved_by_the_parts() {
+    let mut spec = walled(0.94);
+    spec.obstacles =
+        vec![block("wall", [0.1, 1.0, 0.9], [1.0, 0.5, 0.45]), block("wall", [0.1, 1.0, 0.9], [1.0, 1.5, 0.45])];
+    assert_eq!(proof(spec).blocking, [0]);
+}
+
+#[test]
+fn contact_at_one_end_closes_nothing_around_it() {
+    // An end that rests on a table could be walled in by positions that nearly touch the table.
+    let mut spec = walled(1.2);
+    spec.obstacles = vec![block("table", [0.3, 0.3, 0.4], [0.3, 1.0, 0.2])];
+    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425]);
+    let scene = scene(spec);
+    let engine = engine_for(&scene, Default::default(), Interference::Exact).unwrap();
+    let (low, high) = engine.conditions().position_box();
+    let start = scene.start().unwrap();
+    let cuts: Vec<[f64; 6]> =
+        (0..3).map(|k| [low[k], start[k] - 6e-7, start[k] - 2e-7, start[k] + 2e-7, start[k] + 6e-7, high[k]]).collect();
+    let mut boxes = Vec::new();
+    for (i, j, k) in (0..125).map(|n| (n / 25, n / 5 % 5, n % 5)) {
+        let shell = [i, j, k].iter().map(|n: &i32| (n - 2).abs()).max() == Some(1);
+        let [i, j, k] = [i, j, k].map(|n| n as usize);
+        let span = [cuts[0][i], cuts[1][j], cuts[2][k], cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]];
+        let mut row: Vec<serde_json::Value> = span.iter().map(|x| (*x).into()).collect();
+        row.push(if shell { (-2).into() } else { (-1).into() });
+        row.extend(shell.then(|| serde_json::json!(["platform", "table"])));
+        boxes.push(row);
+    }
+    let file = serde_json::json!({
+        "format": "cdpr-proof", "version": 1, "scene": scene.fingerprint(), "orientation": [1.0, 0.0, 0.0, 0.0],
+        "margin": 1e-6, "start": [start.x, start.y, start.z], "goal": [1.7, 1.0, 0.3],
+        "box": [[low.x, low.y, low.z], [high.x, high.y, high.z]], "regions": [], "boxes": boxes,
+    });
+    let refused = check_certificate(&scene, &file.to_string()).unwrap_err().to_string();
+    assert!(refused.contains("found contact there"), "{refused}");
 }

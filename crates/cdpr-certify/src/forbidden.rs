@@ -299,9 +299,9 @@ fn spots(corners: &[Vector], moves: bool) -> Vec<Spot> {
 }
 
 /// The distance to keep between two axes or bodies: clearance and radii; where that is not attainable the radii, and
-/// where that is not either, none.
+/// where that is not either, none. A tie within rounding counts as not attainable, which proves less.
 fn kept(clearance: f64, radii: &[f64], attainable: f64) -> Exact {
     let thick: Exact = radii.iter().map(|radius| exact(*radius)).sum();
     let mut choices = [exact(clearance) + &thick, thick].into_iter();
-    choices.find(|distance| distance.to_f64() <= attainable).unwrap_or(exact(0.0))
+    choices.find(|distance| distance.to_f64() <= attainable - ROUNDING).unwrap_or(exact(0.0))
 }

@@ -97,6 +97,7 @@ impl Certificate {
             ends: ends.map(|end| Place::of(&(*end).into())),
             margin: exact(self.margin),
             known: BTreeMap::new(),
+            at_limit: Vec::new(),
         };
         for (k, region) in self.regions.iter().enumerate() {
             proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
@@ -104,13 +105,18 @@ impl Certificate {
         for (k, cell) in self.boxes.iter().enumerate() {
             proofs.bound(cell).map_err(|e| e.under(&format!("boxes[{k}]")))?;
         }
+        for (end, place) in [(0, "start"), (1, "goal")] {
+            if proofs.is_touched_only_at(end) {
+                self.is_open_around(place, [&self.start, &self.goal][end])?;
+            }
+        }
         let closed = self.boxes.iter().filter(|cell| cell.status != Status::Open).count();
         Ok(Summary { boxes: boxes.len(), closed, regions: self.regions.len(), margin: self.margin })
     }
 
     fn numbers_are_sound(&self) -> Result<(), Error> {
-        let finite = |place: &str, numbers: &[f64]| match numbers.iter().find(|x| !x.is_finite()) {
-            Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers"))),
+        let finite = |place: &str, numbers: &[f64]| match numbers.iter().find(|x| !(x.abs() <= MOST)) {
+            Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers up to {MOST:e}"))),
             None => Ok(()),
         };
         let positive = |place: &str, bounds: &Bounds| {
@@ -126,8 +132,8 @@ impl Certificate {
                 None => Ok(()),
             }
         };
-        if !(1e-8..=1e-3).contains(&self.margin) {
-            return Err(Error::invalid("margin", format!("found {}, expected 1e-8 to 1e-3 m", self.margin)));
+        if !(1e-8..=1e-6).contains(&self.margin) {
+            return Err(Error::invalid("margin", format!("found {}, expected 1e-8 to 1e-6 m", self.margin)));
         }
         finite("orientation", &self.orientation)?;
         finite("start", &self.start)?;
@@ -182,6 +188,20 @@ impl Certificate {
         Ok(())
     }
 
+    /// No closed box is near an end.
+    fn is_open_around(&self, place: &str, end: &[f64; 3]) -> Result<(), Error> {
+        let around = [end.map(|x| x - NEAR_END), end.map(|x| x + NEAR_END)];
+        let near = |cell: &Cell| (0..3).all(|k| cell.bounds[0][k] < around[1][k] && around[0][k] < cell.bounds[1][k]);
+        match self.boxes.iter().position(|cell| cell.status != Status::Open && near(cell)) {
+            None => Ok(()),
+            Some(k) => {
+                let problem =
+                    format!("found contact there, and boxes[{k}] closed beside it, expected it open for 1 mm");
+                Err(Error::invalid(place, problem))
+            }
+        }
+    }
+
     /// The boxes tile the box of positions, and open ones do not lead from the start to the goal.
     fn separates(&self, boxes: &[Bounds]) -> Result<(), Error> {
         let open = |k: usize| self.boxes[k].status == Status::Open;
@@ -225,6 +245,10 @@ impl Certificate {
     }
 }
 
+/// Largest number of a certificate.
+const MOST: f64 = 1e12;
+/// Nothing this near to an end (along each axis) is closed if that end touches something that the other does not, m.
+const NEAR_END: f64 = 0.999e-3;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Proofs that positions are forbidden.
@@ -235,6 +259,8 @@ struct Proofs<'a> {
     margin: Exact,
     /// What the pairs that were asked for forbid.
     known: BTreeMap<[Member; 2], Vec<Forbidden>>,
+    /// Whether a cable is at a limit of its length at the start and at the goal, for those asked for.
+    at_limit: Vec<[bool; 2]>,
 }
 
 impl Proofs<'_> {
@@ -273,11 +299,12 @@ impl Proofs<'_> {
             let wrong = |bounds: &Bounds, margin: &Exact| {
                 wrench::wrong_length(&cable.outlet, &self.bodies.arms[i], cable.length, bounds, margin)
             };
-            let touched = self.ends.iter().all(|end| {
+            let at_limit = self.ends.each_ref().map(|end| {
                 let at: [f64; 3] = end.to_f64().into();
                 wrong(&[at, at], &self.margin)
             });
-            let proved = wrong(&cell.bounds, if touched { &contact } else { &self.margin });
+            let proved = wrong(&cell.bounds, if at_limit == [true; 2] { &contact } else { &self.margin });
+            self.at_limit.push(at_limit);
             return expect(proved, || format!("found no proof that {name} is too short or too long"));
         }
         let pair =
@@ -317,6 +344,13 @@ impl Proofs<'_> {
             None => format!("found {} and {}, which forbid no positions in this scene", names[0], names[1]),
         };
         Err(Error::invalid("", problem))
+    }
+
+    /// Whether an end touches something that the other end does not.
+    fn is_touched_only_at(&self, end: usize) -> bool {
+        let sets = self.known.values().flatten();
+        let mut touched = sets.map(|set| self.ends.each_ref().map(|end| set.is_near(end, &self.margin)));
+        touched.any(|at| at[end] && !at[1 - end]) || self.at_limit.iter().any(|at| at[end] && !at[1 - end])
     }
 
     fn pair(&self, names: &[String; 2]) -> Result<[Member; 2], Error> {

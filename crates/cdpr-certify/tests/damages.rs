@@ -195,7 +195,7 @@ fn refusals_name_the_place() {
     is(told(&|c| c.start[0] += 0.1), "start: found a proof for another question");
     is(told(&|c| c.orientation = [0.0, 1.0, 0.0, 0.0]), "orientation: found [0.0, 1.0, 0.0, 0.0], but the scene is at");
     is(told(&|c| c.bounds[0][2] += 2e-6), "box: found ");
-    is(told(&|c| c.margin = 0.01), "margin: found 0.01, expected 1e-8 to 1e-3 m");
+    is(told(&|c| c.margin = 0.01), "margin: found 0.01, expected 1e-8 to 1e-6 m");
     is(told(&|c| c.boxes.clear()), "boxes: found none in the box from");
     is(told(&|c| c.boxes[7].status = Status::Within(99)), "boxes[7]: found region 99, expected one of the 2 regions");
     is(told(&|c| c.regions[1].who[0] = "cable 9".into()), "regions[1]: found \"cable 9\", expected the name");
@@ -218,7 +218,7 @@ fn bad_text_is_an_error_in_bounded_time() {
     is(with("\"margin\":1e-6", "\"margin\":NaN"), "margin: found no certificate: expected value");
     is(with("\"margin\":1e-6", "\"margin\":null"), "margin: found no certificate: invalid type: null, expected f64");
     is(with("\"margin\":1e-6", "\"margin\":1e999"), "margin: found no certificate: number out of range");
-    is(with("\"margin\":1e-6", "\"margin\":-1e-6"), "margin: found -0.000001, expected 1e-8 to 1e-3 m");
+    is(with("\"margin\":1e-6", "\"margin\":-1e-6"), "margin: found -0.000001, expected 1e-8 to 1e-6 m");
     is(with("\"margin\":1e-6,", ""), "found no certificate: missing field `margin`");
     is(with("\"margin\":1e-6", "\"margin\":1e-6,\"more\":0"), "more: found no certificate: unknown field `more`");
     is(with("\"start\":[", "\"start\":[0,"), "start");

@@ -69,6 +69,8 @@ impl<F: Fn(&Point, &Point) -> bool> Oracle for F {
 
 /// See [`Taste::level`].
 const GROWTH: f64 = 1.7;
+/// The cell that is the whole box.
+pub const WHOLE: u32 = 0;
 /// Coordinates of cells are multiples of 2^-LEVELS of the sides of the box.
 const LEVELS: u8 = 24;
 /// Maximum number of halvings of the box, unless set otherwise.

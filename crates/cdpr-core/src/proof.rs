@@ -19,10 +19,10 @@ pub use certificate::{BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Rea
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};
-use crate::decomposition::{Decomposition, Kind, Taste, Way};
+use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
-use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN};
+use crate::geometry::{Cuboid, Point, Vector};
+use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
 use closing::Regions;
@@ -128,7 +128,10 @@ impl<'a> Search<'a> {
     /// A search that knows these pieces, and of conditions without pieces those that `known` names by their index.
     fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, known: &dyn Fn(usize) -> bool, ends: [&'a Point; 2]) -> Self {
         let (low, high) = checker.conditions().position_box();
-        let regions = Regions::new(checker, &pieces, known).between(&pieces, ends);
+        // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
+        let contact = Vector::repeat(0.5 * TOUCH_DEPTH);
+        let (low, high) = (low.inf(ends[0]).inf(ends[1]) - contact, high.sup(ends[0]).sup(ends[1]) + contact);
+        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces, known).between(&pieces, ends);
         let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
         Search { checker, ends, regions, cells }
     }
@@ -143,12 +146,11 @@ impl<'a> Search<'a> {
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
         let (reachable_volume, nearest_to_goal) = self.reachable();
-        let (low, high) = self.checker.conditions().position_box();
         Ok(Proof {
             margin: PROOF_MARGIN,
             start: *self.ends[0],
             goal: *self.ends[1],
-            bounds: Cuboid::new(low, high),
+            bounds: self.cells.span(WHOLE),
             regions,
             boxes,
             conditions,

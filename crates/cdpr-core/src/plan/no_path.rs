@@ -57,8 +57,12 @@ impl NoPath {
             Some(condition) => conditions.culprits(condition),
             None => vec![WRENCH.to_string()],
         };
-        let mut culprits: Vec<Vec<String>> = proof.conditions.iter().map(names).collect();
-        culprits.dedup();
+        let mut culprits: Vec<Vec<String>> = Vec::new();
+        for pair in proof.conditions.iter().map(names) {
+            if !culprits.contains(&pair) {
+                culprits.push(pair); // several parts of one obstacle
+            }
+        }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
         let mut without = BTreeMap::new();
         for name in &blocking {

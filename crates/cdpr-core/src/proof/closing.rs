@@ -35,18 +35,20 @@ pub struct Regions<'a> {
 
 impl<'a> Regions<'a> {
     /// The regions of these pieces of an engine, and of those conditions without pieces that `known` names by their index.
-    pub fn new(checker: &'a dyn Checker, pieces: &[Piece], known: &dyn Fn(usize) -> bool) -> Self {
+    pub fn new(checker: &'a dyn Checker, bounds: Cuboid, pieces: &[Piece], known: &dyn Fn(usize) -> bool) -> Self {
         let conditions = checker.conditions();
-        let (low, high) = conditions.position_box();
         let mut has_piece = vec![false; conditions.list.len()];
         pieces.iter().for_each(|piece| has_piece[piece.condition] = true);
-        let loose =
-            |index: &usize| known(*index) && (!has_piece[*index] || conditions.list[*index].details().exceeds_pieces());
+        let loose = |index: &usize| {
+            let condition = conditions.list[*index].details();
+            let seam = condition.closes_seam(&conditions.bodies);
+            known(*index) && !seam && (!has_piece[*index] || condition.exceeds_pieces())
+        };
         Regions {
             checker,
             complete: (0..conditions.list.len()).all(known),
-            bounds: Cuboid::new(low, high),
-            rounding: ROUNDING * (low.coords.abs().sup(&high.coords.abs()).norm() + 1.0) + 1e-12,
+            bounds,
+            rounding: ROUNDING * (bounds.low.coords.abs().sup(&bounds.high.coords.abs()).norm() + 1.0) + 1e-12,
             reach: vec![REACH; conditions.list.len()],
             regions: pieces.iter().map(|_| OnceLock::new()).collect(),
             without_piece: (1..conditions.list.len()).filter(loose).collect(),
@@ -152,6 +154,10 @@ impl Oracle for Regions<'_> {
     }
 
     fn closes(&self, index: u32, piece: &Piece, cell: &Cuboid) -> bool {
+        // What closes a seam has no name of its own; the parts beside it are closed.
+        if self.condition(piece).closes_seam(&self.checker.conditions().bodies) {
+            return false;
+        }
         let bound = piece.certain.is_none() || self.condition(piece).is_rounded();
         let closed = self.holding(index, piece, cell).is_some() || bound && self.forbids_all(piece.condition, cell);
         closed && !self.is_kept_open(cell)
