@@ -448,8 +448,8 @@ def test_a_narrow_passage_is_found_where_sampling_fails():
     space = [[0, 0, 0], [2, 2, 0.96]]
     wall = cdpr.Scene(upper, workspace=space, start=[0.3, 1, 0.3], goal=[1.7, 1, 0.3])
     wall = wall.with_obstacle("wall", cdpr_box([0.1, 2.0, 0.9]), position=[1, 1, 0.45])
-    assert cdpr.plan(wall, "rrt", max_samples=200, proof=False).status == "budget_spent"
-    found = cdpr.plan(wall, "rrt", max_samples=200)
+    assert cdpr.plan(wall, "rrt", max_samples=2000, proof=False).status == "budget_spent"
+    found = cdpr.plan(wall, "rrt", max_samples=2000)
     assert found.solved and cdpr.check(wall, found).valid
 
 
