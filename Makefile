@@ -136,7 +136,7 @@ workflows: $(VENV)/ready
 
 # The crates as published: each packed, unpacked and built separately.
 packages:
-	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-view -p cdpr-files -p cdpr-study -p cdpr-cli
+	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-certify -p cdpr-view -p cdpr-files -p cdpr-study -p cdpr-cli
 
 # Licences, sources, duplicate crates and known vulnerabilities of all dependencies; compiles cargo-deny the first time.
 deny:
