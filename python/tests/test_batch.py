@@ -13,7 +13,7 @@ import pandas as pd
 import pytest
 import scipy.stats
 from conftest import ROOT, TESTDATA
-from test_planning import assert_ctrl_c_is_answered_at_once, walled
+from test_planning import assert_ctrl_c_is_answered_at_once
 
 import cdpr
 
@@ -193,13 +193,13 @@ def test_what_progress_raises_ends_the_run_and_ctrl_c_too():
         cdpr.run_batch(EXPERIMENT, pool, progress=stop)
     endless = {
         **EXPERIMENT,
-        "scenarios": [{"name": "walled", "scene": walled()}],
-        "methods": [{"name": "long", "options": {"max_samples": 10**12}}],
+        "scenarios": [{"name": "hard1", "scene": str(TESTDATA / "scenes/hard1.toml")}],
+        "methods": [{"name": "long", "options": {"max_samples": 10**12, "keep_going": True}}],
         "t_tests": [],
     }
     assert_ctrl_c_is_answered_at_once(lambda: cdpr.run_batch(endless, threads=2), threads=2)
     # On an executor, waiting work is cancelled and running work finishes.
-    brief = {**endless, "methods": [{"name": "brief", "options": {"max_samples": 10**12}, "budget_ms": 300.0}]}
+    brief = {**endless, "methods": [{"name": "brief", "options": {"max_samples": 10**12, "keep_going": True}, "budget_ms": 300.0}]}
     with ThreadPoolExecutor(1) as pool:
         began = time.perf_counter()
         assert_ctrl_c_is_answered_at_once(lambda: cdpr.run_batch(brief, pool), threads=2)
