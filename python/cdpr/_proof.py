@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Floats, point
 from ._given import file_name, instance
-from ._proof_check import check_certificate
+from ._certify import check_certificate
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import FileError

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import cdpr
-from cdpr._proof_check import check_certificate
+from cdpr._certify import check_certificate
 from conftest import TESTDATA
 
 DATA = Path(__file__).parent / "data"

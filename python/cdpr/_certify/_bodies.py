@@ -1,0 +1,77 @@
+"""Bodies and orientations of a scene, from its plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from typing import Any, TypeAlias
+
+from ._hulls import Hull
+from ._vectors import ON_SURFACE, Exact, cross, dot, exact, minus, plus, scaled, squared
+
+Quaternion: TypeAlias = tuple[float, ...]
+
+
+def is_flat(body: Hull) -> bool:
+    """Whether a body has no volume, up to a few times the tolerance."""
+    points = body.floats
+    a = max(points, key=lambda p: math.dist(p, points[0]))
+    b = max(points, key=lambda p: math.dist(p, a))
+    edge = minus(b, a)
+    normal = max((cross(edge, minus(p, a)) for p in points), key=lambda n: dot(n, n))
+    size = math.hypot(*normal)
+    return size == 0 or max(abs(dot(normal, minus(p, a))) for p in points) <= 4 * ON_SURFACE * size
+
+
+def vertices_of(spec: Mapping[str, Any]) -> tuple[Exact, ...]:
+    """The vertices of a body's spec, in place."""
+    if spec.get("box") is not None:
+        corners: Any = product(*((-side / 2, side / 2) for side in spec["box"]))
+    elif spec.get("prism") is not None:
+        corners = ((x, y, z) for x, y in spec["prism"]["base"] for z in (0.0, spec["prism"]["height"]))
+    elif spec.get("vertices") is not None:
+        corners = spec["vertices"]
+    else:
+        raise ValueError("scene: found a body without box, prism or vertices, expected convex parts")
+    position = exact(spec.get("position") or (0, 0, 0))
+    return tuple(plus(v, position) for v in rotated([exact(v) for v in corners], _quaternion(spec)).points)
+
+
+def orientation_of(scene: Mapping[str, Any], given: Quaternion) -> Quaternion:
+    """The orientation of the scene, or one of those that it leaves open, that equals the given one."""
+    named = {spec["name"]: _quaternion(spec) for spec in scene.get("orientations") or []}
+    chosen = (scene.get("query") or {}).get("orientation")
+    choices = list(named.values()) or [(1.0, 0.0, 0.0, 0.0)]
+    if chosen is not None:
+        choices = [named[chosen] if isinstance(chosen, str) else tuple(chosen)]
+    if abs(math.hypot(*given) - 1) > 1e-6:
+        raise ValueError(f"orientation: found {list(given)}, expected a unit quaternion")
+    for choice in choices:
+        sizes = math.hypot(*choice), math.hypot(*given)
+        if any(math.dist([x / sizes[0] for x in choice], [s * x / sizes[1] for x in given]) <= 5e-10 for s in (1, -1)):
+            return choice
+    raise ValueError(f"orientation: found {list(given)}, but the scene has another orientation: another question")
+
+
+def _quaternion(spec: Mapping[str, Any]) -> Quaternion:
+    """The rotation of a body or orientation: R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    if spec.get("quaternion") is not None:
+        return tuple(spec["quaternion"])
+    degrees = spec.get("rpy_degrees")
+    angles = spec.get("rpy") or (0.0, 0.0, 0.0) if degrees is None else [math.radians(angle) for angle in degrees]
+    (a, b, c), (x, y, z) = ([f(angle / 2) for angle in angles] for f in (math.cos, math.sin))
+    return a * b * c + x * y * z, x * b * c - a * y * z, a * y * c + x * b * z, a * b * z - x * y * c
+
+
+def rotated(points: Sequence[Exact], quaternion: Quaternion) -> Hull:
+    """The points rotated by a quaternion, whose length is divided out exactly."""
+    w, *rest = map(Fraction, quaternion)
+    axis = rest[0], rest[1], rest[2]
+    size = w * w + squared(axis)
+    if not any(axis):
+        return Hull(tuple(points))
+    twice = [scaled(cross(axis, p), 2 / size) for p in points]
+    turned = [plus(p, plus(scaled(t, w), cross(axis, t))) for p, t in zip(points, twice, strict=True)]
+    return Hull(tuple(exact([float(x) for x in p]) for p in turned))

@@ -1,0 +1,119 @@
+"""The contents of a certificate: structure and numbers, nothing about the scene."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+KEYS = {"format", "version", "scene", "orientation", "margin", "start", "goal", "box", "regions", "boxes"}
+MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES = 1_000_000, 10_000, 1_000
+MOST_NUMBER = 1e12
+
+
+@dataclass(frozen=True)
+class Region:
+    """Positions inside all half-spaces n·x < d, and the pair that is said to forbid them."""
+
+    who: tuple[str, ...]
+    half_spaces: list[tuple[float, ...]]
+
+
+class Certificate:
+    """The contents of a file, checked for structure and numbers only."""
+
+    def __init__(self, file: Mapping[str, Any]) -> None:
+        if not isinstance(file, Mapping) or file.get("format") != "cdpr-proof":
+            raise ValueError("format: found another file, expected a table with \"format\": \"cdpr-proof\"")
+        if type(file.get("version")) is not int or file["version"] != 1:
+            raise ValueError(f"version: found {file.get('version')!r}, expected 1")
+        _keys("certificate", file, KEYS)
+        boxes = _items("boxes", file["boxes"], MOST_BOXES)
+        regions = _items("regions", file["regions"], MOST_REGIONS)
+        if not isinstance(file["scene"], str):
+            raise ValueError(f"scene: found {type(file['scene']).__name__}, expected a fingerprint")
+        self.margin = _numbers("margin", [file["margin"]], 1)[0]
+        if not 1e-8 <= self.margin <= 1e-6:
+            raise ValueError(f"margin: found {self.margin!r}, expected 1e-8 to 1e-6 m")
+        self.orientation = _numbers("orientation", file["orientation"], 4)
+        self.start, self.goal = (_numbers(key, file[key], 3) for key in ("start", "goal"))
+        low, high = (_numbers("box", corner, 3) for corner in _items("box", file["box"], 2, 2))
+        self.box = low + high
+        self.regions = [self._region(f"regions[{k}]", region) for k, region in enumerate(regions)]
+        self.boxes: list[tuple[float, ...]] = []
+        self.kinds: list[int] = []
+        self.reasons: dict[int, tuple[Any, ...]] = {}
+        for k, box in enumerate(boxes):
+            self._add_box(f"boxes[{k}]", box)
+
+    @staticmethod
+    def _region(place: str, region: Any) -> Region:
+        _keys(place, region, {"who", "half_spaces"})
+        planes = _items(f"{place}.half_spaces", region["half_spaces"], MOST_HALF_SPACES)
+        who = _names(f"{place}.who", region["who"])
+        return Region(who, [_numbers(f"{place}.half_spaces", plane, 4) for plane in planes])
+
+    def _add_box(self, place: str, box: Any) -> None:
+        items = _items(place, box, 8, 7)
+        corners, kind = _numbers(place, items[:6], 6), items[6]
+        if not all(corners[k] < corners[k + 3] for k in range(3)):
+            raise ValueError(f"{place}: found {list(corners)}, expected min < max along each axis")
+        if type(kind) is not int or not -2 <= kind < len(self.regions):
+            raise ValueError(f"{place}: found region {kind!r}, expected -2 to {len(self.regions) - 1}")
+        if (kind == -2) != (len(items) == 8):
+            raise ValueError(f"{place}: expected a reason if and only if the region is -2")
+        if kind == -2:
+            reason = _items(f"{place} (reason)", items[7], 7, 1)
+            wrench = len(reason) == 7 and reason[0] == "wrench"
+            self.reasons[len(self.boxes)] = (
+                ("wrench", *_numbers(f"{place} (reason)", reason[1:], 6)) if wrench else _names(place, reason)
+            )
+        self.boxes.append(corners)
+        self.kinds.append(kind)
+
+
+def parsed(text: str) -> Any:
+    def constant(token: str) -> None:
+        raise ValueError(f"found {token}, expected finite numbers only")
+
+    def table(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        if len(dict(pairs)) < len(pairs):
+            raise ValueError("found a key twice in one table")
+        return dict(pairs)
+
+    try:
+        return json.loads(text, parse_constant=constant, object_pairs_hook=table)
+    except json.JSONDecodeError as problem:
+        raise ValueError(f"not a JSON file, or a truncated one: {problem}") from None
+    except RecursionError:
+        raise ValueError("found tables within tables without end, expected a certificate") from None
+
+
+def _keys(place: str, table: Any, expected: set[str]) -> None:
+    if not isinstance(table, Mapping):
+        raise ValueError(f"{place}: found {type(table).__name__}, expected a table")
+    for key in sorted(set(map(str, table)) ^ expected):
+        raise ValueError(f"{place}: {'missing' if key in expected else 'unknown'} key {key!r}")
+
+
+def _items(place: str, items: Any, most: int, least: int = 0) -> Sequence[Any]:
+    if not isinstance(items, list | tuple):
+        raise ValueError(f"{place}: found {type(items).__name__}, expected a list")
+    if not least <= len(items) <= most:
+        expected = f"{least} to {most}" if least else f"at most {most}"
+        raise ValueError(f"{place}: found {len(items)} {place if place in KEYS else 'items'}, expected {expected}")
+    return items
+
+
+def _numbers(place: str, items: Any, count: int) -> tuple[float, ...]:
+    for x in _items(place, items, count, count):
+        if type(x) not in (int, float) or not abs(x) <= MOST_NUMBER:  # NaN compares false
+            raise ValueError(f"{place}: found {x!r:.40}, expected numbers up to {MOST_NUMBER:g}")
+    return tuple(map(float, items))
+
+
+def _names(place: str, items: Any) -> tuple[str, ...]:
+    if not all(isinstance(name, str) for name in _items(place, items, 2, 1)):
+        raise ValueError(f"{place}: found {items!r:.60}, expected names of one or two members")
+    return tuple(items)

@@ -1,0 +1,244 @@
+"""The positions that a scene forbids, derived from the scene alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from itertools import product
+from typing import Any, TypeAlias
+
+from ._bodies import is_flat, orientation_of, rotated, vertices_of
+from ._certificate import Certificate
+from ._hulls import Hull, are_near, nearest_points
+from ._vectors import (
+    ON_SURFACE,
+    Exact,
+    cross,
+    dot,
+    exact,
+    interpolated,
+    minus,
+    or_default,
+    plus,
+    root_of,
+    scaled,
+    squared,
+)
+
+Test: TypeAlias = Callable[[Exact], bool]
+
+TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than this is allowed
+ROUNDING = Fraction(1e-12)  # m: by this much the witnesses of contact may be apart
+FRACTIONS_OF_A_CABLE = (Fraction(1), Fraction(1, 16), Fraction(1, 256), Fraction(1, 4096))
+
+
+@dataclass(frozen=True)
+class Cable:
+    """A cable; the arm leads from the platform's origin to the attachment, in world axes."""
+
+    outlet: Exact
+    arm: Exact
+    radius: float
+    length: tuple[float, float]
+    tension: tuple[float, float] | None
+
+
+class Model:
+    """What a scene forbids, within the certificate's margin, at the certificate's orientation."""
+
+    def __init__(self, scene: Mapping[str, Any], proof: Certificate) -> None:
+        self.scene, self.margin, self.ends = scene, Fraction(proof.margin), (proof.start, proof.goal)
+        self.touched: set[int] = set()  # ends (0: start, 1: goal) that touch something which the other does not
+        robot, query = scene["robot"], scene.get("query") or {}
+        for key, given in (("start", proof.start), ("goal", proof.goal)):
+            if query.get(key) is not None and tuple(query[key]) != given:
+                raise ValueError(f"{key}: found {list(given)}, but the scene asks about {query[key]}: another question")
+        self.turn = orientation_of(scene, proof.orientation)
+        self.platform = [rotated(body, self.turn) for body in map(vertices_of, robot["platform"])]
+        self.obstacles: dict[str, list[Hull]] = {}
+        for k, body in enumerate(scene.get("obstacles") or []):
+            self.obstacles.setdefault(or_default(body.get("name"), f"obstacle {k}"), []).append(Hull(vertices_of(body)))
+        self.cables = {or_default(c.get("name"), f"cable {k}"): self._cable(c) for k, c in enumerate(robot["cables"])}
+        self.rules: dict[frozenset[str], float | None] = {}
+        self.rules |= {frozenset(pair): None for pair in scene.get("ignore") or []}
+        self.rules |= {frozenset(pair): 0.0 for pair in scene.get("touch") or []}
+        self.clearances: Mapping[str, Any] = scene.get("clearances") or {}
+        self.rules |= {frozenset(rule["between"]): rule["clearance"] for rule in self.clearances.get("pairs") or []}
+        corners = [v for body in self.platform for v in body.points]
+        for k in range(3):
+            low = Fraction(scene["workspace"]["min"][k]) - min(v[k] for v in corners)
+            high = Fraction(scene["workspace"]["max"][k]) - max(v[k] for v in corners)
+            if proof.box[k] > low + self.margin or proof.box[k + 3] < high - self.margin:
+                found = f"{proof.box[k]} to {proof.box[k + 3]} along {'xyz'[k]}"
+                raise ValueError(f"box: found {found}, expected at least {float(low)} to {float(high)}")
+        self.tests = cache(self._tests)
+
+    def _cable(self, spec: Mapping[str, Any]) -> Cable:
+        arm = rotated([exact(spec["attachment"])], self.turn).points[0]
+        length = tuple(spec.get("length") or (0.0, math.inf))
+        radius = (spec.get("diameter") or 0.0) / 2
+        return Cable(exact(spec["outlet"]), arm, radius, (max(length[0], ON_SURFACE), length[1]), spec.get("tension"))
+
+    def _clearance(self, kind: str, who: tuple[str, ...]) -> float:
+        rule = self.rules.get(frozenset(who), or_default(self.clearances.get(kind), self.scene.get("clearance") or 0.0))
+        if rule is None:
+            raise ValueError(f"{' and '.join(who)}: found as a reason, but the scene ignores this pair")
+        return float(rule)
+
+    def forbids(self, who: tuple[str, ...], positions: Sequence[Exact]) -> bool:
+        """Whether one pair of convex parts of the two members forbids all of these positions, and so their hull."""
+        return any(all(test(p) for p in positions) for test in self.tests(who))
+
+    def _tests(self, who: tuple[str, ...]) -> list[Test]:
+        """For each pair of convex parts, whether it forbids a position, or one at most the margin away."""
+        first, *others = sorted(who, key=lambda name: (name not in self.cables, name != "platform"))
+        other = others[0] if others else ""
+        if first == "platform" and other in self.obstacles:
+            required = Fraction(self._clearance("platform_obstacle", who))
+            pairs = product(self.platform, self.obstacles[other])
+            return [self._test(required, _moving(part, obstacle)) for part, obstacle in pairs]
+        if first not in self.cables or (other != "platform" and other not in self.obstacles):
+            raise ValueError(f"found {list(who)}, expected a cable or the platform, and an obstacle or the platform")
+        cable, on_platform = self.cables[first], other == "platform"
+        bodies = self.platform if on_platform else self.obstacles[other]
+        clearance = self._clearance("cable_platform" if on_platform else "cable_obstacle", who)
+        # Seen from the bodies, one end of the cable is fixed, and the other one is at `zero` for the position 0.
+        fixed, zero, sign = (cable.arm, cable.outlet, -1) if on_platform else (cable.outlet, cable.arm, 1)
+        distances = [nearest_points(Hull((fixed,)), body)[1] for body in bodies]
+        carried = on_platform or min(distances) <= ON_SURFACE
+        tests = []
+        for body, distance in zip(bodies, distances, strict=True):
+            required = _kept(clearance, cable.radius, distance if carried else math.inf)
+            if distance > ON_SURFACE:
+                tests.append(self._test(required, _crossing(fixed, zero, sign, body)))
+            elif not is_flat(body):
+                tests.append(self._test(Fraction(0), _entering(fixed, zero, sign, body)))
+        return tests
+
+    def _test(self, required: Fraction, make: Callable[[Fraction], Test]) -> Test:
+        """Whether a gap exceeds the required one by at most the margin.
+
+        What the platform touches at both start and goal it may touch everywhere, such as a floor that it slides on: the
+        gap must then be smaller than required by more than contact.
+        """
+        test = make(required + self.margin)
+        touched = self._touch([test(exact(end)) for end in self.ends])
+        return make(max(required - TOUCHING, ROUNDING)) if touched else test
+
+    def _touch(self, at_ends: list[bool]) -> bool:
+        """Whether both ends touch something; notes an end that alone touches it."""
+        if at_ends[0] != at_ends[1]:
+            self.touched.add(at_ends.index(True))
+        return all(at_ends)
+
+    def closes(self, reason: tuple[Any, ...], box: tuple[float, ...]) -> bool:
+        """Whether a reason forbids all positions of a box."""
+        corners = [exact(corner) for corner in product(*zip(box[:3], box[3:], strict=True))]
+        if reason[0] == "wrench" and len(reason) == 7:
+            return self._lacks_wrench(exact(reason[1:4]), exact(reason[4:]), corners)
+        if not all(name in self.cables for name in reason):
+            return self.forbids(reason, corners)
+        by = self._bad_length if len(reason) == 1 else self._too_near
+        touched = self._touch([by(reason, [exact(end)] * 8, self.margin) for end in self.ends])
+        return by(reason, corners, -TOUCHING if touched else self.margin)
+
+    def _bad_length(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
+        cable = self.cables[names[0]]
+        center, (least, most) = minus(cable.outlet, cable.arm), cable.length
+        farthest = max(squared(minus(corner, center)) for corner in corners)
+        nearest = [min(max(center[k], corners[0][k]), corners[7][k]) for k in range(3)]
+        away = squared(minus((nearest[0], nearest[1], nearest[2]), center))
+        too_short = farthest <= max(Fraction(least) + margin, Fraction(0)) ** 2
+        return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
+
+    def _too_near(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
+        """Two cables: the vector between two fixed fractions of them is linear in the position."""
+        i, j = (self.cables[name] for name in names)
+        outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
+        if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(ON_SURFACE) ** 2:
+            return False  # they share an end, and forbid nothing
+        most = nearest_points(Hull((exact((0, 0, 0)),)), Hull((outlets, arms)))[1]
+        required = _kept(self._clearance("cable_cable", names), i.radius + j.radius, most)
+        center = interpolated(corners[0], corners[7], Fraction(1, 2))
+        a, b = (Hull((cable.outlet, plus(center, cable.arm))) for cable in (i, j))
+        weights = nearest_points(a, b)[0]
+        s, r = (min(Fraction(sum(w for pair, w in weights.items() if pair[k] == 1)), Fraction(1)) for k in range(2))
+        on_i = [interpolated(i.outlet, plus(p, i.arm), s) for p in corners]
+        on_j = [interpolated(j.outlet, plus(p, j.arm), r) for p in corners]
+        allowed = max(required + margin, ROUNDING) ** 2
+        return all(squared(minus(x, y)) <= allowed for x, y in zip(on_i, on_j, strict=True))
+
+    def _lacks_wrench(self, force: Exact, moment: Exact, corners: list[Exact]) -> bool:
+        """Whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
+        wrench, cables = self.scene.get("wrench"), self.cables.values()
+        if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
+            raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
+        arms = [cable.arm for cable in cables]
+        one_point = all(squared(minus(arm, arms[0])) <= Fraction(1e-6) ** 2 for arm in arms)
+        if any(moment) and (one_point or (wrench.get("margin") == "projected" and any(force))):
+            raise ValueError("found a wrench as a reason with a moment that does not count in this scene")
+        robot, (zero, half) = self.scene["robot"], (exact((0, 0, 0)), Fraction(1, 2))
+        weight = scaled(exact(or_default(self.scene.get("gravity"), (0, 0, -9.81))), Fraction(robot["mass"]))
+        load = wrench.get("load") or (0,) * 6
+        arm = rotated([exact(robot.get("center_of_mass") or (0, 0, 0))], self.turn).points[0]
+        demand = -dot(force, plus(weight, exact(load[:3])))
+        demand -= dot(moment, plus(cross(arm, weight), exact(load[3:])))
+        if wrench.get("vertices"):
+            extra = wrench["vertices"]
+            demand += max(dot(force, exact(w[:3])) + dot(moment, exact(w[3:])) for w in extra)
+        else:
+            demand += Fraction(wrench.get("force") or 0) * root_of(squared(force), 0)
+            demand += Fraction(wrench.get("moment") or 0) * root_of(squared(moment), 0)
+        center, radius = interpolated(corners[0], corners[7], half), squared(minus(corners[7], corners[0])) / 4
+        available = Fraction(0)
+        for cable in cables:
+            line = minus(minus(cable.outlet, cable.arm), center)
+            pull = _farthest(plus(force, cross(moment, cable.arm)), line, radius)
+            least, most = map(Fraction, cable.tension or zero)
+            available += max(least * pull, most * pull)
+        return available < demand
+
+
+def _farthest(q: Exact, line: Exact, radius: Fraction) -> Fraction:
+    """An upper bound of q·u for the directions u to points at most √radius from the end of the line.
+
+    The angle between u and the line is at most a, with sin a = √radius / |line|. So q·u is at most |q| cos(b - a) if
+    the angle b between q and the line is at least a, else |q|.
+    """
+    size, square = squared(q), squared(line)
+    sine = root_of(radius / square, 1) if radius < square else Fraction(1)
+    inner = dot(q, line)
+    along = inner / root_of(square, inner < 0) if sine < 1 else Fraction(0)  # |q| cos b, rounded up
+    rest = 1 - sine * sine
+    if sine >= 1 or (along >= 0 and along * along >= size * rest):
+        return root_of(size, 1)
+    return along * root_of(rest, along >= 0) + sine * root_of(max(size - along * along, Fraction(0)), 1)
+
+
+def _moving(part: Hull, obstacle: Hull) -> Callable[[Fraction], Test]:
+    return lambda gap: cache(lambda p: are_near(Hull(tuple(plus(v, p) for v in part.points)), obstacle, gap))
+
+
+def _crossing(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
+    return lambda gap: cache(lambda p: are_near(Hull((fixed, plus(zero, scaled(p, sign)))), body, gap))
+
+
+def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
+    """A cable that starts on a body must not enter it: its moving end is within the margin of the cone into the body.
+
+    The end is that near if the point at some fraction of the cable is within this fraction of the margin of the body.
+    """
+
+    def near(p: Exact, margin: Fraction) -> bool:
+        end = plus(zero, scaled(p, sign))
+        return any(are_near(Hull((interpolated(fixed, end, s),)), body, s * margin) for s in FRACTIONS_OF_A_CABLE)
+
+    return lambda margin: cache(lambda p: near(p, margin))
+
+
+def _kept(clearance: float, radii: float, attainable: float) -> Fraction:
+    """The required distance, as far as some position allows it; at a tie within rounding, the smaller one."""
+    return Fraction(next((gap for gap in (clearance + radii, radii) if gap <= attainable - 1e-12), 0.0))

@@ -1,0 +1,111 @@
+"""Exact vertices of regions, and nearest points of convex hulls (found in floats, verified exactly)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from typing import TypeAlias
+
+from ._vectors import Exact, Vector, cross, dot, exact, interpolated, minus, plus, scaled, squared
+
+Pair: TypeAlias = tuple[int, int]
+
+
+def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> list[Exact]:
+    """The vertices of a box cut by half-spaces n·x <= d."""
+    # Each vertex with the planes through it. Two vertices share an edge if no third lies on all of their common planes.
+    vertices = {exact([box[i] for i in sides]): {-1 - i for i in sides} for sides in product((0, 3), (1, 4), (2, 5))}
+    for k, plane in enumerate(half_spaces):
+        n, d = exact(plane[:3]), Fraction(plane[3])
+        above = {v: dot(n, v) - d for v in vertices}
+        kept = {v: planes | ({k} if above[v] == 0 else set()) for v, planes in vertices.items() if above[v] <= 0}
+        for v, w in product([v for v in kept if above[v] < 0], [w for w in vertices if above[w] > 0]):
+            common = vertices[v] & vertices[w]
+            if len(common) >= 2 and sum(common <= planes for planes in vertices.values()) == 2:
+                kept[interpolated(v, w, above[v] / (above[v] - above[w]))] = common | {k}
+        vertices = kept
+    return list(vertices)
+
+
+@dataclass(frozen=True)
+class Hull:
+    """The convex hull of points."""
+
+    points: tuple[Exact, ...]
+
+    @cached_property
+    def floats(self) -> list[Vector]:
+        return [(float(x), float(y), float(z)) for x, y, z in self.points]
+
+    def support(self, x: Vector) -> int:
+        """The index of the point farthest along x."""
+        heights = [x[0] * p[0] + x[1] * p[1] + x[2] * p[2] for p in self.floats]
+        return heights.index(max(heights))
+
+
+def are_near(a: Hull, b: Hull, gap: Fraction) -> bool:
+    """Whether two points, one of each hull, are found at most `gap` apart; exact."""
+    weights, distance = nearest_points(a, b, 0.999 * float(gap))
+    if distance > 2 * float(gap):
+        return False
+    between = exact((0, 0, 0))
+    for (i, j), w in weights.items():
+        between = plus(between, scaled(minus(a.points[i], b.points[j]), Fraction(w)))
+    return squared(between) <= (gap * sum(map(Fraction, weights.values()))) ** 2
+
+
+def nearest_points(a: Hull, b: Hull, enough: float = 0.0) -> tuple[dict[Pair, float], float]:
+    """Nonnegative weights of point pairs that give nearest points of two hulls, and their distance; approximate.
+
+    The point of the hull of the differences nearest to the origin, by Wolfe's algorithm: add the point farthest towards
+    the origin, go to the point nearest to the origin of the simplex's plane, and drop points whose weights become 0 on
+    the way. Ends early at the distance `enough`.
+    """
+    weights: dict[Pair, float] = {(0, 0): 1.0}
+    distance, best = math.inf, weights
+    for _ in range(100):
+        points = {(i, j): minus(a.floats[i], b.floats[j]) for i, j in weights}
+        x, y, z = (sum(w * points[pair][k] for pair, w in weights.items()) for k in range(3))
+        length = math.hypot(x, y, z)
+        if not length < distance:  # no progress beyond rounding
+            break
+        distance, best = length, weights
+        new = (a.support((-x, -y, -z)), b.support((x, y, z)))
+        if distance <= enough or new in weights or len(weights) == 4:
+            break
+        points[new] = minus(a.floats[new[0]], b.floats[new[1]])
+        weights = _nearest_of_simplex({**weights, new: 0.0}, points)
+    return best, distance
+
+
+def _nearest_of_simplex(weights: dict[Pair, float], points: dict[Pair, Vector]) -> dict[Pair, float]:
+    """Weights of a point of a simplex at least as near to the origin, the nearest one of some face of the simplex."""
+    while True:
+        goal = dict(zip(weights, _nearest_of_plane([points[pair] for pair in weights]), strict=True))
+        if all(w > 0 for w in goal.values()):
+            return goal
+        out = [pair for pair in weights if goal[pair] <= 0]
+        steps = {pair: weights[pair] / (weights[pair] - goal[pair]) if weights[pair] else 0.0 for pair in out}
+        first = min(out, key=lambda pair: steps[pair])
+        ends = {pair: w + steps[first] * (goal[pair] - w) for pair, w in weights.items() if pair != first}
+        weights = {pair: max(w, 0.0) for pair, w in ends.items()}
+
+
+def _nearest_of_plane(points: list[Vector]) -> list[float]:
+    """Weights (sum 1) of the point nearest to the origin on the line, plane or space through up to four points."""
+    to = minus((0.0, 0.0, 0.0), points[0])
+    edges = [minus(p, points[0]) for p in points[1:]]
+    if len(edges) == 3:
+        rows = [cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])]
+        size = dot(edges[0], rows[0])
+    elif len(edges) == 2:
+        normal = cross(edges[0], edges[1])
+        rows, size = [cross(edges[1], normal), cross(normal, edges[0])], dot(normal, normal)
+    else:
+        rows, size = edges, sum(map(squared, edges))
+    found = [dot(row, to) / size if abs(size) > 1e-200 else 0.0 for row in rows]
+    return [1 - sum(found), *found]
