@@ -5,7 +5,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::numerics::{MOST_SECONDS, MOST_THREADS};
 
 /// Returns whether the caller wants to stop; polled often, from any thread.
@@ -114,6 +114,17 @@ impl<'a> Watch<'a> {
     /// [`Error::interrupted`] if the caller wants to stop, [`Error::out_of_time`] if the deadline has passed.
     pub fn check(&self) -> Result<(), Error> {
         if self.expired()? { Err(Error::out_of_time()) } else { Ok(()) }
+    }
+}
+
+/// A result, or `None` if time ran out first.
+///
+/// # Errors
+/// All others.
+pub fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
+    match answer {
+        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
+        answer => answer.map(Some),
     }
 }
 

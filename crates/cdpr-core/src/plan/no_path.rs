@@ -6,13 +6,13 @@ use serde::Serialize;
 
 use super::{PlanOptions, engine_within};
 use crate::collision::Checker;
-use crate::error::{Error, ErrorClass};
+use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::planning::PathOptimizer;
 use crate::postprocess::StringPuller;
 use crate::proof::{Certificate, Proof, WRENCH, quick_path};
-use crate::watch::Watch;
+use crate::watch::{Watch, in_time};
 use crate::words::length;
 
 /// Why a scene has no path.
@@ -110,12 +110,4 @@ fn path_without(
     let Some(path) = quick_path(&*engine, ends, watch)? else { return Ok(None) };
     let path = StringPuller::new(&*engine).polished(&path, watch)?;
     Ok(Some(crate::collision::path_check::path_length(&path)))
-}
-
-/// A result, or `None` if time ran out first.
-fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
-    match answer {
-        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
-        answer => answer.map(Some),
-    }
 }

@@ -28,11 +28,11 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::collision::Checker;
 use crate::decomposition::{Decomposition, Taste, Way};
-use crate::error::{Error, ErrorClass};
+use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::planning::PathOptimizer;
-use crate::watch::Watch;
+use crate::watch::{Watch, in_time};
 use h_polyhedra::{HPolyhedra, Near, Room};
 use h_polyhedron::{HPolyhedron, in_box};
 use pull::Pull;
@@ -177,14 +177,6 @@ impl StringPuller<'_> {
             let _ = self.hulls.set(hulls); // another thread may have set the same value first
         }
         Ok(self.hulls.get())
-    }
-}
-
-/// A result, or `None` if time ran out first.
-fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
-    match answer {
-        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
-        answer => answer.map(Some),
     }
 }
 
