@@ -95,6 +95,38 @@ function readFeasible(feasible) {
   return { origin, step, counts, margins, greatest, measure, unit: text(feasible.unit, '') };
 }
 
+function readDetour(detour) {
+  return {
+    obstacle: text(detour?.obstacle, 'obstacle'),
+    cost: numberOrNull(detour?.cost),
+    waypoints: list(detour?.waypoints).filter(isPoint),
+  };
+}
+
+// Faces of cubes; they come from the program.
+const readFaces = (faces) => list(faces).filter((face) => Array.isArray(face) && face.length === 6);
+
+function readNoPath(noPath) {
+  if (!noPath || !list(noPath.bounds).every(isPoint) || !isPoint(noPath.nearest)) return null;
+  const [min, max] = noPath.bounds;
+  const culprits = list(noPath.culprits).map((names) => list(names).map(String));
+  return {
+    min,
+    max,
+    count: numberOrNull(noPath.count) ?? 1,
+    culprits,
+    blocking: list(noPath.blocking).map(String),
+    volume: numberOrNull(noPath.volume) ?? 0,
+    ofVolume: numberOrNull(noPath.of_volume) ?? 0,
+    nearest: noPath.nearest,
+    toGoal: numberOrNull(noPath.to_goal) ?? 0,
+    margin: numberOrNull(noPath.margin) ?? 0,
+    reachable: readFaces(noPath.reachable),
+    walls: culprits.map((_, i) => readFaces(list(noPath.walls)[i])),
+    without: list(noPath.without).map(readDetour),
+  };
+}
+
 function readViolation(violation) {
   return {
     segment: Math.max(0, Math.trunc(numberOrNull(violation?.segment) ?? 0)),
@@ -132,6 +164,7 @@ export function readModel(raw) {
     regions: readRegions(raw?.regions),
     motion: readMotion(raw?.motion),
     feasible: readFeasible(raw?.feasible),
+    noPath: readNoPath(raw?.no_path),
     violations: list(raw?.violations).map(readViolation),
   };
 }

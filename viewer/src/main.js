@@ -6,6 +6,7 @@ import { createFrame } from './frame.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
 import { createLayer, createLayers, createSwitch, placeholder } from './layers.js';
+import { createNoPath } from './noPath.js';
 import * as panel from './panel.js';
 import { createFinalPath, createRawPath, createSearchTree, createViolations } from './paths.js';
 import { createPlayback } from './playback.js';
@@ -45,8 +46,8 @@ const MOST_NAMES = 12;
 
 // Larger trees would hide the picture, too.
 const MOST_EDGES = 500;
-// So many obstacles have their switches in sight at first.
-const FEW_OBSTACLES = 3;
+// So many obstacles or walls have their switches in sight at first.
+const FEW = 3;
 
 // A ghost right where the platform is would only flicker on it.
 const SAME_PLACE = 1e-3;
@@ -60,7 +61,9 @@ function fillScene(model, route, frame, stage, theme) {
   const obstacles = createObstacles(model, frame, theme);
   const regions = createRegions(model, frame, theme);
   const highlight = createHighlight(model, frame, shapes, theme);
+  const noPath = createNoPath(model, frame, shapes, theme);
   const contents = {
+    ...noPath?.contents,
     platform: [platform],
     obstacles: obstacles.objects,
     obstacleNames: model.obstacles.length > 0 ? [placeholder()] : [],
@@ -86,7 +89,7 @@ function fillScene(model, route, frame, stage, theme) {
     for (const ghost of ghosts) ghost.visible = ghost.position.distanceTo(platform.position) > SAME_PLACE;
     stage.invalidate();
   };
-  return { contents, obstacles, ghosts, regions, move };
+  return { contents, obstacles, ghosts, regions, noPath, move };
 }
 
 const hiddenAtFirst = ({ obstacles, regions, path }) => [
@@ -120,7 +123,7 @@ function addNames(model, frame, labels, layers) {
 function addObstacleParts(model, obstacles, layers, stage) {
   if (model.obstacles.length === 0) return;
   const hidden = new Set();
-  const few = model.obstacles.length <= FEW_OBSTACLES;
+  const few = model.obstacles.length <= FEW;
   const parent = layers.obstacles.fold(few ? 'by name' : `by name (${model.obstacles.length})`, few);
   const showObstacles = () => obstacles.show(hidden);
   const part = ({ name }, i) => {
@@ -143,6 +146,25 @@ function addRegionParts(regions, layers, shown, invalidate) {
   layers.regions.parts = Object.fromEntries(regions.map((region) => [region.group.name, part(region)]));
 }
 
+// A switch for the wall of each of those who close the way.
+function addWalls({ walls }, layers, invalidate) {
+  const fold = layers.walls.fold('by whom', walls.length <= FEW);
+  const part = ({ group, role }) => createLayer(group, group.name, `part solid of-${role}`, invalidate, true, fold);
+  layers.walls.parts = Object.fromEntries(walls.map((wall) => [wall.group.name, part(wall)]));
+}
+
+// Shows the path without an obstacle, or for null the proof.
+function leavingOut(noPath, layers, invalidate) {
+  let without = null;
+  return (name) => {
+    if (without !== null) layers.obstacles.parts[without].visible = true;
+    if (name !== null) layers.obstacles.parts[name].visible = false;
+    without = name;
+    noPath.leaveOut(name);
+    invalidate();
+  };
+}
+
 function savePicture(picture, title) {
   picture.toBlob((blob) => {
     const link = document.createElement('a');
@@ -161,31 +183,38 @@ function createView(model, route) {
   const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
   const theme = createTheme(stage.invalidate);
   theme.bind(stage.scene.background, 'background');
-  const { contents, obstacles, ghosts, regions, move } = fillScene(model, route, frame, stage, theme);
+  const { contents, obstacles, ghosts, regions, noPath, move } = fillScene(model, route, frame, stage, theme);
   const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), stage.scene, stage.invalidate);
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
   addNames(model, frame, labels, layers);
+  if (noPath) addWalls(noPath, layers, stage.invalidate);
+  for (const { text, anchor, of } of noPath?.labels ?? []) {
+    labels.add(text, anchor, { get visible() { return layers.nearestReachable.visible && of.visible; } });
+  }
+  const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
   const { look, cut, resize } = stage;
   const picture = () => labels.written(stage.picture(), container);
   const save = () => savePicture(picture(), model.title);
   const { statistics } = stage;
-  return { move, layers, look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
+  return { move, leaveOut, layers, look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
 }
 
 // What stands in for the 3D part where it cannot be drawn.
 function createPlainView() {
   createTheme(() => {});
   panel.showMessage('This browser cannot draw in 3D (WebGL 2 is not available), so only the texts are shown.');
-  return { move: () => {}, layers: {}, look: null };
+  return { move: () => {}, leaveOut: () => {}, layers: {}, look: null };
 }
 
 // The largest coordinate in the workspace, m.
 const sizeOf = ({ workspace }) => (workspace ? Math.max(...[...workspace.min, ...workspace.max].map(Math.abs)) : 1);
 
-function connect(model, route, view) {
+function connect(model, view) {
+  const planned = routeOf(model);
+  let route = planned;
   let showPlots = () => null;
   const size = sizeOf(model);
   const playback = createPlayback(
@@ -202,22 +231,30 @@ function connect(model, route, view) {
     playback.pause();
     playback.setDistance(distance);
   };
+  const leaveOut = (name) => {
+    const { waypoints } = model.noPath.without.find(({ obstacle }) => obstacle === name) ?? {};
+    route = waypoints ? createRoute(waypoints) : planned;
+    view.leaveOut(name);
+    playback.restart(route.length);
+    panel.showTransport(route.length);
+  };
   showPlots = createPlots(model, route, jump);
   panel.connectTransport(playback);
+  panel.showNoPath(model.noPath, leaveOut);
   panel.showViolations(model.violations, ({ segment, at }) => route.distanceAt(segment, at), jump);
   if (view.look) panel.connectTools(view);
   panel.connectKeys(playback, view);
   playback.setDistance(0);
-  return playback;
+  return { playback, position: () => route.positionAt(playback.distance()) };
 }
 
 // The interface for scripts that drive the page.
-function publish(route, view, playback) {
+function publish(view, { playback, position }) {
   window.cdprViewer = {
-    length: route.length,
+    get length() { return playback.length(); },
     distance: playback.distance,
     setDistance: playback.setDistance,
-    position: () => route.positionAt(playback.distance()),
+    position,
     layers: view.layers,
     look: view.look,
     picture: view.picture ?? null,
@@ -232,7 +269,7 @@ function start() {
   const route = routeOf(model);
   panel.showSummary(model, route.length);
   const view = hasWebGL() ? createView(model, route) : createPlainView();
-  publish(route, view, connect(model, route, view));
+  publish(view, connect(model, view));
 }
 
 try {

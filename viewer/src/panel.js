@@ -1,8 +1,11 @@
 // The panel: title, outcome, legend and list of violations; and the bar with the slider.
 
+import { wallRole } from './theme.js';
+import { describeCulprits, describeDetour, describeProof, describeReached } from './wording.js';
 import { describeOutcome, describeRegions, describeViolation, formatPosition, formatProgress } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
+const LISTED_CULPRITS = 8;
 const NARROW = '(max-width: 560px)';
 
 const byId = (id) => document.getElementById(id);
@@ -22,6 +25,42 @@ export function showSummary(model, length) {
   byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
   foldWhereNarrow();
+}
+
+// Those who close the way, in the colours of their walls.
+function culpritItems(culprits) {
+  const items = culprits.slice(0, LISTED_CULPRITS).map((names, i) => {
+    const item = element('li');
+    item.append(element('span', `swatch solid of-${wallRole(i)}`), element('span', '', describeCulprits(names)));
+    return item;
+  });
+  const rest = culprits.length - items.length;
+  return rest > 0 ? [...items, element('li', 'more', `and ${rest} more`)] : items;
+}
+
+/** Says why there is no path; `onPick` hears the name of the obstacle to be left out, or null. */
+export function showNoPath(noPath, onPick) {
+  if (!noPath) return;
+  byId('status').classList.add('none');
+  byId('closed-by').replaceChildren(...culpritItems(noPath.culprits));
+  byId('reached').textContent = describeReached(noPath);
+  byId('proved').textContent = describeProof(noPath);
+  const buttons = noPath.without.map((detour) => {
+    const button = element('button', '', describeDetour(detour));
+    button.type = 'button';
+    button.disabled = detour.cost === null;
+    button.setAttribute('aria-pressed', 'false');
+    button.addEventListener('click', () => pick(button, detour.obstacle));
+    return button;
+  });
+  const pick = (button, name) => {
+    const pressed = button.getAttribute('aria-pressed') !== 'true';
+    for (const other of buttons) other.setAttribute('aria-pressed', String(pressed && other === button));
+    onPick(pressed ? name : null);
+  };
+  const none = element('p', '', 'No obstacle has a part in it: leaving one out does not help.');
+  byId('remedies').replaceChildren(...(buttons.length > 0 ? buttons : [none]));
+  byId('no-path').hidden = false;
 }
 
 // A frame in a notebook may get its width only after the page has started.
@@ -131,11 +170,10 @@ const KEY_STEPS = {
 function moveBy(step, playback, event) {
   event.preventDefault();
   playback.pause();
-  playback.setDistance(playback.distance() + step * playback.length);
+  playback.setDistance(playback.distance() + step * playback.length());
 }
 
 function connectSlider(slider, playback) {
-  slider.max = String(playback.length);
   slider.addEventListener('input', () => {
     playback.pause();
     playback.setDistance(Number(slider.value));
@@ -148,11 +186,16 @@ function connectSlider(slider, playback) {
 
 /** Connects slider and play button to the playback. */
 export function connectTransport(playback) {
-  if (playback.length === 0) return;
   connectSlider(byId('slider'), playback);
   byId('play').addEventListener('click', playback.toggle);
   byId('speed').addEventListener('change', () => playback.setSpeed(Number(byId('speed').value)));
-  byId('transport').hidden = false;
+  showTransport(playback.length());
+}
+
+/** Shows slider and play button for a path of a length, m. */
+export function showTransport(length) {
+  byId('slider').max = String(length);
+  byId('transport').hidden = length === 0;
 }
 
 /** Shows a distance on the slider. */

@@ -4,8 +4,9 @@
 const DURATION = 8;
 const LONGEST_STEP = 0.1;
 
-/** A distance between 0 and `length` that can run by itself; `onMove` and `onState` hear of changes. */
-export function createPlayback(length, onMove, onState) {
+/** A distance between 0 and a length that can run by itself; `onMove` and `onState` hear of changes. */
+export function createPlayback(whole, onMove, onState) {
+  let length = whole;
   let distance = 0;
   let playing = false;
   let before = 0;
@@ -40,7 +41,13 @@ export function createPlayback(length, onMove, onState) {
   }
 
   return {
-    length,
+    length: () => length,
+    /** Begins another path of this length, m. */
+    restart: (value) => {
+      setPlaying(false);
+      length = value;
+      setDistance(0);
+    },
     distance: () => distance,
     setDistance,
     setSpeed: (value) => {

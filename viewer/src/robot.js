@@ -52,7 +52,7 @@ function ghostFill() {
 }
 
 /** A see-through platform. */
-export function createGhost(shapes, orientation, theme) {
+export function createGhost(shapes, orientation, theme, role = 'ghost') {
   const group = new Group();
   group.quaternion.copy(rotationOf(orientation));
   const edges = wideLines([...shapes.edges, ...shapes.segments], { linewidth: 1.5 });
@@ -60,7 +60,7 @@ export function createGhost(shapes, orientation, theme) {
   const fill = new Mesh(solidGeometry(shapes), ghostFill());
   // After the obstacles, which would otherwise paint over it.
   fill.renderOrder = 4;
-  for (const part of [edges, marks, fill]) theme.paint(part.material, 'ghost');
+  for (const part of [edges, marks, fill]) theme.paint(part.material, role);
   group.add(fill, edges, marks);
   return group;
 }

@@ -8,7 +8,16 @@ const PALE = ['#77aadd', '#ee8866', '#eedd88', '#ffaabb', '#99ddff', '#44bb99', 
 /** How many colours there are for regions: roles `region0`, `region1` and so on. */
 export const REGION_COLORS = MUTED.length;
 
-const regionRoles = (colors) => Object.fromEntries(colors.map((color, index) => [`region${index}`, color]));
+const roles = (name, colors) => Object.fromEntries(colors.map((color, index) => [name.replace('#', index), color]));
+
+// Walls have these, far from the blue of what can be reached; the palettes "vibrant" and "muted" of Paul Tol.
+const WALLS = ['#cc3311', '#882255', '#999933', '#ee3377', '#661100', '#aa4499', '#777777'];
+const WALL_EDGES = ['#661a09', '#441129', '#4d4d1a', '#771a3c', '#330800', '#552250', '#333333'];
+const PALE_WALLS = ['#ee5533', '#cc4488', '#bbbb44', '#ff6699', '#aa5544', '#cc66cc', '#999999'];
+const PALE_WALL_EDGES = ['#f5c5ba', '#e8b5cf', '#e3e3b5', '#fbc6d9', '#e6b8b0', '#eac6e6', '#dddddd'];
+
+/** The role of the colour of a wall: `wall0`, `wall1` and so on, with edges in `wall0Edge` and so on. */
+export const wallRole = (index) => `wall${index % WALLS.length}`;
 
 const LIGHT = {
   text: '#1b1f24',
@@ -17,7 +26,11 @@ const LIGHT = {
   border: '#c9cfd6',
   button: '#eceff3',
   focus: '#0059c9',
-  ...regionRoles(MUTED),
+  ...roles('region#', MUTED),
+  ...roles('wall#', WALLS),
+  ...roles('wall#Edge', WALL_EDGES),
+  reachable: '#3f8fd0',
+  reachableEdge: '#1d5c94',
   background: '#f6f7f9',
   platform: '#0072b2',
   platformEdge: '#003b5c',
@@ -44,7 +57,11 @@ const DARK = {
   border: '#434b56',
   button: '#333a44',
   focus: '#8cc4ff',
-  ...regionRoles(PALE),
+  ...roles('region#', PALE),
+  ...roles('wall#', PALE_WALLS),
+  ...roles('wall#Edge', PALE_WALL_EDGES),
+  reachable: '#4ea3e6',
+  reachableEdge: '#a8d4f7',
   background: '#14171c',
   platform: '#56b4e9',
   platformEdge: '#d3edfb',

@@ -43,6 +43,9 @@ export function formatLength(metres) {
   return `${format(metres)}\u00a0${unit}`;
 }
 
+/** A volume with four digits: "1.797 m³". */
+export const formatVolume = (cubicMetres) => `${Number(cubicMetres.toPrecision(4))}\u00a0m³`;
+
 /** A distance in the unit of a whole: "0.050 of 2.621 m". */
 export function formatProgress(distance, whole) {
   const { unit, format } = lengthAxis(whole);
@@ -93,7 +96,27 @@ export function describeFeasible({ measure, unit, greatest }) {
   return `${measure} margin beyond the demand, 0 to ${Number(greatest.toPrecision(3))} ${unit}`;
 }
 
+/** Those who close the way together: "cable 1 and south". */
+export const describeCulprits = (names) => names.join(' and ');
+
+/** How far the platform gets. */
+export function describeReached({ volume, ofVolume, toGoal }) {
+  const share = ofVolume > 0 ? Math.floor((100 * volume) / ofVolume) : 0;
+  const part = share >= 1 ? `at least ${share} % of its workspace` : 'less than 1 % of its workspace';
+  return `The platform reaches ${part} (${formatVolume(volume)}) and comes within ${formatLength(toGoal)} of the goal.`;
+}
+
+/** A path without an obstacle: "without south: 2.065 m". */
+export function describeDetour({ obstacle, cost }) {
+  return cost === null ? `without ${obstacle}: still no path found` : `without ${obstacle}: ${formatLength(cost)}`;
+}
+
+/** What is proved, and what the picture shows of it. */
+export const describeProof = ({ margin }) =>
+  `Proved: no path keeps a gap of more than ${formatGap(margin)}. What can be reached is drawn as far as it is certain.`;
+
 const NO_PATH = {
+  no_path: 'there is no path (proved)',
   budget_spent: 'no path found within the budget',
   start_invalid: 'no path: the start is not valid',
   goal_invalid: 'no path: the goal is not valid',

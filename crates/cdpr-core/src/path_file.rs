@@ -14,7 +14,7 @@ use crate::geometry::Point;
 use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
 use crate::plan::{Appraisal, NoPath, PlanOptions, PlanResult, Post, Stats};
-use crate::planning::{Milestone, PlannerSettings, SearchTree};
+use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
 use crate::wrench::PathWrench;
 
 /// The keys of a path file. Other keys are allowed, and planning writes more.
@@ -61,6 +61,9 @@ pub struct PathFile {
     /// The planner's search tree, for the page; not in the file.
     #[serde(skip)]
     pub tree: Arc<SearchTree<Point>>,
+    /// Why there is no path, for the page; the file has it in `planned`.
+    #[serde(skip)]
+    pub no_path: Option<Arc<NoPath>>,
 }
 
 /// Identifies the scene of a path.
@@ -141,6 +144,16 @@ impl PathFile {
         }
     }
 
+    /// The answer that a scene has no path, for the page.
+    pub fn without_path(scene: &Scene, no_path: NoPath) -> Self {
+        PathFile {
+            status: Some(Status::NoPath.name().to_string()),
+            cost: None,
+            no_path: Some(Arc::new(no_path)),
+            ..PathFile::of(scene, &[])
+        }
+    }
+
     /// A planning result in a scene; `lower_bound` is left out.
     pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
         let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats, .. } = result;
@@ -167,6 +180,7 @@ impl PathFile {
             planner: Some(options.planner.planner().name().to_string()),
             planned: Some(planned),
             tree: tree.clone(),
+            no_path: no_path.clone(),
             ..PathFile::of(scene, waypoints)
         }
     }

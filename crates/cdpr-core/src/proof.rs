@@ -15,7 +15,9 @@ mod certificate;
 mod closing;
 mod tiling;
 
-pub use certificate::{BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Reason, VERSION, WRENCH};
+pub use certificate::{
+    BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Reason, VERSION, WRENCH, certificate_ends,
+};
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};
@@ -26,7 +28,7 @@ use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
 use closing::Regions;
-use tiling::tiling;
+use tiling::{around, tiling};
 
 /// The answer to whether there is a path.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,12 +56,18 @@ pub struct Proof {
     pub regions: Vec<ProofRegion>,
     /// Boxes that tile the box of positions. Open ones do not connect start and goal.
     pub boxes: Vec<ProofBox>,
+    /// The open boxes that are connected with the start, by index.
+    pub around_start: Vec<usize>,
+    /// The wall around these: the closed boxes that touch them, by index.
+    pub wall: Vec<usize>,
     /// The conditions that close the way, a set from which none can be left out: indices into the engine's list; wrenches have
     /// the index after the last.
     pub conditions: Vec<usize>,
     /// The obstacles that close the way, a set from which none can be left out: indices into [`crate::model::Scene::obstacles`].
     pub blocking: Vec<usize>,
-    /// Volume of the free boxes that are connected with the start, m³.
+    /// The free boxes that are connected with the start.
+    pub reachable: Vec<Cuboid>,
+    /// Their volume, m³.
     pub reachable_volume: f64,
     /// Where the platform gets from the point of these boxes that is nearest to the goal, straight towards the goal, m.
     pub nearest_to_goal: Point,
@@ -145,7 +153,9 @@ impl<'a> Search<'a> {
         let Smaller { search, conditions, blocking } = blocking::smallest(&self, watch)?;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
-        let (reachable_volume, nearest_to_goal) = self.reachable();
+        let (around_start, wall) = around(self.ends[0], &search.cells, &boxes);
+        let reachable = self.reachable();
+        let nearest_to_goal = self.further(nearest(&reachable, self.ends));
         Ok(Proof {
             margin: PROOF_MARGIN,
             start: *self.ends[0],
@@ -153,9 +163,12 @@ impl<'a> Search<'a> {
             bounds: self.cells.span(WHOLE),
             regions,
             boxes,
+            around_start,
+            wall,
             conditions,
             blocking,
-            reachable_volume,
+            reachable_volume: reachable.iter().map(Cuboid::volume).sum(),
+            reachable,
             nearest_to_goal,
         })
     }
@@ -172,17 +185,20 @@ impl<'a> Search<'a> {
         at(free)
     }
 
-    /// The volume of the free cells that are connected with the start, and their point nearest to the goal.
-    fn reachable(&mut self) -> (f64, Point) {
-        let [start, goal] = self.ends;
+    /// The free cells that are connected with the start.
+    fn reachable(&mut self) -> Vec<Cuboid> {
+        let start = self.ends[0];
         self.cells.refine(start, REACH_LEVEL, REACH_CELLS, &self.regions);
         let cells = &self.cells;
         let reached = cells.reached(cells.cell_at(start), &|cell| cells.kind(cell).passable());
         let free = |cell: &u32| reached[*cell as usize] && cells.kind(*cell) == Kind::Free;
-        let free: Vec<Cuboid> = cells.leaves().filter(free).map(|cell| cells.span(cell)).collect();
-        let nearest = free.iter().map(|cell| cell.nearest_to(goal)).chain([*start]);
-        let distance = |place: &Point| (place - goal).norm();
-        let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the start is among them");
-        (free.iter().map(Cuboid::volume).sum(), self.further(nearest))
+        cells.leaves().filter(free).map(|cell| cells.span(cell)).collect()
     }
+}
+
+/// The position nearest to the goal in these boxes, or the start.
+fn nearest(reachable: &[Cuboid], [start, goal]: [&Point; 2]) -> Point {
+    let places = reachable.iter().map(|cell| cell.nearest_to(goal)).chain([*start]);
+    let distance = |place: &Point| (place - goal).norm();
+    places.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the start is among them")
 }

@@ -6,7 +6,9 @@
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
 //! scene as JSON.
 
+mod blocks;
 mod extras;
+mod no_path;
 
 use serde_json::{Value, json};
 
@@ -88,7 +90,12 @@ fn filled(scene: &Scene, data: &Value) -> String {
 fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> Value {
     let q = scene.orientation();
     let waypoints = path.map_or(&[][..], |path| &path.waypoints);
-    let end = |of_path: Option<&[f64; 3]>, own: Option<Point>| of_path.copied().or(own.as_ref().map(xyz)); // they may differ
+    let no_path = path.and_then(|path| path.no_path.as_deref());
+    let asked = no_path.map(|no_path| [no_path.proof.start, no_path.proof.goal]);
+    // Those of a path or proof may differ from those of the scene.
+    let end = |of_path: Option<&[f64; 3]>, asked: Option<Point>, own: Option<Point>| {
+        of_path.copied().or(asked.or(own).as_ref().map(xyz))
+    };
     let cable = |c: &cdpr_core::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
     let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
     json!({
@@ -99,9 +106,10 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
         "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
         "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
         "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
-        "start": end(waypoints.first(), scene.start()),
-        "goal": end(waypoints.last(), scene.goal()),
+        "start": end(waypoints.first(), asked.map(|ends| ends[0]), scene.start()),
+        "goal": end(waypoints.last(), asked.map(|ends| ends[1]), scene.goal()),
         "path": path.map(path_value),
+        "no_path": no_path.map(no_path::shown),
         "violations": violations,
     })
 }

@@ -7,11 +7,12 @@ use serde::Serialize;
 use super::{PlanOptions, engine_within};
 use crate::collision::Checker;
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, path_length};
 use crate::model::Scene;
+use crate::numerics::PROOF_EFFORT;
 use crate::planning::PathOptimizer;
 use crate::postprocess::StringPuller;
-use crate::proof::{Certificate, Proof, WRENCH, quick_path};
+use crate::proof::{Answer, Certificate, Content, Proof, ProofBox, WRENCH, decide, quick_path};
 use crate::watch::{Watch, in_time};
 use crate::words::length;
 
@@ -24,6 +25,9 @@ pub struct NoPath {
     pub blocking: Vec<String>,
     /// For each of these the length of the path that exists if it is removed, m; `None` if no path was found then either.
     pub without: BTreeMap<String, Option<f64>>,
+    /// These paths, m.
+    #[serde(skip)]
+    pub paths_without: BTreeMap<String, Vec<Point>>,
     /// Volume of the positions known to be reachable from the start, m³.
     pub reachable_volume: f64,
     /// The reachable position that is nearest to the goal, m.
@@ -32,6 +36,9 @@ pub struct NoPath {
     pub margin: f64,
     /// Number of boxes of the proof.
     pub boxes: usize,
+    /// For each condition of the proof its place in `culprits`.
+    #[serde(skip)]
+    pub culprit_of: BTreeMap<usize, usize>,
     /// The proof.
     #[serde(skip)]
     pub proof: Proof,
@@ -41,6 +48,27 @@ pub struct NoPath {
 }
 
 impl NoPath {
+    /// Decides whether there is a path between two positions, and explains it if there is none; `None` if there is one, if that
+    /// stays undecided, or if a position is not valid.
+    ///
+    /// # Errors
+    /// As [`decide`].
+    pub fn decided(
+        scene: &Scene,
+        checker: &dyn Checker,
+        ends: [&Point; 2],
+        options: &PlanOptions,
+        watch: &Watch,
+    ) -> Result<Option<Self>, Error> {
+        if !ends.iter().all(|end| checker.state_valid(end)) {
+            return Ok(None);
+        }
+        match decide(checker, ends, PROOF_EFFORT, watch)? {
+            Answer::NoPath(proof) => NoPath::of(*proof, scene, checker, options, watch).map(Some),
+            Answer::Path(_) | Answer::OpeningBelow(_) => Ok(None),
+        }
+    }
+
     /// Explains a proof about a scene.
     ///
     /// # Errors
@@ -58,21 +86,29 @@ impl NoPath {
             None => vec![WRENCH.to_string()],
         };
         let mut culprits: Vec<Vec<String>> = Vec::new();
-        for pair in proof.conditions.iter().map(names) {
-            if !culprits.contains(&pair) {
-                culprits.push(pair); // several parts of one obstacle
+        let mut culprit_of = BTreeMap::new();
+        for condition in &proof.conditions {
+            let pair = names(condition);
+            let known = culprits.iter().position(|other| *other == pair); // several parts of one obstacle
+            culprit_of.insert(*condition, known.unwrap_or(culprits.len()));
+            if known.is_none() {
+                culprits.push(pair);
             }
         }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
-        let mut without = BTreeMap::new();
+        let (mut without, mut paths_without) = (BTreeMap::new(), BTreeMap::new());
         for name in &blocking {
             let path = path_without(scene, name, [&proof.start, &proof.goal], options, watch);
-            without.insert(name.clone(), in_time(path)?.flatten());
+            let path = in_time(path)?.flatten();
+            without.insert(name.clone(), path.as_deref().map(path_length));
+            paths_without.extend(path.map(|path| (name.clone(), path)));
         }
         Ok(NoPath {
             culprits,
             blocking,
             without,
+            paths_without,
+            culprit_of,
             reachable_volume: proof.reachable_volume,
             nearest_to_goal: proof.nearest_to_goal.into(),
             margin: proof.margin,
@@ -80,6 +116,16 @@ impl NoPath {
             certificate: Certificate::of(&proof, scene, checker),
             proof,
         })
+    }
+
+    /// What closes a box of the proof, as an index into `culprits`; `None` for an open box.
+    pub fn closed_by(&self, positions: &ProofBox) -> Option<usize> {
+        let condition = match positions.content {
+            Content::Open => return None,
+            Content::Region(region) => self.proof.regions[region].condition,
+            Content::Bound(condition) => condition,
+        };
+        self.culprit_of.get(&condition).copied()
     }
 
     /// The reason in plain words: "cable 3 and pillar, the platform and beam".
@@ -98,16 +144,15 @@ impl NoPath {
     }
 }
 
-/// The length of the path that exists without an obstacle, m.
+/// The path that exists without an obstacle, m.
 fn path_without(
     scene: &Scene,
     name: &str,
     ends: [&Point; 2],
     options: &PlanOptions,
     watch: &Watch,
-) -> Result<Option<f64>, Error> {
+) -> Result<Option<Vec<Point>>, Error> {
     let engine = engine_within(&scene.without(name)?, options.engine, options.interference, watch)?;
     let Some(path) = quick_path(&*engine, ends, watch)? else { return Ok(None) };
-    let path = StringPuller::new(&*engine).polished(&path, watch)?;
-    Ok(Some(crate::collision::path_check::path_length(&path)))
+    StringPuller::new(&*engine).polished(&path, watch).map(Some)
 }

@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Content, Proof};
 use crate::collision::Checker;
-use crate::geometry::Cuboid;
+use crate::error::Error;
+use crate::geometry::{Cuboid, Point};
 use crate::model::Scene;
 
 /// What the file says it is.
@@ -119,4 +120,19 @@ impl Certificate {
             boxes: proof.boxes.iter().map(row).collect(),
         }
     }
+}
+
+/// Start and goal of a certificate, m, from its text.
+///
+/// # Errors
+/// Text without them.
+pub fn certificate_ends(text: &str) -> Result<[Point; 2], Error> {
+    #[derive(Deserialize)]
+    struct Ends {
+        start: [f64; 3],
+        goal: [f64; 3],
+    }
+    let parsed: Result<Ends, _> = serde_json::from_str(text);
+    let Ends { start, goal } = parsed.map_err(|e| Error::invalid("", format!("found no certificate: {e}")))?;
+    Ok([start.into(), goal.into()])
 }

@@ -2,7 +2,7 @@
 
 use super::closing::Regions;
 use crate::decomposition::{Closed, Decomposition, Kind};
-use crate::geometry::{Cuboid, HalfSpace};
+use crate::geometry::{Cuboid, HalfSpace, Point};
 
 /// A convex polyhedron of positions within the margin of those that a condition forbids.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,4 +63,23 @@ pub fn tiling(cells: &Decomposition, regions: &Regions, conditions: &[usize]) ->
     });
     let boxes = boxes.collect();
     (list, boxes)
+}
+
+/// The open boxes that are connected with a position, and the closed ones that touch these, by index. `boxes` are those of
+/// [`tiling`].
+pub fn around(position: &Point, cells: &Decomposition, boxes: &[ProofBox]) -> (Vec<usize>, Vec<usize>) {
+    let leaves: Vec<u32> = cells.leaves().collect();
+    let mut open = vec![false; leaves.iter().max().map_or(0, |last| *last as usize + 1)];
+    for (&leaf, of) in leaves.iter().zip(boxes) {
+        open[leaf as usize] = of.content == Content::Open;
+    }
+    let reached = cells.reached(cells.cell_at(position), &|cell| open[cell as usize]);
+    let touches_reached = |leaf: u32| {
+        let mut found = false;
+        cells.touching(leaf, &mut |other| found |= reached[other as usize]);
+        found
+    };
+    let inside = |index: &usize| reached[leaves[*index] as usize];
+    let beside = |index: &usize| !open[leaves[*index] as usize] && touches_reached(leaves[*index]);
+    ((0..leaves.len()).filter(inside).collect(), (0..leaves.len()).filter(beside).collect())
 }
