@@ -43,6 +43,16 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     }
 }
 
+/// Refuses a scene that leaves its orientation open.
+pub fn selects_orientation(scene: &Scene, args: &SceneArgs) -> Result<(), Error> {
+    if !scene.orientation_is_open() {
+        return Ok(());
+    }
+    let problem = "found a scene that selects none, expected one: a proof is for one orientation";
+    let hint = "use --orientation NAME".to_string();
+    Err(Error::invalid("orientation", problem).with_hints(&[hint]).in_file(&args.scene))
+}
+
 /// A path, and its scene at the path's orientation.
 pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {

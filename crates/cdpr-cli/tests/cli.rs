@@ -386,3 +386,42 @@ fn anytime_uses_its_budget_and_any_path_can_be_pulled_taut() {
         assert_eq!(status(&cdpr_in(folder.path(), &["check", &hard1, "taut.json", "--engine", engine])), 0, "{engine}");
     }
 }
+
+/// The data of a page.
+fn data_of(page: &str) -> Value {
+    let (_, rest) = page.split_once("id=\"cdpr-data\">").unwrap();
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+#[test]
+fn the_page_of_a_scene_without_a_path_shows_why_and_so_does_that_of_its_proof() {
+    let folder = folder();
+    let closed = testdata("scenes/closed.toml");
+    let read = |name: &str| data_of(&fs::read_to_string(folder.path().join(name)).unwrap());
+    let planned = ["plan", &closed, "--html", "plan.html", "--proof", "proof.json", "--format", "json"];
+    let planned = cdpr_in(folder.path(), &planned);
+    assert_eq!(status(&planned), 1, "{}", stderr(&planned));
+    let (proof, page) = (json(&planned)["proof"].clone(), read("plan.html"));
+    let shown = &page["no_path"];
+    assert_eq!(page["path"]["status"], "no_path");
+    for [theirs, ours] in
+        [["culprits"; 2], ["blocking"; 2], ["reachable_volume", "volume"], ["nearest_to_goal", "nearest"]]
+    {
+        assert_eq!((&proof[theirs], proof[theirs].is_null()), (&shown[ours], false), "{theirs}");
+    }
+    let lists = |key: &str| shown[key].as_array().unwrap();
+    assert!(lists("reachable").len() > 6);
+    assert_eq!(lists("walls").len(), lists("culprits").len());
+    assert!(lists("walls").iter().all(|faces| faces.as_array().unwrap().len() > 6));
+    for detour in lists("without") {
+        assert_eq!(proof["without"][detour["obstacle"].as_str().unwrap()], detour["cost"]);
+        let waypoints = detour["waypoints"].as_array().unwrap();
+        assert_eq!((&waypoints[0], &waypoints[waypoints.len() - 1]), (&page["start"], &page["goal"]));
+    }
+    let viewed = cdpr_in(folder.path(), &["view", &closed, "proof.json", "-o", "view.html"]);
+    assert_eq!(status(&viewed), 0, "{}", stderr(&viewed));
+    assert_eq!(read("view.html")["no_path"], *shown);
+    let other = cdpr_in(folder.path(), &["view", &testdata("scenes/hard1.toml"), "proof.json", "-o", "other.html"]);
+    assert_eq!(status(&other), 2);
+    assert!(stderr(&other).contains("proof.json: found a proof for another scene"), "{}", stderr(&other));
+}

@@ -44,11 +44,7 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     let in_proof = |e: Error| e.in_file(&args.path);
     let scene = input::scene(&args.scene, out)?;
     let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
-    if scene.orientation_is_open() {
-        let problem = "found a scene that selects none, expected one: a proof is for one orientation";
-        let hint = "use --orientation NAME".to_string();
-        return Err(Error::invalid("orientation", problem).with_hints(&[hint]).in_file(&args.scene.scene));
-    }
+    input::selects_orientation(&scene, &args.scene)?;
     let check = |_: &Interrupt| certificate.check(&scene);
     let found = with_sign_of_life(out, "checking", check).map_err(in_proof)?;
     let Summary { boxes, closed, regions, margin } = found;

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use cdpr_core::Error;
-use cdpr_core::collision::check_path;
-use cdpr_core::plan::engine_within;
+use cdpr_core::collision::{Checker, check_path};
+use cdpr_core::plan::{NoPath, PlanOptions, engine_within};
+use cdpr_core::proof::certificate_ends;
 use cdpr_core::watch::Watch;
+use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
 use cdpr_view::page_within;
 
@@ -23,13 +24,21 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(Some(&args.output));
     let watch = Watch::on(&interrupted);
     let scene = input::scene(&args.scene, out)?;
-    let (scene, shown, violations) = match &args.path {
-        None => (scene, None, Vec::new()),
-        Some(path) => {
+    let proof = args.path.as_deref().map(cdpr_files::text::read_certificate).transpose()?.flatten();
+    let engine = |scene: &Scene| {
+        engine_within(scene, args.checker.engine, args.checker.interference, &watch)
+            .map_err(|e| e.in_file(&args.scene.scene))
+    };
+    let (scene, shown, violations) = match (&args.path, proof) {
+        (None, _) => (scene, None, Vec::new()),
+        (Some(path), Some(text)) => {
+            input::selects_orientation(&scene, &args.scene)?;
+            let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
+            (scene, Some(shown), Vec::new())
+        }
+        (Some(path), None) => {
             let (scene, loaded) = input::path(&scene, &args.scene, path, args.strict, out)?;
-            let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch)
-                .map_err(|e| e.in_file(&args.scene.scene))?;
-            let report = check_path(&*engine, &loaded.waypoints, &watch)?;
+            let report = check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?;
             (scene, Some(shown(&loaded, report.length)), report.violations)
         }
     };
@@ -48,6 +57,24 @@ pub fn check_page_name(path: &Path) -> Result<(), Error> {
         _ if is_stream(path) => Ok(()),
         _ => Err(cdpr_files::text::other_extension(path, ".html")),
     }
+}
+
+/// Why the scene has no path between the ends of a certificate, decided anew: a certificate does not tell what is needed
+/// to draw it, such as what can be reached.
+fn proved_again(
+    scene: &Scene,
+    engine: &dyn Checker,
+    text: &str,
+    args: &ViewArgs,
+    watch: &Watch,
+) -> Result<PathFile, Error> {
+    let [start, goal] = certificate_ends(text)?;
+    let (engine_kind, interference) = (args.checker.engine, args.checker.interference);
+    let options = PlanOptions { engine: engine_kind, interference, ..PlanOptions::default() };
+    let found = NoPath::decided(scene, engine, [&start, &goal], &options, watch)?;
+    let problem = "found a proof for another scene or orientation, expected one for this scene";
+    let no_path = found.ok_or_else(|| Error::invalid("", problem))?;
+    Ok(PathFile::without_path(scene, no_path))
 }
 
 /// The path as its file tells it, with the length found now.
