@@ -92,11 +92,12 @@ def view(
 ) -> View:
     own = instance("scene", scene, Scene)._core
     file = None if waypoints is None else json.dumps(_file(waypoints))
-    tree = None
+    tree, certificate = None, None
     if isinstance(waypoints, Result):
         tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
+        certificate = None if waypoints.proof is None else waypoints.proof._certificate
     core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
-    return View(core.page(file, tree, text("interference", interference)))
+    return View(core.page(file, tree, certificate, text("interference", interference)))
 
 
 def _file(waypoints: ArrayLike | Path) -> dict[str, Any]:
@@ -155,7 +156,8 @@ def show(
     ----------
     scene : Scene
     waypoints : array_like (k, 3), Path or Result, optional
-        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree.
+        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
+        or, if it has a proof that there is no path, with the reason.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
     strict : bool

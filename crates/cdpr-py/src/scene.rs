@@ -7,10 +7,11 @@ use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
-    Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan, shorten_path,
-    trace_rewinding,
+    NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
+    shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{PlannerOptions, PlannerSettings};
+use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
@@ -415,8 +416,16 @@ impl Scene {
         py.detach(|| answered(|| cdpr_files::save_regions(&path, &self.0, &found)))
     }
 
-    /// A self-contained page that shows the scene and, if given, a path: the JSON of a path file, and the search tree.
-    fn page(&self, py: Python<'_>, path: Option<&str>, tree: Option<Tree<'_>>, interference: &str) -> PyResult<String> {
+    /// A self-contained page that shows the scene and, if given, a path: the JSON of a path file, and the search tree. With the
+    /// certificate of a proof that there is no path, it shows why; this is decided anew.
+    fn page(
+        &self,
+        py: Python<'_>,
+        path: Option<&str>,
+        tree: Option<Tree<'_>>,
+        certificate: Option<&str>,
+        interference: &str,
+    ) -> PyResult<String> {
         let Some(path) = path else {
             return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
         };
@@ -424,8 +433,14 @@ impl Scene {
         let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         let file = PathFile { cost: Some(path_length(&waypoints)), tree, ..file };
+        let ends = answered(|| certificate.map(certificate_ends).transpose())?;
+        let options = PlanOptions { interference: named(interference)?, ..PlanOptions::default() };
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
+            let decided =
+                |[start, goal]: &[Point; 2]| NoPath::decided(&self.0, &*engine, [start, goal], &options, &watch);
+            let no_path = ends.as_ref().map(decided).transpose()?.flatten();
+            let file = PathFile { no_path: no_path.map(Arc::new), ..file };
             let violations = check_path(&*engine, &waypoints, &watch)?.violations;
             page_within(&self.0, Some(&file), &violations, &watch)
         })
