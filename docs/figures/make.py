@@ -2,7 +2,8 @@
 
     python docs/figures/make.py fig3 fig5
 
-The same files come out every time, but for what is measured in seconds (fig7, right; planners) and what a browser draws (page).
+The same files come out every time, but for what is measured in seconds (fig7, right; planners) and what a browser draws
+(page, no-path-page).
 """
 
 import functools
@@ -11,8 +12,9 @@ import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 
 import matplotlib
@@ -26,7 +28,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.patheffects import withStroke
 from mpl_toolkits.mplot3d import Axes3D
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 import cdpr
 from cdpr import figures
@@ -375,20 +377,33 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
 }
 
 
-def page(file: Path) -> None:
-    """The page of a planned path, as a browser shows it: beside the pillar, whose shadow a cable avoids."""
+@contextmanager
+def shown(question: cdpr.Scene, result: cdpr.Result) -> Iterator[Page]:
+    """The page of a result in a browser."""
     program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None:
-        raise SystemExit("page.png: found no Chromium, expected one on the path or its name in CDPR_CHROMIUM")
-    hard1 = scene("hard1")
-    result = cdpr.plan(hard1)
+        raise SystemExit("found no Chromium, expected one on the path or its name in CDPR_CHROMIUM")
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         view = Path(folder) / "view.html"
-        cdpr.save_view(view, hard1, result)
+        cdpr.save_view(view, question, result)
         browser = playwright.chromium.launch(executable_path=program, args=SOFTWARE)
         tab = browser.new_page(viewport={"width": 1280, "height": 800}, color_scheme="light")
         tab.goto(view.as_uri())
         tab.wait_for_function("Boolean(window.cdprViewer?.ready)")
+        yield tab
+        browser.close()
+
+
+def drawn(tab: Page, file: Path) -> None:
+    tab.wait_for_timeout(1000)  # ms, until the picture has been drawn
+    tab.screenshot(path=file)
+
+
+def page(file: Path) -> None:
+    """The page of a planned path, as a browser shows it: beside the pillar, whose shadow a cable avoids."""
+    hard1 = scene("hard1")
+    result = cdpr.plan(hard1)
+    with shown(hard1, result) as tab:
         tab.evaluate("distance => window.cdprViewer.setDistance(distance)", SHOWN_AT * result.cost)
         tab.evaluate(
             """cable => {
@@ -402,20 +417,28 @@ def page(file: Path) -> None:
         tab.mouse.down()
         tab.mouse.move(*DRAG[1], steps=5)
         tab.mouse.up()
-        tab.wait_for_timeout(1000)  # ms, until the picture has been drawn
-        tab.screenshot(path=file)
-        browser.close()
+        drawn(tab, file)
+
+
+def no_path_page(file: Path) -> None:
+    """The page of a proof that there is no path."""
+    closed = scene("closed")
+    with shown(closed, cdpr.plan(closed)) as tab:
+        drawn(tab, file)
+
+
+PAGES = {"page": page, "no-path-page": no_path_page}
 
 
 def main(names: list[str]) -> None:
     """Draw these, or all."""
-    unknown = set(names) - {*DRAWINGS, "page"}
+    unknown = set(names) - {*DRAWINGS, *PAGES}
     if unknown:
-        raise SystemExit(f"found {', '.join(sorted(unknown))}, expected some of page, {', '.join(DRAWINGS)}")
-    for name in names or [*DRAWINGS, "page"]:
-        file = FOLDER / (f"{name}.png" if name == "page" else f"{name}.svg")
-        if name == "page":
-            page(file)
+        raise SystemExit(f"found {', '.join(sorted(unknown))}, expected some of {', '.join([*PAGES, *DRAWINGS])}")
+    for name in names or [*DRAWINGS, *PAGES]:
+        file = FOLDER / (f"{name}.png" if name in PAGES else f"{name}.svg")
+        if name in PAGES:
+            PAGES[name](file)
         else:
             with figures.style():
                 figure = DRAWINGS[name]()
