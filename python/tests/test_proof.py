@@ -412,6 +412,7 @@ def test_planning_proves_and_anyone_can_check(tmp_path):
     scene = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
     result = cdpr.plan(scene)
     assert (result.status, result.solved, result.waypoints.shape) == ("no_path", False, (0, 3))
+    assert result.found_by is None
     proof = result.proof
     assert proof.culprits == (("cable 1", "south"), ("cable 3", "north")) and proof.blocking == ("south", "north")
     for name, cost in proof.without.items():
@@ -441,7 +442,7 @@ def test_every_planner_gives_the_same_proof(planner):
     assert cdpr.plan(scene, planner, max_samples=300, proof=False).status == "budget_spent"
 
 
-def test_a_narrow_passage_is_found_where_sampling_fails():
+def test_a_narrow_passage_is_found_where_sampling_fails(tmp_path):
     # The platform passes between the wall, 0.9 m high, and the ceiling with 1 cm to spare.
     robot = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml").robot
     upper = cdpr.Robot(robot.outlets[4:], robot.attachments[4:], [cdpr_box([0.15, 0.15, 0.05])])
@@ -451,6 +452,10 @@ def test_a_narrow_passage_is_found_where_sampling_fails():
     assert cdpr.plan(wall, "rrt", max_samples=2000, proof=False).status == "budget_spent"
     found = cdpr.plan(wall, "rrt", max_samples=2000)
     assert found.solved and cdpr.check(wall, found).valid
+    assert (found.found_by, cdpr.plan(wall, "two-trees").found_by) == ("decision", "two-trees")
+    found.save(tmp_path / "path.json")
+    written = json.loads((tmp_path / "path.json").read_text())
+    assert (written["planner"], written["found_by"]) == ("rrt", "decision")
 
 
 def cdpr_box(sides: list[float]) -> list[list[float]]:
