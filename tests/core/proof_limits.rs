@@ -256,3 +256,28 @@ fn a_ridge_above_what_cogiro_can_reach_with_its_wrenches_closes_the_way() {
     let found = between(&ridge(limit - 0.2), &ridge(limit + 0.2));
     assert_eq!((found.blocking, found.conditions.len()), (vec![0], 2));
 }
+
+#[test]
+fn a_clearance_that_is_just_attainable_is_kept() {
+    // The cable is attached 0.1 m beside a mast on the platform; in doubles, 0.15 - 0.05 is a little less. Where the platform
+    // passes the end of the wall, beyond y = 1.5, the cable leans towards the mast: its outlet is at y = 1.
+    let beside = |clearance: f64| {
+        let spec = json!({
+            "version": 1, "workspace": {"min": [0.0, 0.0, 0.0], "max": [2.0, 2.0, 1.0]},
+            "clearances": {"cable_platform": clearance}, "ignore": [["cable 0", "wall"]],
+            "robot": {
+                "platform": [
+                    {"box": [0.3125, 0.3125, 0.0625]}, {"box": [0.1, 0.1, 0.25], "position": [0.0, 0.0, 0.15625]},
+                ],
+                "cables": [{"outlet": [1.0, 1.0, 3.0], "attachment": [0.0, 0.15, 0.03125]}],
+            },
+            "obstacles": [{"name": "wall", "box": [0.1, 1.5, 2.0], "position": [1.0, 0.75, 1.0]}],
+            "query": {"start": [0.5, 0.5, 0.3], "goal": [1.5, 0.5, 0.3]},
+        });
+        Scene::new(serde_json::from_value(spec).unwrap()).unwrap()
+    };
+    let narrow = beside(0.1);
+    let exempt = |scene: &Scene| engine_of(scene).conditions().exempt.len();
+    assert_eq!((exempt(&narrow), exempt(&beside(0.1 + 1e-8))), (1, 2)); // cable and wall, which are ignored, and this pair
+    assert_eq!(between(&beside(0.0), &narrow).blocking, [0]);
+}
