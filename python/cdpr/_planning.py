@@ -176,6 +176,7 @@ def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
         "waypoints": _array(found["waypoints"]),
         "cost": _number(found["cost"]),
         "orientation": np.array(found["orientation"]),
+        "found_by": found.get("found_by", found["planner"]) if found["status"] == "solved" else None,
         "raw_waypoints": _array(found["raw_waypoints"]),
         "raw_cost": _number(found["raw_cost"]),
         "reason": None if found["reason"] is None else violation_from(found["reason"]),

@@ -207,6 +207,9 @@ class Result(Path):
         World-from-platform unit quaternion w x y z, held along the whole path.
     status : str
         "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid".
+    found_by : str or None
+        Name of the planner, if it found the path; "decision", if it found none, but the decision whether there is a path
+        did. None unless solved.
     orientation_name : str or None
         Name of the orientation, if the scene names it.
     raw_waypoints : ndarray (k, 3)
@@ -245,6 +248,7 @@ class Result(Path):
     """
 
     status: str = ""
+    found_by: str | None = None
     orientation_name: str | None = None
     raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
     raw_cost: float = float("nan")

@@ -212,6 +212,16 @@ def test_importing_does_not_import_pandas():
     assert run.stdout.strip() == "False False" and signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+def test_a_method_can_leave_the_decision_out():
+    methods = [{"name": name, "options": {"max_samples": 200}, **keys} for name, keys in
+               (("decided", {}), ("searched", {"proof": False}))]  # fmt: skip
+    scenarios = [{"name": "closed", "scene": str(TESTDATA / "scenes/closed.toml")}]
+    found = cdpr.run_batch({**EXPERIMENT, "scenarios": scenarios, "methods": methods, "t_tests": [], "trials": 1})
+    assert dict(zip(found.trials["method"], found.trials["status"], strict=True)) == {
+        "decided": "no_path", "searched": "budget_spent"
+    }  # fmt: skip
+
+
 def test_the_examples_run(tmp_path):
     cluster = [sys.executable, ROOT / "python/examples/cluster.py", "", "4"]
     run = subprocess.run(cluster, cwd=tmp_path, capture_output=True, text=True, check=True)

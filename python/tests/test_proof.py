@@ -328,6 +328,69 @@ def test_a_gap_below_the_margin_at_every_position_forbids_nothing():
     refused(small_scene(pair), slabs(["cable 0", "cable 1"]), "not all")
 
 
+@pytest.mark.parametrize("depth", [0.0, 1e-16, 9e-8, -9e-8])
+def test_an_outlet_on_a_wall_forbids_the_same_wherever_rounding_puts_it(depth):
+    # A cable may leave the wall; if its outlet is a little below the surface, it enters the wall on no more positions.
+    mounted, surface = small_scene([cable((0.4 + depth, 0.5, 0.5))], [WALL]), 0.4 + depth
+    check_certificate(mounted, slabs(["cable 0", "wall"], low=surface, high=0.9), None)
+    for beyond in (2e-6, 2e-5, 1e-3):
+        refused(mounted, slabs(["cable 0", "wall"], low=surface - beyond, high=0.9), "not all")
+
+
+def test_an_outlet_on_an_edge_forbids_what_is_below_both_faces():
+    block = {**WALL, "box": [0.2, 4, 1.4], "position": [0.5, 0.5, 0]}
+
+    def check(low, top):
+        space = {"min": [0, 0, 0], "max": [1, 1, top]}
+        scene = small_scene([cable((0.4, 0.5, 0.7))], [block], workspace=space)
+        check_certificate(scene, slabs(["cable 0", "wall"], low=low, high=0.9, box=((0, 0, 0), (1, 1, top))), None)
+
+    check(0.4, 0.7)
+    for low, top in ((0.4 - 2e-6, 0.7), (0.4, 0.7 + 2e-6)):
+        with pytest.raises(ValueError, match="not all"):
+            check(low, top)
+
+
+@pytest.mark.parametrize("thickness", [0.1, 2e-3, 1e-4, 1e-5])
+def test_a_cable_does_not_pass_through_a_plate_however_thin(thickness):
+    plate = {"box": [0.2, 0.2, thickness], "position": [0, 0, -thickness / 2]}
+
+    def check(outlet, lowest):  # attached on its upper face
+        space = {"min": [0, 0, lowest - thickness], "max": [1, 1, 1]}
+        scene = small_scene([cable((0.5, 0.5, outlet))], platform=[plate], workspace=space)
+        box = ((0.1, 0.1, lowest), (0.9, 0.9, 1))
+        check_certificate(scene, slabs(["cable 0", "platform"], box=box), None)
+
+    check(-1, 0.2)
+    check(0.2, 0.2)
+    with pytest.raises(ValueError, match="not all"):
+        check(0.2 + 2e-6, 0.2)
+
+
+def test_a_clearance_that_is_just_attainable_is_required():
+    # The cable is attached 0.1 m from the platform's other part; in doubles, 0.15 - 0.05 is a little less. Where it leads
+    # towards that part, it is nearer.
+    parts = [{"vertices": [[0.15, 0, 0]]}, {"box": [0.1, 0.5, 0.5]}]
+    box = ((0.05, 0.25, 0.25), (0.85, 0.75, 0.75))
+
+    def beside(clearance):
+        return small_scene([cable((0.5, 0.5, 0.5), (0.15, 0, 0))], platform=parts, clearance=clearance)
+
+    check_certificate(beside(0.1), slabs(["cable 0", "platform"], low=0.42, high=0.7, box=box), None)
+    refused(beside(0.1), slabs(["cable 0", "platform"], low=0.2, high=0.7, box=box), "not all")
+    refused(beside(0.1 + 1e-8), slabs(["cable 0", "platform"], low=0.42, high=0.5, box=box), "not all")
+
+
+def test_cables_whose_ends_nearly_coincide_meet_in_one_point():
+    def apart(distance):
+        cables = [cable((0.5, 0.5, 5), (x, 0, 0), tension=[0, 50]) for x in (0, distance)]
+        return small_scene(cables, wrench={"force": 102})
+
+    moment = ["wrench", 0, 0, 1, 0, 0, 1]
+    refused(apart(0.99e-7), slabs(moment), "a moment that does not count")
+    check_certificate(apart(1.01e-7), slabs(moment), None)
+
+
 def test_flat_parts_with_the_attachment_on_them_forbid_nothing():
     plate = {"box": [0.2, 0.2, 0.0]}
     refused(
@@ -412,6 +475,7 @@ def test_planning_proves_and_anyone_can_check(tmp_path):
     scene = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
     result = cdpr.plan(scene)
     assert (result.status, result.solved, result.waypoints.shape) == ("no_path", False, (0, 3))
+    assert result.found_by is None
     proof = result.proof
     assert proof.culprits == (("cable 1", "south"), ("cable 3", "north")) and proof.blocking == ("south", "north")
     for name, cost in proof.without.items():
@@ -441,7 +505,7 @@ def test_every_planner_gives_the_same_proof(planner):
     assert cdpr.plan(scene, planner, max_samples=300, proof=False).status == "budget_spent"
 
 
-def test_a_narrow_passage_is_found_where_sampling_fails():
+def test_a_narrow_passage_is_found_where_sampling_fails(tmp_path):
     # The platform passes between the wall, 0.9 m high, and the ceiling with 1 cm to spare.
     robot = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml").robot
     upper = cdpr.Robot(robot.outlets[4:], robot.attachments[4:], [cdpr_box([0.15, 0.15, 0.05])])
@@ -451,6 +515,10 @@ def test_a_narrow_passage_is_found_where_sampling_fails():
     assert cdpr.plan(wall, "rrt", max_samples=2000, proof=False).status == "budget_spent"
     found = cdpr.plan(wall, "rrt", max_samples=2000)
     assert found.solved and cdpr.check(wall, found).valid
+    assert (found.found_by, cdpr.plan(wall, "two-trees").found_by) == ("decision", "two-trees")
+    found.save(tmp_path / "path.json")
+    written = json.loads((tmp_path / "path.json").read_text())
+    assert (written["planner"], written["found_by"]) == ("rrt", "decision")
 
 
 def cdpr_box(sides: list[float]) -> list[list[float]]:

@@ -7,6 +7,7 @@ mod orientation;
 mod planners;
 mod planning;
 mod proof;
+mod proof_limits;
 mod properties;
 mod random_scenes;
 mod regions;

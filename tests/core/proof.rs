@@ -6,7 +6,7 @@ use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, QuerySpec, RobotSource, Scene, SceneSpec, WrenchSpec};
 use cdpr_core::numerics::PROOF_EFFORT;
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::plan::{FoundBy, PlanOptions, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, Certificate, Content, Proof, decide};
 use cdpr_core::testing::{block, empty, hard1, scene, walled};
@@ -111,6 +111,21 @@ fn answers_agree_with_planners_on_random_scenes() {
         }
     }
     assert!(paths > 20 && none > 20, "{paths} paths, {none} without");
+}
+
+#[test]
+fn a_path_of_the_decision_says_so() {
+    let scene = scene(walled(0.96)); // 1 cm to spare
+    let planned = |planner: Planner, samples: usize, proof: bool| {
+        let mut planner = PlannerOptions::of(planner);
+        planner.limits_mut().max_samples = samples;
+        plan(&scene, &PlanOptions { planner, proof, ..PlanOptions::default() }, &()).unwrap().result
+    };
+    assert_eq!(planned(Planner::Rrt, 2000, false).status, Status::BudgetSpent);
+    let of_decision = planned(Planner::Rrt, 2000, true);
+    assert_eq!((of_decision.status, of_decision.found_by), (Status::Solved, FoundBy::Decision));
+    let of_planner = planned(Planner::TwoTrees, 100_000, true);
+    assert_eq!((of_planner.status, of_planner.found_by), (Status::Solved, FoundBy::Planner));
 }
 
 #[test]

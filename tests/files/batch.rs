@@ -375,6 +375,51 @@ fn a_scenario_that_can_never_be_free_ends_the_run_with_its_name() {
 }
 
 #[test]
+fn each_method_says_whether_and_how_long_it_is_decided_if_there_is_a_path() {
+    const CLOSED: &str = r#"
+version = 1
+trials = 2
+[[scenarios]]
+name = "closed"
+scene = "SCENES/closed.toml"
+[[scenarios]]
+name = "none drawn"
+scene = "SCENES/closed.toml"
+random = { count = 1 }
+[[methods]]
+name = "decided"
+options = { max_samples = 200 }
+[[methods]]
+name = "searched"
+options = { max_samples = 200 }
+proof = false
+[[methods]]
+name = "hurried"
+options = { max_samples = 200 }
+budget_ms = 0.001
+[[methods]]
+name = "patient"
+options = { max_samples = 200 }
+budget_ms = 60000
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = experiment(folder.path(), CLOSED).unwrap();
+    let path = folder.path().join("run");
+    run(&path, &experiment, 1, usize::MAX, false).unwrap();
+    let mut rows = 0;
+    for row in csv::Reader::from_path(path.join("trials.csv")).unwrap().deserialize() {
+        let TrialRow { scenario, method, status, .. } = row.unwrap();
+        let ended = if method == "decided" || method == "patient" { "no_path" } else { "budget_spent" };
+        assert_eq!(status.name(), ended, "{scenario}, {method}");
+        rows += 1;
+    }
+    assert_eq!(rows, 16);
+    let known: Value = serde_json::from_str(&fs::read_to_string(path.join("summary.json")).unwrap()).unwrap();
+    let proofs: Vec<_> = known["rules"].as_array().unwrap().iter().map(|rules| rules.get("proof")).collect();
+    assert_eq!(proofs, [None, Some(&Value::Bool(false)), None, None]);
+}
+
+#[test]
 fn bad_experiments_name_key_finding_and_expectation() {
     let folder = tempfile::tempdir().unwrap();
     for (from, to, message) in [
@@ -398,6 +443,7 @@ fn bad_experiments_name_key_finding_and_expectation() {
         ("count = 2", "count = 2, width = [1.0, 0.5]", "scenarios[1].random.width"),
         ("seed = 3", "seed = 3\nconfidence = 1.5", "confidence: found 1.5"),
         ("post = \"forward\"", "budget_ms = -2.0", "methods[1].budget_ms: found -2 ms"),
+        ("post = \"forward\"", "proof = \"no\"", "methods[1].proof: found the string \"no\", expected true or false"),
     ] {
         let told = experiment(folder.path(), &SMALL.replacen(from, to, 1)).unwrap_err().to_string();
         assert!(told.contains(message), "{told}, expected {message}");

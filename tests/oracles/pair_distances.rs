@@ -82,11 +82,13 @@ struct Pair {
 }
 
 impl Pair {
-    /// The requirement reduced to an attainable one: without clearance, the radii; if even that is too much, nothing.
+    /// The requirement reduced to an attainable one: without clearance, the radii; if even that is too much, nothing. A
+    /// shortfall of half a nanometre is rounding.
     fn kept(clearance: f64, radii: f64, attainable: f64) -> f64 {
-        if attainable >= clearance + radii {
+        let most = attainable + 0.5e-9;
+        if most >= clearance + radii {
             clearance + radii
-        } else if attainable >= radii {
+        } else if most >= radii {
             radii
         } else {
             0.0

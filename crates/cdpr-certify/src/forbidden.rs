@@ -16,8 +16,10 @@ const COPLANAR: f64 = 1e-9;
 pub const TOUCHING: f64 = 1e-9;
 /// The witnesses of contact may be this far apart, m.
 const ROUNDING: f64 = 1e-12;
-/// Ends of two cables this close are one point, m.
-const SAME_POINT: f64 = 1e-9;
+/// Ends of cables this close are one point, m, as in the definition of a scene: such a pair of cables touches by
+/// construction and forbids nothing, and cables that all end there exert no moments. A larger value would prove less, a
+/// smaller one would call positions forbidden that are free. The checker in Python has the same value.
+pub const SAME_END: f64 = 1e-7;
 
 /// A point in the world that moves with the platform (its place if the platform's origin is at zero) or stays.
 #[derive(Debug, Clone)]
@@ -268,7 +270,7 @@ impl<'a> Bodies<'a> {
     /// smaller distance is assumed unless they keep it at the start or the goal, where a free path has to keep it.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<Forbidden> {
         let (one, other) = (self.cable(i), self.cable(j));
-        if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_POINT) {
+        if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
             return Vec::new();
         }
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));
@@ -299,9 +301,10 @@ fn spots(corners: &[Vector], moves: bool) -> Vec<Spot> {
 }
 
 /// The distance to keep between two axes or bodies: clearance and radii; where that is not attainable the radii, and
-/// where that is not either, none. A tie within rounding counts as not attainable, which proves less.
+/// where that is not either, none. By the definition of a scene a distance is attainable up to a shortfall of 0.5e-9 m.
+/// Here it may be as much as rounding errors, which proves less.
 fn kept(clearance: f64, radii: &[f64], attainable: f64) -> Exact {
     let thick: Exact = radii.iter().map(|radius| exact(*radius)).sum();
     let mut choices = [exact(clearance) + &thick, thick].into_iter();
-    choices.find(|distance| distance.to_f64() <= attainable - ROUNDING).unwrap_or(exact(0.0))
+    choices.find(|distance| distance.to_f64() <= attainable + ROUNDING).unwrap_or(exact(0.0))
 }

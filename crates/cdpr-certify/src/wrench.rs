@@ -5,7 +5,7 @@ use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{MarginSpec, RuleSpec, Scene};
 
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
-use crate::forbidden::Bodies;
+use crate::forbidden::{Bodies, SAME_END};
 use crate::tiling::{Bounds, middle};
 
 /// Whether it is proved for every position in a box that the cables fall short of a required wrench in the direction
@@ -51,7 +51,7 @@ fn demand(scene: &Scene, bodies: &Bodies, force: &Exact3, moment: &Exact3) -> Re
     if spec.margin == Some(MarginSpec::Projected) && !zero(force) && !zero(moment) {
         return refused("the margin \"projected\", with a direction of both forces and moments");
     }
-    if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= 1e-9) && !zero(moment) {
+    if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= SAME_END) && !zero(moment) {
         return refused("cables that meet in one point, with a direction of moments");
     }
     let weight = times(&exact(mass), &exact3(&scene.gravity()));

@@ -162,6 +162,34 @@ fn a_cable_does_not_pass_through_the_platform() {
     assert!(slab(&lever(0.05), [0.3, 0.6], who()).is_err());
 }
 
+/// The cable is attached 0.1 m from the platform's other part: in doubles, 0.15 - 0.05 is a little less. A cable that leads
+/// away from that part keeps the clearance, one that leads towards it does not.
+#[test]
+fn a_clearance_that_is_just_attainable_is_required() {
+    let beside = |clearance: f64| {
+        scene(json!({"clearance": clearance, "robot": {
+            "platform": [{"vertices": [[0.15, 0.0, 0.0]]}, {"box": [0.1, 0.5, 0.5]}],
+            "cables": [{"outlet": [0.75, 0.0, 0.0], "attachment": [0.15, 0.0, 0.0]}],
+        }, "workspace": {"min": [-1.05, -0.3, -0.3], "max": [3.15, 0.3, 0.3]}}))
+    };
+    let who = || json!(["cable 0", "platform"]);
+    assert_eq!(slab(&beside(0.1), [0.7, 1.0], who()), Ok(()));
+    assert!(slab(&beside(0.1), [0.5, 1.0], who()).is_err());
+    assert!(slab(&beside(0.1 + 1e-8), [0.7, 0.8], who()).is_err()); // not attainable: only contact is forbidden
+}
+
+/// Ends up to 1e-7 m apart are one point: the cables exert no moments there.
+#[test]
+fn cables_whose_ends_nearly_coincide_meet_in_one_point() {
+    let check = |apart: f64| {
+        let cable = |x: f64| json!({"outlet": [0.0, 0.0, 2.0], "attachment": [x, 0.0, 0.0], "tension": [1.0, 100.0]});
+        let more = json!({"wrench": {"force": 200.0}, "robot": {"cables": [cable(0.0), cable(apart)]}});
+        slab(&scene(more), [-0.5, 0.5], json!(["wrench", 0, 0, 1, 0, 0, 1]))
+    };
+    assert!(check(0.99e-7).unwrap_err().contains("meet in one point"));
+    assert_eq!(check(1.01e-7), Ok(()));
+}
+
 #[test]
 fn a_flat_part_forbids_nothing_to_a_cable_on_it() {
     let plate = scene(json!({"robot": {

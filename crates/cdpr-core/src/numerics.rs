@@ -14,6 +14,10 @@ pub const GAP_TOLERANCE: f64 = 1e-7;
 /// [`GAP_TOLERANCE`].
 pub const TOUCH_DEPTH: f64 = 1e-9;
 
+/// A distance that a pair can keep up to this shortfall is attainable, m: 0.15 - 0.05 is less than 0.1 in doubles. Half of
+/// [`TOUCH_DEPTH`], so that the pair is free where it keeps as much as it can.
+pub const ATTAINED: f64 = 0.5 * TOUCH_DEPTH;
+
 /// A point this close to the surface of a body lies on it, m: an attachment on a platform part, an outlet mounted on an
 /// obstacle, a vertex on a face of its hull. A point deeper inside is an error in the model.
 pub const ON_SURFACE: f64 = 1e-7;

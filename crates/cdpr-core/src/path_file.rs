@@ -13,7 +13,7 @@ use crate::collision::{Engine, Interference, Violation};
 use crate::geometry::Point;
 use crate::model::Scene;
 use crate::model::spec::FORMAT_VERSION;
-use crate::plan::{Appraisal, NoPath, PlanOptions, PlanResult, Post, Stats};
+use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
 use crate::wrench::PathWrench;
 
@@ -54,6 +54,9 @@ pub struct PathFile {
     /// Name of the planner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
+    /// decision, if the path is not the planner's: it found none, but the decision whether there is a path found this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub found_by: Option<String>,
     /// The other keys that planning writes; they are not read back.
     #[serde(flatten, skip_deserializing)]
     #[cfg_attr(feature = "schema", schemars(skip))]
@@ -157,7 +160,7 @@ impl PathFile {
     /// A planning result in a scene; `lower_bound` is left out.
     pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
         let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats, .. } = result;
-        let PlanResult { no_path, opening_below, .. } = result;
+        let PlanResult { found_by, no_path, opening_below, .. } = result;
         let planned = PlannedKeys {
             reason: reason.clone(),
             proof: no_path.clone(),
@@ -178,6 +181,7 @@ impl PathFile {
             raw_waypoints: Some(rows(raw_waypoints)),
             raw_cost: Some(*raw_cost),
             planner: Some(options.planner.planner().name().to_string()),
+            found_by: (*found_by == FoundBy::Decision).then(|| found_by.name().to_string()),
             planned: Some(planned),
             tree: tree.clone(),
             no_path: no_path.clone(),
@@ -244,6 +248,17 @@ mod tests {
             ["cost", "orientation", "planner", "raw_cost", "raw_waypoints", "scene", "status", "version", "waypoints"];
         assert_eq!(keys(&again), users);
         assert!(users.iter().all(|key| again[key] == written[key]));
+    }
+
+    #[test]
+    fn only_a_path_of_the_decision_says_what_found_it() {
+        let by = |found_by| {
+            let result = PlanResult { found_by, ..PlanResult::out_of_time() };
+            json!(PathFile::planned(&hard1(), &PlanOptions::default(), &result, &Appraisal::default()))
+        };
+        assert_eq!(by(FoundBy::Planner).get("found_by"), None);
+        let read: PathFile = serde_json::from_value(by(FoundBy::Decision)).unwrap();
+        assert_eq!(read.found_by.as_deref(), Some("decision"));
     }
 
     #[test]

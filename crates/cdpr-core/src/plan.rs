@@ -176,11 +176,28 @@ pub struct Stats {
     pub post_seconds: f64,
 }
 
+/// What found a path.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum FoundBy {
+    /// The planner.
+    #[default]
+    Planner,
+    /// The decision whether there is a path: the planner found none, but a chain of free cells is one.
+    Decision,
+}
+
+choices!(FoundBy, "finder", [
+    Planner = "planner": "The planner",
+    Decision = "decision": "The decision whether there is a path",
+]);
+
 /// Result of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanResult {
     /// How planning ended.
     pub status: Status,
+    /// What found the path, if there is one.
+    pub found_by: FoundBy,
     /// Why the start or goal is invalid.
     pub reason: Option<Violation>,
     /// Why there is no path, if that was proved.
@@ -390,11 +407,13 @@ fn search(
     };
     let decided =
         search_and_decide(engine, [&start, &goal], (options, query.answer), (improved, watch), &puller, planner)?;
-    let (outcome, opening_below) = match decided {
+    let (outcome, found_by, opening_below) = match decided {
         Decided::Searched(outcome, opening_below) => {
             let (low, high) = engine.conditions().position_box();
-            (outcome, opening_below.filter(|width| *width < (high - low).min())) // else it says nothing
+            let telling = opening_below.filter(|width| *width < (high - low).min());
+            (outcome, FoundBy::Planner, telling)
         }
+        Decided::Rescued(outcome) => (outcome, FoundBy::Decision, None),
         Decided::NoPath(proof) => {
             let no_path = NoPath::of(*proof, query.scene, engine, options, watch)?;
             let stats = Stats { planning_seconds: clock.elapsed().as_secs_f64(), ..Stats::default() };
@@ -406,7 +425,7 @@ fn search(
     let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
     let unsolved =
-        PlanResult { tree: tree.into(), history, opening_below, ..PlanResult::unsolved(status, None, stats) };
+        PlanResult { found_by, tree: tree.into(), history, opening_below, ..PlanResult::unsolved(status, None, stats) };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
         _ => unsolved,
@@ -466,6 +485,7 @@ impl PlanResult {
         let tree = Arc::default();
         PlanResult {
             status,
+            found_by: FoundBy::Planner,
             reason,
             no_path: None,
             opening_below: None,

@@ -125,6 +125,9 @@ pub struct Rules {
     /// Time limit of a trial, ms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
+    /// Whether it is decided before the trials if there is a path at all; left out if so.
+    #[serde(default = "decided", skip_serializing_if = "Clone::clone")]
+    pub proof: bool,
     /// The swept parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepSpec>,
@@ -256,9 +259,14 @@ impl Rules {
             post: post_of(spec, planner),
             repeats: repeats_of(spec),
             budget_ms: spec.budget_ms,
+            proof: options.proof,
             sweep: spec.sweep.clone(),
         }
     }
+}
+
+fn decided() -> bool {
+    PlanOptions::default().proof
 }
 
 fn post_of(spec: &MethodSpec, planner: Planner) -> String {
@@ -283,6 +291,7 @@ impl Method {
             budget: spec.budget_ms.map(|ms| time_budget("budget_ms", ms, TimeUnit::Millisecond)).transpose()?,
             step,
             post: Some(Post::None),
+            proof: spec.proof.unwrap_or(defaults.proof),
             ..defaults
         };
         let (variants, sweep) = variants(spec, planner, step)?.into_iter().unzip();

@@ -79,6 +79,10 @@ pub struct MethodSpec {
     /// Time limit of a trial, ms; the rows of trials that it ends are not reproducible.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
+    /// Whether to decide, before the trials in a scene, if it has a path at all: if not, no planner runs; default true.
+    /// With a time limit, the decision has as long as a trial.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub proof: Option<bool>,
     /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,

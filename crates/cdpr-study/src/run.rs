@@ -21,7 +21,7 @@ use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_within, plan, post_process};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::proof::{Answer, decide};
-use cdpr_core::watch::{Interrupt, Watch, thread_count};
+use cdpr_core::watch::{Interrupt, Watch, in_time, thread_count};
 
 /// Maximum number of trials finished ahead of the oldest unfinished one; limits memory.
 const AHEAD: usize = 4096;
@@ -338,24 +338,45 @@ struct Engines {
 struct Compiled {
     key: (Engine, Interference),
     engine: Box<dyn Checker>,
-    /// Whether there is a path; `None` if start or goal is invalid.
-    answer: Option<Answer>,
+    /// For each time limit of methods what the decision says within it, so that no row depends on other methods.
+    answers: Vec<(Option<Duration>, Option<Answer>)>,
 }
 
 impl Compiled {
-    fn new(scene: &Scene, key: (Engine, Interference), watch: &Watch) -> Result<Self, Error> {
-        let engine = engine_within(scene, key.0, key.1, watch)?;
-        let ends = [scene.start(), scene.goal()].map(|end| end.filter(|end| engine.state_valid(end)));
-        let answer = match &ends {
-            [Some(start), Some(goal)] => Some(decide(&*engine, [start, goal], PROOF_EFFORT, watch)?),
-            _ => None,
+    /// The engine, and whether the scene has a path: `None` if the method does not ask, or if it is not known in time.
+    fn decided(
+        &mut self,
+        scene: &Scene,
+        options: &PlanOptions,
+        watch: &Watch,
+    ) -> Result<(&dyn Checker, Option<&Answer>), Error> {
+        if !options.proof {
+            return Ok((&*self.engine, None));
+        }
+        let at = match self.answers.iter().position(|(budget, _)| *budget == options.budget) {
+            Some(at) => at,
+            None => {
+                let answer = decided_within(scene, &*self.engine, &watch.with_budget(options.budget))?;
+                self.answers.push((options.budget, answer));
+                self.answers.len() - 1
+            }
         };
-        Ok(Compiled { key, engine, answer })
+        Ok((&*self.engine, self.answers[at].1.as_ref()))
     }
 }
 
+/// Whether a scene has a path; `None` if start or goal is invalid, or time runs out.
+fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Option<Answer>, Error> {
+    let ends = [scene.start(), scene.goal()].map(|end| end.filter(|end| engine.state_valid(end)));
+    let [Some(start), Some(goal)] = &ends else { return Ok(None) };
+    in_time(decide(engine, [start, goal], PROOF_EFFORT, watch))
+}
+
+/// A trial's scene, its engine, and whether it has a path, if that was decided.
+type Prepared<'a> = (&'a Scene, &'a dyn Checker, Option<&'a Answer>);
+
 impl Engines {
-    /// The scene of a trial, compiled.
+    /// The scene of a trial, compiled and decided.
     fn of<'a>(
         &'a mut self,
         experiment: &'a Experiment,
@@ -363,7 +384,7 @@ impl Engines {
         trial: usize,
         options: &PlanOptions,
         watch: &Watch,
-    ) -> Result<(&'a Scene, &'a Compiled), Error> {
+    ) -> Result<Prepared<'a>, Error> {
         let (scene, known) = match &scenario.random {
             None => (&scenario.scene, self.fixed.entry(number).or_default()),
             Some(random) => {
@@ -381,11 +402,13 @@ impl Engines {
         let at = match known.iter().position(|compiled| compiled.key == wanted) {
             Some(at) => at,
             None => {
-                known.push(Compiled::new(scene, wanted, watch)?);
+                let engine = engine_within(scene, wanted.0, wanted.1, watch)?;
+                known.push(Compiled { key: wanted, engine, answers: Vec::new() });
                 known.len() - 1
             }
         };
-        Ok((scene, &known[at]))
+        let (engine, answer) = known[at].decided(scene, options, watch)?;
+        Ok((scene, engine, answer))
     }
 }
 
@@ -396,19 +419,17 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (number, scenario, method) = parts(experiment, unit.group);
-    let (scene, Compiled { engine, answer, .. }) =
+    let (scene, engine, answer) =
         engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     // A trial measures its planner: only scenes without a path are decided for it.
     let proof = matches!(answer, Some(Answer::NoPath(_)));
     let options = PlanOptions { seed, proof, ..method.options.clone() };
     let planned = || {
-        let query = Query { answer: answer.as_ref(), ..Query::of(scene).by(&**engine) };
+        let query = Query { answer, ..Query::of(scene).by(engine) };
         let raw = plan(query, &options, &|| interrupted())?.result;
         let variants = method.variants.iter();
-        variants
-            .map(|(_, how)| post_process(&**engine, &raw, how, &Watch::on(interrupted)))
-            .collect::<Result<Vec<_>, _>>()
+        variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
     };
     match planned() {
         Ok(results) => {

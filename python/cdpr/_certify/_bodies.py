@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from ._hulls import Hull
-from ._vectors import ON_SURFACE, Exact, cross, dot, exact, minus, plus, scaled, squared
+from ._vectors import COPLANAR, ON_SURFACE, Exact, Vector, cross, dot, exact, minus, plus, scaled, squared
 
 Quaternion: TypeAlias = tuple[float, ...]
 
@@ -23,6 +23,40 @@ def is_flat(body: Hull) -> bool:
     normal = max((cross(edge, minus(p, a)) for p in points), key=lambda n: dot(n, n))
     size = math.hypot(*normal)
     return size == 0 or max(abs(dot(normal, minus(p, a))) for p in points) <= 4 * ON_SURFACE * size
+
+
+def faces_at(point: Exact, body: Hull) -> list[Exact]:
+    """Outward normals of the faces of a body that contain a point.
+
+    Every plane through three vertices is a face if no vertex lies above it. Of those that coincide up to rounding, the
+    one through the largest triangle counts.
+    """
+    vertices, (p,) = body.floats, Hull((point,)).floats
+    faces: list[tuple[float, Vector, tuple[Vector, ...]]] = []
+    for corners in combinations(vertices, 3):
+        normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))
+        size = math.hypot(*normal)
+        if size <= 1e-9 * math.dist(corners[0], corners[1]) * math.dist(corners[0], corners[2]):
+            continue  # the three are on a line
+        unit = normal[0] / size, normal[1] / size, normal[2] / size
+        if abs(dot(unit, minus(p, corners[0]))) > ON_SURFACE:
+            continue
+        heights = [dot(unit, minus(v, corners[0])) for v in vertices]
+        if max(heights) <= COPLANAR:
+            faces.append((size, unit, corners))
+        elif min(heights) >= -COPLANAR:
+            faces.append((size, minus((0.0, 0.0, 0.0), unit), corners))
+    kept: list[tuple[Vector, Vector]] = []
+    for _, unit, triangle in sorted(faces, reverse=True):
+        if not any(_is_on(triangle, unit, face) for face in kept):
+            kept.append((unit, triangle[0]))
+    return [exact(unit) for unit, _ in kept]
+
+
+def _is_on(triangle: Sequence[Vector], unit: Vector, face: tuple[Vector, Vector]) -> bool:
+    """Whether a triangle with this normal is part of a face, given by its normal and a point."""
+    normal, at = face
+    return dot(normal, unit) >= 1 - 1e-9 and all(abs(dot(normal, minus(v, at))) <= COPLANAR for v in triangle)
 
 
 def vertices_of(spec: Mapping[str, Any]) -> tuple[Exact, ...]:

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from itertools import product
+from itertools import combinations, product
 from typing import Any, TypeAlias
 
-from ._bodies import is_flat, orientation_of, rotated, vertices_of
+from ._bodies import faces_at, is_flat, orientation_of, rotated, vertices_of
 from ._certificate import Certificate
 from ._hulls import Hull, are_near, nearest_points
 from ._vectors import (
     ON_SURFACE,
+    SAME_END,
     Exact,
     cross,
     dot,
@@ -32,7 +33,6 @@ Test: TypeAlias = Callable[[Exact], bool]
 
 TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than this is allowed
 ROUNDING = Fraction(1e-12)  # m: by this much the witnesses of contact may be apart
-FRACTIONS_OF_A_CABLE = (Fraction(1), Fraction(1, 16), Fraction(1, 256), Fraction(1, 4096))
 
 
 @dataclass(frozen=True)
@@ -158,7 +158,7 @@ class Model:
         """Two cables: the vector between two fixed fractions of them is linear in the position."""
         i, j = (self.cables[name] for name in names)
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
-        if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(ON_SURFACE) ** 2:
+        if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(SAME_END) ** 2:
             return False  # they share an end, and forbid nothing
         most = nearest_points(Hull((exact((0, 0, 0)),)), Hull((outlets, arms)))[1]
         required = _kept(self._clearance("cable_cable", names), i.radius + j.radius, most)
@@ -177,7 +177,7 @@ class Model:
         if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
             raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
         arms = [cable.arm for cable in cables]
-        one_point = all(squared(minus(arm, arms[0])) <= Fraction(1e-6) ** 2 for arm in arms)
+        one_point = all(squared(minus(arm, arms[0])) <= Fraction(SAME_END) ** 2 for arm in arms)
         if any(moment) and (one_point or (wrench.get("margin") == "projected" and any(force))):
             raise ValueError("found a wrench as a reason with a moment that does not count in this scene")
         robot, (zero, half) = self.scene["robot"], (exact((0, 0, 0)), Fraction(1, 2))
@@ -229,16 +229,29 @@ def _crossing(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fra
 def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
     """A cable that starts on a body must not enter it: its moving end is within the margin of the cone into the body.
 
-    The end is that near if the point at some fraction of the cable is within this fraction of the margin of the body.
+    The cone is below all faces that contain the fixed end. Its point nearest to the end is the end itself, its foot on
+    a face or on the line where two faces meet, or the fixed end. However thin the body is, the cone is the same.
     """
+    faces = faces_at(fixed, body)
+
+    def feet(end: Exact) -> Iterator[Exact]:
+        yield from (end, exact((0, 0, 0)))
+        yield from (minus(end, scaled(n, dot(n, end) / squared(n))) for n in faces)
+        lines = [cross(n, m) for n, m in combinations(faces, 2)]
+        yield from (scaled(e, dot(e, end) / squared(e)) for e in lines if any(e))
 
     def near(p: Exact, margin: Fraction) -> bool:
-        end = plus(zero, scaled(p, sign))
-        return any(are_near(Hull((interpolated(fixed, end, s),)), body, s * margin) for s in FRACTIONS_OF_A_CABLE)
+        end = minus(plus(zero, scaled(p, sign)), fixed)
+        inside = (foot for foot in feet(end) if all(dot(n, foot) <= 0 for n in faces))
+        return bool(faces) and any(squared(minus(foot, end)) <= margin**2 for foot in inside)
 
     return lambda margin: cache(lambda p: near(p, margin))
 
 
 def _kept(clearance: float, radii: float, attainable: float) -> Fraction:
-    """The required distance, as far as some position allows it; at a tie within rounding, the smaller one."""
-    return Fraction(next((gap for gap in (clearance + radii, radii) if gap <= attainable - 1e-12), 0.0))
+    """The required distance, as far as some position allows it.
+
+    By the definition of a scene, a shortfall of 0.5e-9 m does not count. Here only rounding errors do not, which proves
+    less.
+    """
+    return Fraction(next((gap for gap in (clearance + radii, radii) if gap <= attainable + 1e-12), 0.0))

@@ -12,6 +12,11 @@ Exact: TypeAlias = tuple[Fraction, Fraction, Fraction]
 N = TypeVar("N", float, Fraction)
 
 ON_SURFACE = 1e-7  # m: a point this close to a body lies on it, a body this thin is flat, the shortest cable
+# m: ends of cables this close are one point, as in the definition of a scene: such a pair of cables touches by
+# construction and forbids nothing, and cables that all end there exert no moments. A larger value would prove less, a
+# smaller one would call positions forbidden that are free. crates/cdpr-certify has the same value.
+SAME_END = 1e-7
+COPLANAR = 1e-9  # m: a point this far from a plane still lies in it
 
 
 def or_default(value: Any, default: Any) -> Any:

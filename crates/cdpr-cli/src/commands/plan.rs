@@ -4,11 +4,11 @@ use cdpr_core::collision::{Checker, Kind, Violation};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
-use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
+use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Interrupt;
 use cdpr_core::words::small_length;
-use cdpr_core::{Error, Scene};
+use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::page;
 
@@ -165,8 +165,12 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
+    let rescued = match found.found_by {
+        FoundBy::Planner => String::new(),
+        FoundBy::Decision => format!("; found by the decision, not by {}", options.planner.planner().name()),
+    };
     let rest = format!(
-        " {} m with {} ({before}{} m in a straight line)\n\
+        " {} m with {} ({before}{} m in a straight line){rescued}\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment rechecked",
         short(found.cost),
         count(waypoints.len(), "waypoint"),

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::bodies::Bodies;
 use crate::choices;
 use crate::model::{Member, PairRule, Scene};
+use crate::numerics::ATTAINED;
 use crate::words::small_length;
 
 /// Why a pair is exempt.
@@ -100,7 +101,7 @@ impl Remarks {
         (index, members): (usize, [Member; 2]),
         [clearance, radii, attainable]: [f64; 3],
     ) {
-        if clearance + radii <= attainable {
+        if attains(attainable, clearance + radii) {
             return;
         }
         let attainable = attainable - radii;
@@ -157,5 +158,10 @@ impl Remarks {
 /// The required distance between the axes or bodies of a pair, m: clearance plus radii if some position allows it,
 /// otherwise the radii alone, so that surfaces do not touch, or 0 if even that is impossible.
 pub(super) fn kept(clearance: f64, radii: f64, attainable: f64) -> f64 {
-    [clearance + radii, radii].into_iter().find(|gap| *gap <= attainable).unwrap_or(0.0)
+    [clearance + radii, radii].into_iter().find(|gap| attains(attainable, *gap)).unwrap_or(0.0)
+}
+
+/// Whether a pair that can be `attainable` metres apart can keep this distance.
+fn attains(attainable: f64, gap: f64) -> bool {
+    gap <= attainable + ATTAINED
 }

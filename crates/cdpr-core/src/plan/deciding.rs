@@ -25,6 +25,8 @@ const HEAD_START: Duration = Duration::from_millis(1);
 pub enum Decided {
     /// The planner's result, and what is known of the width of openings if it found no path, m.
     Searched(Outcome<Point>, Option<f64>),
+    /// The planner's result with a path of the decision, because the planner found none.
+    Rescued(Outcome<Point>),
     /// There is no path.
     NoPath(Box<crate::proof::Proof>),
 }
@@ -104,7 +106,7 @@ fn conclude(
         (Err(error), Some(Answer::NoPath(proof))) if stopped(&error) => Ok(Decided::NoPath(proof)),
         (Ok(outcome), Some(Answer::Path(path))) => {
             let waypoints = puller.polished(&path, watch)?;
-            Ok(Decided::Searched(Outcome { status: Status::Solved, waypoints, ..outcome }, None))
+            Ok(Decided::Rescued(Outcome { status: Status::Solved, waypoints, ..outcome }))
         }
         (Ok(outcome), Some(Answer::OpeningBelow(width))) => Ok(Decided::Searched(outcome, Some(width))),
         (Ok(outcome), None) => Ok(Decided::Searched(outcome, None)),
