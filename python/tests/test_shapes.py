@@ -87,7 +87,7 @@ def test_tensions_along_a_path_carry_the_names_of_the_cables(cogiro):
 
 
 def test_a_path_of_another_scene_is_refused_with_strict(cogiro):
-    path = cdpr.plan(cogiro, budget=0.2)
+    path = cdpr.plan(cogiro, budget=5.0)
     other = cogiro.replace(clearance=0.001)
     with pytest.warns(cdpr.AnotherSceneWarning):
         cdpr.tensions_along(other, path, step=1.0)
