@@ -439,3 +439,23 @@ def test_a_path_of_another_scene_is_answered_with_a_warning(hard1, tmp_path):
         assert cdpr.check(edited, path.waypoints).valid
         assert cdpr.check(hard1.replace(name="other", start=None), path, strict=True).valid
         assert cdpr.check(edited, cdpr.Path(path.waypoints, path.cost)).valid
+
+
+def test_a_lower_bound_comes_as_close_as_is_asked(hard1):
+    hard3 = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    for scene, cost in ((hard1, 2.435167), (hard3, 2.656138)):
+        bound = cdpr.lower_bound(scene, gap=0.001)
+        assert cost / 1.0011 < bound <= cost + 1e-6
+        assert cdpr.lower_bound(scene) <= bound
+        assert cdpr.lower_bound(scene, gap=0.001, start=scene.goal, goal=scene.start) == pytest.approx(bound, rel=1e-3)
+    with pytest.raises(cdpr.InputError, match="gap"):
+        cdpr.lower_bound(hard1, gap=-1.0)
+    with pytest.raises(cdpr.InputError, match="budget"):
+        cdpr.lower_bound(hard1, budget=0.0)
+    assert cdpr.lower_bound(walled(), gap=0.01) == math.inf
+
+
+def test_a_planned_path_is_proved_short():
+    hard3 = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    result = cdpr.plan(hard3, "anytime", gap=0.001)
+    assert result.cost <= 1.0011 * cdpr.lower_bound(hard3, gap=0.001)

@@ -9,6 +9,7 @@ use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::lower_bound::Bound;
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
     Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
@@ -38,14 +39,14 @@ fn with_clearance(scene: &Scene, clearance: f64) -> Scene {
     Scene::new(spec).unwrap()
 }
 
-fn random_scenes(count: usize) -> RandomScenes {
+pub fn random_scenes(count: usize) -> RandomScenes {
     let spec: RandomScenesSpec =
         serde_json::from_str(&format!(r#"{{"count": {count}, "redraw_straight": true}}"#)).unwrap();
     RandomScenes::new(empty(), spec).unwrap()
 }
 
 /// Obstacles that only the platform must avoid.
-fn platform_only(obstacles: Vec<BodySpec>) -> Scene {
+pub fn platform_only(obstacles: Vec<BodySpec>) -> Scene {
     let mut spec = paper_scene("platform only", obstacles);
     let names: Vec<String> = spec.obstacles.iter().filter_map(|o| o.name.clone()).collect();
     let pairs = names.iter().flat_map(|name| (0..8).map(move |k| [format!("cable {k}"), name.clone()]));
@@ -398,8 +399,8 @@ impl PathOptimizer<Point> for Asked {
         Ok(path.to_vec())
     }
 
-    fn lower_bound(&self, _: &Point, _: &Point, _: &Watch) -> Result<f64, cdpr_core::Error> {
-        Ok(0.0)
+    fn lower_bound(&self, _: [&Point; 2], _: f64, _: usize, _: &Watch) -> Result<Bound, cdpr_core::Error> {
+        Ok(Bound { length: 0.0, way: Vec::new() })
     }
 
     fn sample(

@@ -3,6 +3,7 @@
 mod anytime;
 mod clearances;
 mod decomposition;
+mod lower_bound;
 mod orientation;
 mod planners;
 mod planning;

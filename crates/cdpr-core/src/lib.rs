@@ -6,9 +6,8 @@
 //! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`planning`], [`postprocess`], [`plan`], [`path_file`],
-//! [`survey`],
-//! [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`forbidden`],
+//! [`lower_bound`], [`planning`], [`postprocess`], [`plan`], [`path_file`], [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
 //! for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and paths.
 
 pub mod batch;
@@ -19,8 +18,10 @@ pub mod decomposition;
 pub mod error;
 pub mod fingerprint;
 pub mod fixed_length;
+pub mod forbidden;
 pub mod geometry;
 pub mod kinematics;
+pub mod lower_bound;
 pub mod model;
 pub mod numerics;
 pub mod path_file;

@@ -384,6 +384,35 @@ pub const PROOF_MARGIN: f64 = 1e-6;
 /// Share of the margin by which a proof may use it up; the rest is for rounding.
 pub const PROOF_MARGIN_USED: f64 = 0.99;
 
+/// Gap that a path has to keep to count for a lower bound of all lengths, m: as for proofs, but less, since no cells have to
+/// fit in. Slits without width would otherwise be short cuts that nobody can use.
+pub const BOUND_MARGIN: f64 = GAP_TOLERANCE;
+
+/// Depth inside a polyhedron from which on a segment counts as blocked when lengths are bounded, m.
+pub const BLOCKED_DEPTH: f64 = 1e-9;
+
+/// The label of an interval may exceed what its neighbours allow by this, m; the bound is reduced accordingly. Far more than
+/// rounding errors, so that labels settle.
+pub const LABEL_STEP: f64 = 1e-9;
+
+/// Intervals shorter than this are not halved, m.
+pub const LEAST_INTERVAL: f64 = 1e-7;
+
+/// Planes whose coordinates agree to this accuracy become one before lengths are bounded.
+pub const SAME_PLANE: f64 = 1e-8;
+
+/// Lines whose coordinates agree to this accuracy are compared more closely.
+pub const SIMILAR_LINE: f64 = 1e-6;
+
+/// Number of pairs of intervals that may be passed for a lower bound if a gap is asked for: some seconds.
+pub const BOUND_EFFORT: usize = 50_000_000;
+
+/// The same for a bound that nobody asked for: some 0.1 s.
+pub const QUICK_BOUND_EFFORT: usize = 4_000_000;
+
+/// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
+pub const BOUND_GAP: f64 = 1e-3;
+
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 

@@ -17,12 +17,14 @@ use crate::collision::path_check::{Nearest, PathReport, first_invalid_segment, n
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
+use crate::lower_bound::Forbidden;
 use crate::model::Scene;
+use crate::numerics::{BOUND_GAP, QUICK_BOUND_EFFORT};
 use crate::planning::{
     Milestone, Outcome, PathOptimizer, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
 };
 use crate::postprocess::{Direction, Order, RewindOptions, StringPuller, Trace, rewind, rewind_traced};
-use crate::watch::{Interrupt, Watch};
+use crate::watch::{Interrupt, Watch, in_time};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
 use deciding::{Decided, search_and_decide};
@@ -204,6 +206,8 @@ pub struct PlanResult {
     pub no_path: Option<Arc<NoPath>>,
     /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
     pub opening_below: Option<f64>,
+    /// No path is shorter, m, if the planner computed such a bound.
+    pub lower_bound: Option<f64>,
     /// The final path, m; empty unless solved.
     pub waypoints: Vec<Point>,
     /// Its length, m; NaN unless solved.
@@ -294,27 +298,40 @@ pub struct Appraisal {
 pub fn appraise(
     scene: &Scene,
     engine: &dyn Checker,
-    waypoints: &[Point],
+    result: &PlanResult,
     bounded: bool,
     watch: &Watch,
 ) -> Result<Appraisal, Error> {
+    let waypoints = &result.waypoints;
     let unmeasured = || Nearest::unmeasured(engine.conditions());
-    let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else {
+    if waypoints.is_empty() {
         return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
-    };
+    }
     let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
     let watch = Watch { deadline: grace, ..*watch };
-    let lower_bound = match watch.left() {
-        _ if !bounded => Ok(None),
-        _ if waypoints.len() == 2 => Ok(Some((goal - start).norm())),
-        Some(left) if left <= APPRAISAL_GRACE => Ok(None),
-        _ => lower_bound(engine, start, goal, &watch).map(Some),
-    };
+    let lower_bound = if bounded { bound_of(engine, result, &watch) } else { Ok(None) };
     Ok(Appraisal {
         nearest: unless_stopped(nearest(engine.conditions(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
         wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
         lower_bound: unless_stopped(lower_bound)?,
     })
+}
+
+/// A lower bound of the length of all paths, near that of a path that was found if this takes little effort; `None` if there is
+/// no time.
+fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<Option<f64>, Error> {
+    let (PlanResult { waypoints, cost, .. }, enough) = (result, result.cost / (1.0 + BOUND_GAP));
+    let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else { return Ok(None) };
+    let known = result.lower_bound.unwrap_or(0.0).max((goal - start).norm()).min(*cost);
+    let no_time = watch.left().is_some_and(|left| left <= APPRAISAL_GRACE);
+    if known >= enough || no_time {
+        return Ok(Some(known).filter(|_| known >= enough || result.lower_bound.is_some()));
+    }
+    let forbidden = Forbidden::new(engine, [start, goal], watch)?;
+    let quick = forbidden.quick_bound(watch)?.min(*cost);
+    let proved =
+        if quick >= enough { quick } else { forbidden.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length };
+    Ok(Some(known.max(quick).max(proved)))
 }
 
 /// A result, or `None` if the work was interrupted or ran out of time.
@@ -422,10 +439,16 @@ fn search(
         }
     };
     let planning_seconds = clock.elapsed().as_secs_f64();
-    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history } = outcome;
+    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history, lower_bound } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    let unsolved =
-        PlanResult { found_by, tree: tree.into(), history, opening_below, ..PlanResult::unsolved(status, None, stats) };
+    let unsolved = PlanResult {
+        found_by,
+        tree: tree.into(),
+        history,
+        opening_below,
+        lower_bound,
+        ..PlanResult::unsolved(status, None, stats)
+    };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
         _ => unsolved,
@@ -450,7 +473,10 @@ fn search(
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
-    StringPuller::new(engine).lower_bound(start, goal, watch)
+    match in_time(Forbidden::new(engine, [start, goal], watch))? {
+        Some(forbidden) => forbidden.quick_bound(watch),
+        None => Ok((goal - start).norm()),
+    }
 }
 
 /// A result with its raw path processed anew, and every segment rechecked.
@@ -489,6 +515,7 @@ impl PlanResult {
             reason,
             no_path: None,
             opening_below: None,
+            lower_bound: None,
             waypoints: Vec::new(),
             cost,
             raw_waypoints: Vec::new(),

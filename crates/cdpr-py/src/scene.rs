@@ -6,11 +6,12 @@ use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
+use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{
     NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
     shorten_path, trace_rewinding,
 };
-use cdpr_core::planning::{PlannerOptions, PlannerSettings};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
@@ -303,7 +304,7 @@ impl Scene {
                 }
             };
             let scene = turned.unwrap_or_else(|| self.0.clone());
-            let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found.waypoints, false, &watch);
+            let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found, false, &watch);
             let appraisal = engine.map(appraise).transpose()?.unwrap_or_default();
             Ok((scene, found, appraisal))
         };
@@ -313,20 +314,45 @@ impl Scene {
         Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate))
     }
 
-    /// Lower bound on the length of every path between two positions, m.
-    fn lower_bound(&self, py: Python<'_>, start: Option<[f64; 3]>, goal: Option<[f64; 3]>) -> PyResult<f64> {
+    /// Lower bound on the length of every path between two positions, m; with a gap or a budget, one close to a path that is
+    /// searched for.
+    fn lower_bound(
+        &self,
+        py: Python<'_>,
+        gap: Option<f64>,
+        budget: Option<f64>,
+        start: Option<[f64; 3]>,
+        goal: Option<[f64; 3]>,
+    ) -> PyResult<f64> {
         let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
             let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
             given.map(point).or(own).ok_or_else(missing)
         };
         let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
+        let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
+        let settings = PlannerSettings { gap: gap.or(budget.map(|_| BOUND_GAP)), ..PlannerSettings::default() };
+        let step = PlanOptions::default().step;
+        let planner = answered(|| PlannerOptions::new(Planner::Anytime, step, &settings))?;
+        let choices = self.0.choices();
+        let options = PlanOptions {
+            planner,
+            budget: budget.map(|budget| budget / choices.len() as u32),
+            ..PlanOptions::default()
+        };
         let bounds = |stop: &Interrupt| {
             let watch = Watch::on(stop);
             let bound = |scene: &cdpr_core::Scene| {
                 let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
-                lower_bound(&*engine, &start, &goal, &watch)
+                let quick = lower_bound(&*engine, &start, &goal, &watch)?;
+                if settings.gap.is_none() || quick.is_infinite() {
+                    return Ok(quick);
+                }
+                let query = Query { start: Some(start), goal: Some(goal), ..Query::of(scene) }.by(&*engine);
+                let found = plan(query, &options, &|| stop())?.result;
+                let nothing = if found.status == Status::NoPath { f64::INFINITY } else { quick };
+                Ok(found.lower_bound.map_or(nothing, |bound| bound.max(quick)))
             };
-            self.0.choices().iter().map(bound).collect::<Result<Vec<f64>, Error>>()
+            choices.iter().map(bound).collect::<Result<Vec<f64>, Error>>()
         };
         Ok(interruptible(py, bounds)?.into_iter().fold(f64::INFINITY, f64::min))
     }

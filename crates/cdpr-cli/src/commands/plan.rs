@@ -41,7 +41,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let planned = plan(query, &options, &Reporter { stop, out })?;
         let Planned { turned, engine, result } = &planned;
         let scene = turned.as_ref().unwrap_or(&scene);
-        let appraise = |engine: &dyn Checker| appraise(scene, engine, &result.waypoints, bounded, &watch);
+        let appraise = |engine: &dyn Checker| appraise(scene, engine, result, bounded, &watch);
         let appraisal = engine.as_deref().map(appraise).transpose()?.unwrap_or_default();
         Ok((planned, appraisal))
     };

@@ -16,6 +16,8 @@ use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
 use crate::collision::Validity;
 use crate::error::{Error, ErrorClass};
+use crate::lower_bound::Bound;
+use crate::numerics::{BOUND_EFFORT, BOUND_GAP, QUICK_BOUND_EFFORT};
 use crate::watch::Watch;
 
 /// A string puller: what the planner needs from the geometry of the space to shorten paths and to choose samples.
@@ -54,11 +56,13 @@ pub trait PathOptimizer<State>: Sync {
         false
     }
 
-    /// A lower bound of the length of all paths between two states, m; the best bound so far when time runs out.
+    /// A lower bound of the length of all paths between two states: at least `enough`, m, if that can be proved with about
+    /// this effort, in pairs of intervals, and before time runs out. Otherwise perhaps a path that is
+    /// shorter.
     ///
     /// # Errors
     /// [`Error::interrupted`].
-    fn lower_bound(&self, start: &State, goal: &State, watch: &Watch) -> Result<f64, Error>;
+    fn lower_bound(&self, ends: [&State; 2], enough: f64, effort: usize, watch: &Watch) -> Result<Bound<State>, Error>;
 
     /// A promising state where shortest paths may bend; `None` if no such places are known, or time has run out.
     ///
@@ -156,6 +160,10 @@ pub fn anytime<S: StateSpace>(
         polished: f64::INFINITY,
         enough: content_with(problem, options),
         gap: options.gap,
+        bound: 0.0,
+        bound_for: f64::INFINITY,
+        bound_effort: 0,
+        next_bound: 0,
         patience: (!lasting).then_some(Patience { hopeless, effort: 0, first: None, last: 0, cost: f64::INFINITY }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
@@ -164,7 +172,8 @@ pub fn anytime<S: StateSpace>(
     }
     let status = if run.best.is_empty() { Status::BudgetSpent } else { Status::Solved };
     let tree: SearchTree<S::State> = run.halves.into_search_tree();
-    Ok(run.search.ended(status, run.best, tree))
+    let bound = Some(run.bound).filter(|bound| *bound > 0.0);
+    Ok(Outcome { lower_bound: bound, ..run.search.ended(status, run.best, tree) })
 }
 
 /// The length at which the search ends, regardless of the lower bound.
@@ -223,8 +232,16 @@ struct Run<'r, S: StateSpace> {
     polished: f64,
     /// A path of this length ends the search, m.
     enough: f64,
-    /// The requested gap to the lower bound, until the bound is known.
+    /// The requested gap to the lower bound.
     gap: Option<f64>,
+    /// The best lower bound of all lengths, m.
+    bound: f64,
+    /// Length of the best path when the bound was last computed, m.
+    bound_for: f64,
+    /// The effort that this was allowed.
+    bound_effort: usize,
+    /// Number of samples at which the next bound is due.
+    next_bound: usize,
     patience: Option<Patience>,
 }
 
@@ -234,7 +251,7 @@ impl<S: StateSpace> Run<'_, S> {
         if self.search.collision_free(start, goal)? {
             self.take(vec![*start, *goal]);
         }
-        while self.cost > self.enough && !self.patience_lost() && !self.search.over(self.nodes(), self.cost)? {
+        while self.cost > self.enough && !self.patience_lost()? && !self.search.over(self.nodes(), self.cost)? {
             self.look_at_the_gap()?;
             self.ask_for_a_way()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
@@ -251,14 +268,37 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    /// Once there is a path, and if a gap was requested, computes the lower bound and the length that satisfies the
-    /// gap.
+    /// If a gap was requested, and a better path was found since the last time: tries to prove that it is good enough.
     fn look_at_the_gap(&mut self) -> Result<(), Error> {
-        let Problem { start, goal, .. } = self.search.problem;
-        if self.cost.is_finite()
-            && let Some(gap) = self.gap.take()
+        if let Some(gap) = self.gap
+            && self.cost.is_finite()
+            && self.search.samples() >= self.next_bound
+            && (self.unbounded() || self.bound_effort < BOUND_EFFORT)
         {
-            self.enough = self.enough.max((1.0 + gap) * self.optimizer.lower_bound(start, goal, self.watch)?);
+            let effort = if self.next_bound == 0 { QUICK_BOUND_EFFORT } else { BOUND_EFFORT };
+            self.next_bound = FIRST_WAY.max(2 * self.search.samples());
+            self.prove(gap, effort)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the best path is better than when the bound was last computed.
+    fn unbounded(&self) -> bool {
+        self.cost.is_finite() && self.cost < (1.0 - BETTER) * self.bound_for
+    }
+
+    /// Tries to prove that the best path is at most by `gap` too long; otherwise perhaps takes a
+    /// shorter one.
+    fn prove(&mut self, gap: f64, effort: usize) -> Result<(), Error> {
+        self.polish()?;
+        let Problem { start, goal, .. } = self.search.problem;
+        let Bound { length, way } =
+            self.optimizer.lower_bound([start, goal], self.cost / (1.0 + gap), effort, self.watch)?;
+        (self.bound, self.bound_for, self.bound_effort) = (self.bound.max(length), self.cost, effort);
+        self.enough = self.enough.max((1.0 + gap) * self.bound);
+        if !way.is_empty() {
+            let taut = self.optimizer.shortened(&way, self.cost, self.watch)?;
+            self.take(taut);
         }
         Ok(())
     }
@@ -289,11 +329,19 @@ impl<S: StateSpace> Run<'_, S> {
         self.past + self.halves.len()
     }
 
-    fn patience_lost(&mut self) -> bool {
-        self.patience.as_mut().is_some_and(|patience| {
-            patience.effort += 1;
-            patience.lost(self.optimizer.complexity())
-        })
+    /// Whether to end the search without limits. Before it ends with a path, that is compared with a bound, which may show a
+    /// shorter way.
+    fn patience_lost(&mut self) -> Result<bool, Error> {
+        let Some(patience) = &mut self.patience else { return Ok(false) };
+        patience.effort += 1;
+        if !patience.lost(self.optimizer.complexity()) {
+            return Ok(false);
+        }
+        if self.unbounded() {
+            self.prove(BOUND_GAP, QUICK_BOUND_EFFORT)?;
+            return Ok(!self.unbounded());
+        }
+        Ok(true)
     }
 
     /// A valid state through which a shorter path might lead.

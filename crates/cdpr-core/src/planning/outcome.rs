@@ -44,6 +44,8 @@ pub struct Outcome<State> {
     pub samples: usize,
     /// Every improvement of the path, in order; one entry if the search ends with the first path.
     pub history: Vec<Milestone>,
+    /// No path is shorter, m, if the planner computed such a bound.
+    pub lower_bound: Option<f64>,
 }
 
 /// A path that was shorter than all before.

@@ -153,6 +153,6 @@ impl<'a, S: StateSpace> Search<'a, S> {
     /// The outcome with a given path.
     pub fn ended(self, status: Status, waypoints: Vec<S::State>, tree: SearchTree<S::State>) -> Outcome<S::State> {
         let Search { motion_checks, samples, history, .. } = self;
-        Outcome { status, waypoints, tree, motion_checks, samples, history }
+        Outcome { status, waypoints, tree, motion_checks, samples, history, lower_bound: None }
     }
 }

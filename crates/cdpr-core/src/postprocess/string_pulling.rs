@@ -13,10 +13,6 @@
 //! valid and never longer, even if the polyhedra cover too much (sets fattened by a clearance) or too little
 //! (wrenches).
 
-pub mod bound;
-pub mod h_polyhedra;
-pub mod h_polyhedron;
-mod polygon;
 pub mod pull;
 pub mod slide;
 
@@ -29,12 +25,12 @@ use rand_chacha::ChaCha8Rng;
 use crate::collision::Checker;
 use crate::decomposition::{Decomposition, Taste, Way};
 use crate::error::Error;
+use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Room, in_box};
 use crate::geometry::{Point, Vector};
+use crate::lower_bound::{Bound, Forbidden};
 use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::planning::PathOptimizer;
 use crate::watch::{Watch, in_time};
-use h_polyhedra::{HPolyhedra, Near, Room};
-use h_polyhedron::{HPolyhedron, in_box};
 use pull::Pull;
 
 /// A waypoint; if it bends around a polyhedron, with the direction of the edge along which it can slide.
@@ -133,11 +129,10 @@ impl PathOptimizer<Point> for StringPuller<'_> {
         Ok(Some(path))
     }
 
-    fn lower_bound(&self, start: &Point, goal: &Point, watch: &Watch) -> Result<f64, Error> {
-        let Some(polyhedra) = in_time(self.engine.certain_polyhedra(watch))? else { return Ok((goal - start).norm()) };
-        let hulls =
-            HPolyhedra::new(polyhedra.into_iter().map(|p| HPolyhedron::exact(p.half_spaces)), self.low, self.high);
-        bound::lower_bound(&hulls, &self.low, &self.high, start, goal, watch)
+    fn lower_bound(&self, ends: [&Point; 2], enough: f64, effort: usize, watch: &Watch) -> Result<Bound, Error> {
+        let straight = || Bound { length: (ends[1] - ends[0]).norm(), way: Vec::new() };
+        let Some(forbidden) = in_time(Forbidden::new(self.engine, ends, watch))? else { return Ok(straight()) };
+        forbidden.prove(enough, effort, &|from, to| self.engine.motion_valid(from, to), watch)
     }
 
     fn complexity(&self) -> usize {

@@ -4,11 +4,13 @@ use std::sync::OnceLock;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::collision::{Checker, Conditions, Piece};
+use crate::collision::{Checker, Conditions, Piece, Polyhedron};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
+use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
-use crate::numerics::{PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
+use crate::numerics::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
+use crate::watch::Watch;
 
 /// How far regions and bounds reach beyond what is forbidden, m.
 const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
@@ -97,28 +99,12 @@ impl<'a> Regions<'a> {
     /// The polyhedron of certainly forbidden positions, widened as far as its corners stay within the margin.
     fn widened(&self, piece: &Piece) -> Option<Vec<HalfSpace>> {
         let certain = piece.certain.as_ref()?;
-        let Conditions { bodies, list, .. } = self.checker.conditions();
-        let condition = list[piece.condition].details();
-        if self.reach[piece.condition] < 0.0 {
-            return Some(certain.clone());
-        }
-        let widened = |by: f64| -> Vec<HalfSpace> { certain.iter().map(|plane| plane.widened(by)).collect() };
-        if condition.ends_on_body() {
-            return Some(widened(REACH / mitre(certain)));
-        }
-        let within = Aabb { min: self.bounds.low, max: self.bounds.high };
-        let mut by = REACH;
-        for _ in 0..ATTEMPTS {
-            let region = widened(by);
-            let Some(body) = convex_mesh(&region, &within) else { return Some(certain.clone()) };
-            let reach = |corner: &Point| condition.slack(bodies, corner);
-            let reach = body.vertices.iter().map(reach).fold(f64::NEG_INFINITY, f64::max);
-            if reach <= REACH {
-                return Some(region);
-            }
-            by *= (PROOF_MARGIN_USED * REACH / reach).min(0.5);
-        }
-        Some(certain.clone())
+        let reach = self.reach[piece.condition];
+        Some(if reach < 0.0 {
+            certain.clone()
+        } else {
+            widened(self.checker, piece.condition, certain, &self.bounds, reach)
+        })
     }
 
     fn condition(&self, piece: &Piece) -> &dyn PhysicalCondition {
@@ -129,6 +115,78 @@ impl<'a> Regions<'a> {
     fn is_kept_open(&self, cell: &Cuboid) -> bool {
         self.kept_open.iter().any(|around| around.touches(cell))
     }
+}
+
+/// A polyhedron of certainly forbidden positions, with its planes moved outward so far that all its positions are within a
+/// distance of forbidden ones.
+fn widened(
+    checker: &dyn Checker,
+    condition: usize,
+    certain: &[HalfSpace],
+    bounds: &Cuboid,
+    reach: f64,
+) -> Vec<HalfSpace> {
+    if checker.conditions().list[condition].details().ends_on_body() {
+        return moved(certain, reach / mitre(certain));
+    }
+    let mut by = reach;
+    for _ in 0..ATTEMPTS {
+        let region = moved(certain, by);
+        let Some(farthest) = farthest(checker, condition, &region, bounds) else { break };
+        if farthest <= reach {
+            return region;
+        }
+        by *= (PROOF_MARGIN_USED * reach / farthest).min(0.5);
+    }
+    certain.to_vec()
+}
+
+fn moved(planes: &[HalfSpace], by: f64) -> Vec<HalfSpace> {
+    planes.iter().map(|plane| plane.widened(by)).collect()
+}
+
+/// How far the corners of a region are from what a condition forbids, m; `None` if there are none in the box.
+fn farthest(checker: &dyn Checker, condition: usize, region: &[HalfSpace], bounds: &Cuboid) -> Option<f64> {
+    let Conditions { bodies, list, .. } = checker.conditions();
+    let body = convex_mesh(region, &Aabb { min: bounds.low, max: bounds.high })?;
+    let slack = |corner: &Point| list[condition].details().slack(bodies, corner);
+    Some(body.vertices.iter().map(slack).fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// A polyhedron of certainly forbidden positions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Widened {
+    /// Its planes.
+    pub certain: Vec<HalfSpace>,
+    /// The same planes moved outward, so that all positions inside are within the margin of forbidden ones.
+    pub planes: Vec<HalfSpace>,
+}
+
+/// Corners at which moved planes meet farther out than this times their own movement are sharp.
+const SHARPNESS: f64 = 4.0;
+
+/// All certainly forbidden polyhedra, widened by at most [`BOUND_MARGIN`]; those that have sharp
+/// corners or that one of the ends touches are not moved.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn widened_polyhedra(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Vec<Widened>, Error> {
+    let (low, high) = checker.conditions().position_box();
+    let bounds = Cuboid::new(low, high);
+    let touches = |planes: &[HalfSpace], end: &Point| planes.iter().all(|plane| plane.height(end) < 2.0 * BOUND_MARGIN);
+    // All are moved by the same distance, so that faces and edges that coincide still do.
+    let within_margin = |planes: &[HalfSpace], condition: usize| match checker.conditions().list[condition].details() {
+        cone if cone.ends_on_body() => mitre(planes) <= SHARPNESS,
+        _ => farthest(checker, condition, planes, &bounds).is_some_and(|farthest| farthest < BOUND_MARGIN),
+    };
+    let of = |Polyhedron { condition, half_spaces: certain }: Polyhedron| {
+        watch.check()?;
+        let touched = ends.iter().any(|end| touches(&certain, end));
+        let planes = Some(moved(&certain, BOUND_MARGIN / SHARPNESS))
+            .filter(|planes| !touched && within_margin(planes, condition));
+        Ok(Widened { planes: planes.unwrap_or_else(|| certain.clone()), certain })
+    };
+    checker.certain_polyhedra(watch)?.into_iter().map(of).collect()
 }
 
 /// Distance by which the corner of a cone moves if its planes move outward by 1; infinite if they are dependent.

@@ -6,9 +6,7 @@
 //! corners are corners of polygons, which lie on edges of polyhedra.
 
 use super::Bend;
-use super::h_polyhedra::{HPolyhedra, Near};
-use super::h_polyhedron::{HPolyhedron, edge_direction};
-use super::polygon::{Frame, Place, Polygon};
+use crate::forbidden::{Frame, HPolyhedra, HPolyhedron, Near, Place, Polygon, edge_direction};
 use crate::geometry::{Point, Vector};
 use crate::numerics::{GRAZING, SAME_POINT};
 

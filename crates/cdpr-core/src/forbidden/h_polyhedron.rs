@@ -23,11 +23,12 @@ pub enum Overlap {
     All,
 }
 
-/// A piece of an edge: its beginning, and the vector to its end.
+/// A part of an edge: its beginning, the vector to its end, and the two planes that meet in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct Edge {
     from: Point,
     along: Vector,
+    planes: [usize; 2],
 }
 
 impl HPolyhedron {
@@ -88,6 +89,16 @@ impl HPolyhedron {
         inside(&self.planes, from, along, window, -GRAZING)
     }
 
+    /// The interval of t for which `from + t along`, on an edge in which two planes meet, is inside or on the face that lies in
+    /// one of these planes; inside only, if the polyhedron has both planes and so the same edge.
+    pub fn inside_or_on_face(&self, planes: &[HalfSpace; 2], from: &Point, along: &Vector) -> Option<[f64; 2]> {
+        if planes.iter().all(|plane| self.planes.contains(plane)) {
+            return self.inside_within(from, along, [0.0, 1.0]);
+        }
+        let others: Vec<HalfSpace> = self.planes.iter().filter(|plane| !planes.contains(plane)).copied().collect();
+        inside(&others, from, along, [0.0, 1.0], -GRAZING)
+    }
+
     /// The directions of its edges through a point.
     pub fn edges_at(&self, place: &Point) -> Vec<Vector> {
         if self.planes.iter().any(|plane| plane.height(place) > ON_SURFACE) {
@@ -100,7 +111,7 @@ impl HPolyhedron {
 
     /// The edges of one of its faces, clipped to a box. If several planes coincide up to rounding, the face belongs to
     /// the first of them.
-    pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
+    pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Edge>) {
         edges.clear();
         let own = &self.planes[face];
         let center = nalgebra::center(low, high);
@@ -124,22 +135,22 @@ impl HPolyhedron {
                 return;
             }
         }
-        edges.extend(polygon.with_previous().filter(|[before, _]| before.line.is_some()).map(|[before, corner]| {
+        edges.extend(polygon.with_previous().filter_map(|[before, corner]| {
             let from = frame.point(&before.place);
-            Piece { from, along: frame.point(&corner.place) - from }
+            Some(Edge { from, along: frame.point(&corner.place) - from, planes: [face, before.line?] })
         }));
     }
 }
 
-impl Piece {
+impl Edge {
     /// The part of it in a box, possibly a single point; `None` if it misses the box.
-    pub fn within(&self, low: &Point, high: &Point) -> Option<Piece> {
+    pub fn within(&self, low: &Point, high: &Point) -> Option<Edge> {
         let length = self.along.norm();
         let direction = self.along.try_normalize(0.0)?;
         let [from, to] = in_box(low, high, &self.from, &direction);
         let range = [from.max(0.0), to.min(length)];
         let [from, to] = range.map(|t| (self.from + direction * t).sup(low).inf(high));
-        (range[0] <= range[1]).then_some(Piece { from, along: to - from })
+        (range[0] <= range[1]).then_some(Edge { from, along: to - from, ..*self })
     }
 
     /// The point at a fraction of its length.
@@ -148,15 +159,20 @@ impl Piece {
     }
 
     /// The part of it within a distance, m, on both sides of the point at a fraction.
-    pub fn around(&self, share: f64, distance: f64) -> Piece {
+    pub fn around(&self, share: f64, distance: f64) -> Edge {
         let reach = distance / self.along.norm().max(distance);
         let [low, high] = [(share - reach).max(0.0), (share + reach).min(1.0)];
-        Piece { from: self.at(low), along: self.along * (high - low) }
+        Edge { from: self.at(low), along: self.along * (high - low), ..*self }
     }
 
     /// Both ends.
     pub fn ends(&self) -> [Point; 2] {
         [self.from, self.from + self.along]
+    }
+
+    /// The indices of the two planes that meet in it.
+    pub fn planes(&self) -> [usize; 2] {
+        self.planes
     }
 
     /// Its length, m.
@@ -170,14 +186,14 @@ impl Piece {
     }
 
     /// Its pieces outside all hulls that have at least this length, m.
-    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h HPolyhedron>, least: f64) -> Vec<Piece> {
+    pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h HPolyhedron>, least: f64) -> Vec<Edge> {
         let mut covered: Vec<[f64; 2]> =
             hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut free = Vec::new();
         let mut at = 0.0;
         for [start, end] in covered.into_iter().chain([[1.0, 1.0]]) {
-            let piece = Piece { from: self.from + self.along * at, along: self.along * (start.min(1.0) - at) };
+            let piece = Edge { from: self.at(at), along: self.along * (start.min(1.0) - at), ..*self };
             if start > at && piece.along.norm() >= least {
                 free.push(piece);
             }

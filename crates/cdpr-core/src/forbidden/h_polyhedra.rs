@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use rand::{Rng, RngExt};
 
-use super::h_polyhedron::{HPolyhedron, Overlap, Piece};
+use super::h_polyhedron::{Edge, HPolyhedron, Overlap};
 use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
@@ -61,6 +61,11 @@ impl HPolyhedra {
         HPolyhedra { list, low, high, root, root_members }
     }
 
+    /// All hulls.
+    pub fn list(&self) -> &[HPolyhedron] {
+        &self.list
+    }
+
     /// Number of hulls.
     pub fn count(&self) -> usize {
         self.list.len()
@@ -111,7 +116,7 @@ impl HPolyhedra {
 
     /// The edges of a face of a hull in the box. A flat box cuts most of them to points, and rounding leaves nothing of
     /// the face itself; in this case the face is first cut by a thicker box.
-    fn edges(&self, hull: &HPolyhedron, face: usize, polygon: &mut Polygon, edges: &mut Vec<Piece>) {
+    pub fn edges(&self, hull: &HPolyhedron, face: usize, polygon: &mut Polygon, edges: &mut Vec<Edge>) {
         if !self.is_flat() {
             return hull.face_edges(face, &self.low, &self.high, polygon, edges);
         }
@@ -126,7 +131,7 @@ impl HPolyhedra {
 pub struct Room {
     near: Near,
     polygon: Polygon,
-    edges: Vec<Piece>,
+    edges: Vec<Edge>,
 }
 
 impl Near {

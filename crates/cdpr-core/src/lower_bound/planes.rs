@@ -5,9 +5,8 @@
 //! leave free. That function is convex, so the minimum is at the crossing of the straight line or on a side of a
 //! polygon, where it is known in closed form. Any plane gives a bound; the best of many is used.
 
-use super::h_polyhedra::{HPolyhedra, Near};
-use super::h_polyhedron::{HPolyhedron, edge_direction, in_box, meeting_line};
 use crate::error::Error;
+use crate::forbidden::{HPolyhedra, HPolyhedron, Near, edge_direction, in_box, meeting_line};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::SAME_POINT;
 use crate::watch::Watch;

@@ -9,12 +9,16 @@ pub type Place = [f64; 2];
 /// A plane with a coordinate system.
 #[derive(Debug, Clone)]
 pub struct Frame {
+    /// A point of the plane.
     pub origin: Point,
+    /// Unit vector of the first coordinate.
     pub along: Vector,
+    /// Unit vector of the second coordinate.
     pub across: Vector,
 }
 
 impl Frame {
+    /// The point in space.
     pub fn point(&self, place: &Place) -> Point {
         self.origin + self.along * place[0] + self.across * place[1]
     }

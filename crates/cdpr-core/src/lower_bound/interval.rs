@@ -1,0 +1,246 @@
+//! Intervals of free edges, linear functions on them, and how such a function continues from one interval to another.
+
+use super::free_edges::FreeEdge;
+use crate::forbidden::HPolyhedron;
+use crate::geometry::segment_segment::closest;
+use crate::geometry::{HalfSpace, Point, Vector};
+use crate::numerics::{BLOCKED_DEPTH, ON_SURFACE, SAME_POINT};
+
+/// An interval of a free edge, or a single point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Both ends.
+    pub ends: [Point; 2],
+    /// Its length, m.
+    pub length: f64,
+    /// Unit vector from the first end to the second; zero for a point.
+    along: Vector,
+    /// Its edge; `None` for start and goal, where a path need not bend.
+    edge: Option<Edge>,
+}
+
+/// The free edge of an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Edge {
+    /// Number of the edge.
+    number: u32,
+    /// The planes that meet in it.
+    planes: [HalfSpace; 2],
+    /// Whether the ends of the interval are those of the edge.
+    whole: [bool; 2],
+}
+
+/// A linear function on an interval, by its values at both ends: a lower bound of the distance from start or goal, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Label(pub [f64; 2]);
+
+/// If two intervals are closer than this share of their length, they count as near each other.
+const NEAR: f64 = 0.25;
+/// Least distance of a tangent from the ends of such an interval, as a share of its length.
+const BESIDE: f64 = 1.0 / 16.0;
+/// Slopes steeper than 1 minus this are 1: the nearest point is then an end.
+const STEEP: f64 = 1e-12;
+
+impl Label {
+    /// No bound is known yet.
+    pub const UNKNOWN: Label = Label([f64::INFINITY; 2]);
+
+    /// The same value everywhere.
+    pub fn constant(value: f64) -> Self {
+        Label([value; 2])
+    }
+
+    /// Its smallest value, m.
+    pub fn least(&self) -> f64 {
+        self.0[0].min(self.0[1])
+    }
+
+    /// Its value in the middle, m.
+    pub fn middle(&self) -> f64 {
+        0.5 * (self.0[0] + self.0[1])
+    }
+
+    /// The sum with another function.
+    pub fn plus(&self, other: &Label) -> Label {
+        Label([self.0[0] + other.0[0], self.0[1] + other.0[1]])
+    }
+
+    /// A linear lower bound of both functions.
+    pub fn lower(&self, other: &Label) -> Label {
+        Label([self.0[0].min(other.0[0]), self.0[1].min(other.0[1])])
+    }
+
+    /// The function that is higher in the middle.
+    pub fn higher(&self, other: &Label) -> Label {
+        if other.middle() > self.middle() { *other } else { *self }
+    }
+
+    /// The function on a part of the interval, given as fractions.
+    pub fn part(&self, part: [f64; 2]) -> Label {
+        Label(part.map(|share| self.0[0] + share * (self.0[1] - self.0[0])))
+    }
+
+    /// The fractions between which the function is below a value; `None` if nowhere.
+    pub fn below(&self, value: f64) -> Option<[f64; 2]> {
+        let [a, b] = self.0.map(|at_end| at_end - value);
+        match (a < 0.0, b < 0.0) {
+            (true, true) => Some([0.0, 1.0]),
+            (true, false) => Some([0.0, a / (a - b)]),
+            (false, true) => Some([a / (a - b), 1.0]),
+            (false, false) => None,
+        }
+    }
+}
+
+impl Interval {
+    /// A whole free edge with its number.
+    pub fn of((number, edge): (usize, &FreeEdge)) -> Self {
+        let edge_of = Edge { number: number as u32, planes: edge.planes, whole: [true; 2] };
+        Interval::new([edge.from, edge.to], Some(edge_of))
+    }
+
+    /// Start or goal.
+    pub fn point(place: Point) -> Self {
+        Interval::new([place, place], None)
+    }
+
+    fn new([a, b]: [Point; 2], edge: Option<Edge>) -> Self {
+        let length = (b - a).norm();
+        let along = if length > SAME_POINT { (b - a) / length } else { Vector::zeros() };
+        Interval { ends: [a, b], along, length, edge }
+    }
+
+    /// Its middle.
+    pub fn middle(&self) -> Point {
+        self.at(0.5)
+    }
+
+    /// The point at a fraction of its length.
+    pub fn at(&self, share: f64) -> Point {
+        self.ends[0] + (self.ends[1] - self.ends[0]) * share
+    }
+
+    /// A part of it, given as fractions.
+    pub fn part(&self, part: [f64; 2]) -> Interval {
+        let whole = |edge: Edge| [edge.whole[0] && part[0] == 0.0, edge.whole[1] && part[1] == 1.0];
+        let edge = self.edge.map(|edge| Edge { whole: whole(edge), ..edge });
+        Interval::new(part.map(|share| self.at(share)), edge)
+    }
+
+    /// The distance from another interval, m.
+    pub fn distance(&self, other: &Interval) -> f64 {
+        closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance
+    }
+
+    /// The point through which the way between two positions is shortest: straight in the unfolding.
+    pub fn nearest_way(&self, places: [&Point; 2]) -> Point {
+        if self.length <= SAME_POINT {
+            return self.middle();
+        }
+        let [(s, ds), (g, dg)] = places.map(|place| {
+            let foot = (place - self.ends[0]).dot(&self.along);
+            (foot, (place - (self.ends[0] + self.along * foot)).norm())
+        });
+        let best = if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { 0.5 * (s + g) };
+        self.ends[0] + self.along * best.clamp(0.0, self.length)
+    }
+
+    /// A linear lower bound, for points y of this interval, of the smallest `label(x) + |y - x|` over the points x of
+    /// another one. That value is convex in y, so any tangent will do.
+    pub fn continued(&self, from: &Interval, label: &Label) -> Label {
+        let y = self.at(self.tangent_from(from));
+        let (value, gradient) = from.reach(label, &y);
+        Label(self.ends.map(|end| value + gradient.dot(&(end - y))))
+    }
+
+    /// The smallest value of `label(x) + |y - x|` over the points x of this interval, and a subgradient of it in y.
+    fn reach(&self, label: &Label, y: &Point) -> (f64, Vector) {
+        let way = y - self.ends[0];
+        let slope = if self.length > SAME_POINT { (label.0[1] - label.0[0]) / self.length } else { 0.0 };
+        let slope = slope.clamp(-1.0, 1.0); // if it is steeper, the nearest point is an end as well
+        let foot = way.dot(&self.along);
+        let height = (way.norm_squared() - foot * foot).max(0.0).sqrt();
+        let flatness = 1.0 - slope * slope;
+        let nearest = match flatness > STEEP {
+            true => foot - slope * height / flatness.sqrt(),
+            false if slope > 0.0 => 0.0,
+            false => self.length,
+        };
+        let nearest = nearest.clamp(0.0, self.length);
+        let way = way - self.along * nearest;
+        let distance = way.norm();
+        let gradient = if distance > SAME_POINT { way / distance } else { self.along * slope };
+        let share = if self.length > SAME_POINT { nearest / self.length } else { 0.0 };
+        (label.part([share; 2]).least() + distance, gradient)
+    }
+
+    /// Where to place the tangent of what continues from another interval, as a fraction. The middle is best, except where
+    /// the intervals nearly touch: there the function is linear beside the nearest point, and a tangent from afar would be
+    /// too low there, so that the two intervals would lower each other for ever.
+    fn tangent_from(&self, from: &Interval) -> f64 {
+        let apart = (self.middle() - from.middle()).norm() > (0.5 + NEAR) * self.length + 0.5 * from.length;
+        if self.length <= SAME_POINT || apart {
+            return 0.5;
+        }
+        let nearest = closest(&self.ends[0], &self.ends[1], &from.ends[0], &from.ends[1]);
+        if nearest.distance > NEAR * self.length { 0.5 } else { nearest.s.clamp(BESIDE, 1.0 - BESIDE) }
+    }
+
+    /// Whether a shortest path that bends here may come straight from another interval: from there exactly one of the two
+    /// faces of the edge is visible. If both are, the string would come off; if none is, the body is in the way.
+    pub fn may_bend_towards(&self, other: &Interval) -> bool {
+        let Some(Edge { planes, .. }) = &self.edge else { return true };
+        let [a, b] = planes.each_ref().map(|plane| other.ends.map(|end| plane.height(&end)));
+        let (below_a, below_b) = (not_above(a), not_above(b));
+        let (above_a, above_b) = (not_above(a.map(|h| -h)), not_above(b.map(|h| -h)));
+        overlap(below_a, above_b) || overlap(below_b, above_a)
+    }
+
+    /// Whether a shortest path may run along an edge from one of these intervals to the other, if they are on the same edge. It meets
+    /// an edge at the same angle as it leaves it, so it can join the edge only at an end, and leave it only at the other.
+    pub fn may_run_along(&self, other: &Interval) -> bool {
+        match (&self.edge, &other.edge) {
+            (Some(own), Some(others)) if own.number == others.number => {
+                own.whole[0] && others.whole[1] || own.whole[1] && others.whole[0]
+            }
+            _ => true,
+        }
+    }
+
+    /// Whether the polyhedron blocks every segment between two intervals. It does if there is a fraction of the way at which
+    /// the segments between the ends, and so all others, are inside.
+    pub fn blocked_by(&self, other: &Interval, hull: &HPolyhedron) -> bool {
+        let [mut low, mut high] = [0.0f64, 1.0f64];
+        for plane in hull.planes() {
+            let highest = |ends: &[Point; 2]| plane.height(&ends[0]).max(plane.height(&ends[1])) + BLOCKED_DEPTH;
+            let (a, b) = (highest(&self.ends), highest(&other.ends));
+            if a >= 0.0 && b >= 0.0 {
+                return false;
+            }
+            if a > 0.0 {
+                low = low.max(a / (a - b));
+            } else if b > 0.0 {
+                high = high.min(a / (a - b));
+            }
+            if low >= high {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+/// The fractions of an interval between which a height, given at both ends, is not positive beyond contact.
+fn not_above(heights: [f64; 2]) -> [f64; 2] {
+    let [a, b] = heights.map(|height| height - ON_SURFACE);
+    match (a <= 0.0, b <= 0.0) {
+        (true, true) => [0.0, 1.0],
+        (true, false) => [0.0, a / (a - b)],
+        (false, true) => [a / (a - b), 1.0],
+        (false, false) => [1.0, 0.0],
+    }
+}
+
+fn overlap(a: [f64; 2], b: [f64; 2]) -> bool {
+    a[0].max(b[0]) <= a[1].min(b[1])
+}

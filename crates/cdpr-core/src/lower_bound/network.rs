@@ -1,0 +1,343 @@
+//! Intervals of free edges, and which of them a straight segment may connect.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use rayon::prelude::*;
+
+use super::interval::{Interval, Label};
+use crate::error::Error;
+use crate::forbidden::{HPolyhedra, Near};
+use crate::geometry::Point;
+use crate::numerics::{LABEL_STEP, SAME_POINT};
+use crate::watch::Watch;
+
+/// Indices of the two intervals that are points.
+pub const START: usize = 0;
+pub const GOAL: usize = 1;
+
+/// Changes of a label after which it becomes constant. Constant labels cannot lower each other for ever.
+const MOST_CHANGES: u8 = 12;
+/// Changes of a label after which it is what constant labels everywhere give.
+const MOST_CHANGES_IN_ALL: u8 = 60;
+/// Number of intervals from which on links are searched in parallel.
+const IN_PARALLEL: usize = 200;
+/// Rounds in which the points of a path slide along their intervals.
+const SLIDES: usize = 8;
+/// Labels between two checks of the watch.
+const POLL: usize = 256;
+
+/// The labels from one end.
+struct Labels {
+    labels: Vec<Label>,
+    /// For each interval the one from which its label comes.
+    before: Vec<u32>,
+    /// Number of links passed.
+    passed: usize,
+}
+
+/// What may lie on a path from start to goal that is short enough.
+pub struct Network<'h> {
+    hulls: &'h HPolyhedra,
+    /// Paths of at least this length do not matter, m.
+    enough: f64,
+    intervals: Vec<Interval>,
+    /// Lower bounds of the distance from start and from goal.
+    labels: [Vec<Label>; 2],
+    /// For each interval those with a larger or smaller index to which a segment may lead.
+    links: Vec<Vec<u32>>,
+    /// For each interval the one from which its label from the start comes.
+    before: Vec<u32>,
+    /// The largest number of intervals so far.
+    most: usize,
+    /// Number of pairs of intervals examined so far.
+    examined: usize,
+}
+
+impl<'h> Network<'h> {
+    /// Start, goal and intervals, with all links.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn new(
+        hulls: &'h HPolyhedra,
+        [start, goal]: [&Point; 2],
+        intervals: impl Iterator<Item = Interval>,
+        enough: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let ends = [Interval::point(*start), Interval::point(*goal)];
+        let intervals: Vec<Interval> = ends.into_iter().chain(intervals).collect();
+        let straight = |end: &Interval| {
+            let label = |interval: &Interval| interval.continued(end, &Label::constant(0.0));
+            intervals.iter().map(label).collect()
+        };
+        let labels = ends.each_ref().map(straight);
+        let (count, links) = (intervals.len(), vec![Vec::new(); intervals.len()]);
+        let mut network =
+            Network { hulls, enough, intervals, labels, links, before: Vec::new(), most: count, examined: 0 };
+        network.link(|network, at| Vec::from_iter(at + 1..network.intervals.len()), watch)?;
+        Ok(network)
+    }
+
+    /// Number of intervals.
+    pub fn len(&self) -> usize {
+        self.intervals.len()
+    }
+
+    /// Number of pairs of intervals examined so far.
+    pub fn examined(&self) -> usize {
+        self.examined
+    }
+
+    /// Sets the links of each interval to those out of candidates with larger indices.
+    fn link(&mut self, candidates: impl Fn(&Self, usize) -> Vec<usize> + Sync, watch: &Watch) -> Result<(), Error> {
+        let this = &*self;
+        let linked = |near: &mut Near, at: usize| -> Result<(usize, Vec<u32>), Error> {
+            watch.check()?;
+            let all = candidates(this, at);
+            let open = all.iter().filter(|&&other| this.may_connect(at, other, near));
+            Ok((all.len(), open.map(|&other| other as u32).collect()))
+        };
+        let found: Vec<(usize, Vec<u32>)> = if this.len() < IN_PARALLEL {
+            let mut near = Near::default();
+            (0..this.len()).map(|at| linked(&mut near, at)).collect::<Result<_, _>>()?
+        } else {
+            (0..this.len()).into_par_iter().map_init(Near::default, linked).collect::<Result<_, _>>()?
+        };
+        self.links = vec![Vec::new(); self.intervals.len()];
+        for (at, (examined, others)) in found.into_iter().enumerate() {
+            self.examined += examined;
+            for other in others {
+                self.links[at].push(other);
+                self.links[other as usize].push(at as u32);
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a path that is short enough may lead straight from one interval to another, in either direction.
+    fn may_connect(&self, a: usize, b: usize, near: &mut Near) -> bool {
+        let (from, to) = (&self.intervals[a], &self.intervals[b]);
+        let middles = [from.middle(), to.middle()];
+        let apart = (middles[0] - middles[1]).norm();
+        let gap = (apart - 0.5 * (from.length + to.length)).max(0.0);
+        let [f, g] = &self.labels;
+        let around = (f[a].least() + g[b].least()).min(f[b].least() + g[a].least());
+        around + gap < self.limit()
+            && from.may_run_along(to)
+            && from.may_bend_towards(to)
+            && to.may_bend_towards(from)
+            && self.through(a, b) < self.limit()
+            && (apart < SAME_POINT || !self.hulls.near(&middles, near).any(|hull| from.blocked_by(to, hull)))
+    }
+
+    /// A lower bound of the length of all paths with a segment between two intervals, m.
+    fn through(&self, a: usize, b: usize) -> f64 {
+        let [f, g] = &self.labels;
+        let one_way = |a: usize, b: usize| self.intervals[b].continued(&self.intervals[a], &f[a]).plus(&g[b]).least();
+        one_way(a, b).min(one_way(b, a))
+    }
+
+    /// What sums of labels have to reach for a path to be long enough: labels may be too large by [`LABEL_STEP`] for each
+    /// bend. A shortest path bends at most twice on each interval, since it keeps to an interval between two of its points.
+    fn limit(&self) -> f64 {
+        self.enough + self.error()
+    }
+
+    fn error(&self) -> f64 {
+        LABEL_STEP * (2 * self.most + 2) as f64
+    }
+
+    /// Labels all intervals anew, from the goal and from the start; returns a lower bound of the length of all paths, m:
+    /// infinite if none is short enough, `None` if this takes more than some effort.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn label(&mut self, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
+        for end in [GOAL, START] {
+            let Some(Labels { labels: new, before, passed }) = self.labels_from(end, effort, watch)? else {
+                return Ok(None);
+            };
+            self.before = before;
+            self.examined += passed;
+            for (old, new) in self.labels[end].iter_mut().zip(new) {
+                *old = old.higher(&new);
+            }
+        }
+        Ok(Some(self.labels[START][GOAL].least() - self.error()))
+    }
+
+    /// The labels from an end, which fall until none exceeds what its neighbours allow; `None` if more than some number of links
+    /// would have to be passed.
+    fn labels_from(&self, end: usize, effort: usize, watch: &Watch) -> Result<Option<Labels>, Error> {
+        let ahead = &self.labels[1 - end];
+        let mut labels = vec![Label::UNKNOWN; self.len()];
+        let mut before = vec![end as u32; self.len()];
+        let mut changes = vec![0u8; self.len()];
+        let mut waiting = vec![false; self.len()];
+        let mut queue = BinaryHeap::from([Next { least: 0.0, at: end as u32 }]);
+        let mut distances = None;
+        (labels[end], waiting[end]) = (Label::constant(0.0), true);
+        let (mut count, mut passed) = (0, 0);
+        while let Some(Next { at, .. }) = queue.pop() {
+            let at = at as usize;
+            if !std::mem::take(&mut waiting[at]) {
+                continue;
+            }
+            count += 1;
+            passed += self.links[at].len();
+            if passed > effort {
+                return Ok(None);
+            }
+            if count % POLL == 0 {
+                watch.check()?;
+            }
+            for to in self.links[at].iter().map(|&to| to as usize).filter(|&to| to != end) {
+                let is_constant = |k: usize| changes[k] >= MOST_CHANGES;
+                let mut new = if is_constant(to) && is_constant(at) {
+                    Label::constant(labels[at].least() + self.intervals[to].distance(&self.intervals[at]))
+                } else {
+                    self.intervals[to].continued(&self.intervals[at], &labels[at])
+                };
+                if is_constant(to) {
+                    new = Label::constant(new.least());
+                }
+                let falls = (0..2).any(|k| new.0[k] < labels[to].0[k] - LABEL_STEP);
+                if !falls || changes[to] == MOST_CHANGES_IN_ALL || new.plus(&ahead[to]).least() >= self.limit() {
+                    continue;
+                }
+                before[to] = at as u32;
+                if to == 1 - end {
+                    labels[to] = labels[to].lower(&new); // the search ends there
+                    continue;
+                }
+                changes[to] += 1;
+                labels[to] = match changes[to] {
+                    1 => new,
+                    MOST_CHANGES => Label::constant(labels[to].lower(&new).least()),
+                    MOST_CHANGES_IN_ALL => {
+                        let distances = distances.get_or_insert_with(|| self.distances_from(end));
+                        self.labels[end][to].higher(&Label::constant(distances[to]))
+                    }
+                    _ => labels[to].lower(&new),
+                };
+                waiting[to] = true;
+                queue.push(Next { least: labels[to].plus(&ahead[to]).least(), at: to as u32 });
+            }
+        }
+        Ok(Some(Labels { labels, before, passed }))
+    }
+
+    /// Sums of distances between linked intervals from an end: E. W. Dijkstra (1959). Rougher than linear labels, but sound where
+    /// those do not settle.
+    fn distances_from(&self, end: usize) -> Vec<f64> {
+        let mut distances = vec![f64::INFINITY; self.len()];
+        let mut queue = BinaryHeap::from([Next { least: 0.0, at: end as u32 }]);
+        distances[end] = 0.0;
+        while let Some(Next { least, at }) = queue.pop() {
+            let at = at as usize;
+            if least > distances[at] {
+                continue;
+            }
+            for to in self.links[at].iter().map(|&to| to as usize) {
+                let distance = least + self.intervals[to].distance(&self.intervals[at]);
+                if distance < distances[to] {
+                    distances[to] = distance;
+                    queue.push(Next { least: distance, at: to as u32 });
+                }
+            }
+        }
+        distances
+    }
+
+    /// Keeps the parts of intervals that may lie on a path that is short enough, halved if they are longer than `least`,
+    /// m; returns whether any was halved.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn refine(&mut self, least: f64, watch: &Watch) -> Result<bool, Error> {
+        let mut parents = vec![START as u32, GOAL as u32];
+        let mut children: Vec<Vec<usize>> = vec![vec![START], vec![GOAL]];
+        let mut intervals = self.intervals[..2].to_vec();
+        let mut labels = self.labels.each_ref().map(|labels| labels[..2].to_vec());
+        let mut halved = false;
+        for at in 2..self.len() {
+            let own = self.labels.each_ref().map(|labels| labels[at]);
+            let kept = own[START].plus(&own[GOAL]).below(self.limit());
+            let first = intervals.len();
+            for part in kept.into_iter().flat_map(|part| halves(part, self.intervals[at].length, least)) {
+                intervals.push(self.intervals[at].part(part));
+                (0..2).for_each(|end| labels[end].push(own[end].part(part)));
+                parents.push(at as u32);
+            }
+            halved |= intervals.len() > first + 1;
+            children.push((first..intervals.len()).collect());
+        }
+        let still_open = |a: usize| {
+            let all = self.links[a].iter().copied();
+            all.filter(|&b| self.through(a, b as usize) < self.limit()).collect()
+        };
+        let open: Vec<Vec<u32>> = (0..self.len()).map(still_open).collect();
+        (self.intervals, self.labels) = (intervals, labels);
+        self.most = self.most.max(self.len());
+        let candidates = |_: &Self, at: usize| {
+            let parent = parents[at];
+            let beside = open[parent as usize].iter().chain([&parent]).flat_map(|&other| &children[other as usize]);
+            beside.copied().filter(|&other| other > at).collect()
+        };
+        self.link(candidates, watch)?;
+        Ok(halved)
+    }
+
+    /// The shortest path over the intervals from which the label of the goal comes; empty if there is none.
+    pub fn cheapest_way(&self) -> Vec<Point> {
+        let mut chain = vec![GOAL];
+        while chain[chain.len() - 1] != START {
+            let before = self.before[chain[chain.len() - 1]] as usize;
+            if chain.contains(&before) || self.labels[START][before] == Label::UNKNOWN {
+                return Vec::new();
+            }
+            chain.push(before);
+        }
+        let chain: Vec<&Interval> = chain.iter().rev().map(|&at| &self.intervals[at]).collect();
+        let mut way: Vec<Point> = chain.iter().map(|interval| interval.middle()).collect();
+        for _ in 0..SLIDES {
+            for k in 1..way.len() - 1 {
+                way[k] = chain[k].nearest_way([&way[k - 1], &way[k + 1]]);
+            }
+        }
+        way.dedup_by(|a, b| (*a - *b).norm() < SAME_POINT);
+        way
+    }
+}
+
+/// A part of an interval of some length, or both halves of the part if it is longer than `least`, m.
+fn halves([from, to]: [f64; 2], length: f64, least: f64) -> Vec<[f64; 2]> {
+    if length * (to - from) <= least {
+        return vec![[from, to]];
+    }
+    let middle = 0.5 * (from + to);
+    vec![[from, middle], [middle, to]]
+}
+
+/// An interval whose label fell; the smallest is next.
+#[derive(PartialEq)]
+struct Next {
+    least: f64,
+    at: u32,
+}
+
+impl Eq for Next {}
+
+impl Ord for Next {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.least.total_cmp(&self.least).then(other.at.cmp(&self.at))
+    }
+}
+
+impl PartialOrd for Next {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
