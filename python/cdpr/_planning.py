@@ -373,9 +373,12 @@ def lower_bound(
     >>> plan(scene).cost / lower_bound(scene, gap=0.001) < 1.0011
     True
     """
-    asked = (None if value is None else number(key, value) for key, value in (("gap", gap), ("budget", budget)))
-    ends = ((None if end is None else point(key, end)) for key, end in (("start", start), ("goal", goal)))
-    return instance("scene", scene, Scene)._core.lower_bound(*asked, *ends)
+    return instance("scene", scene, Scene)._core.lower_bound(
+        None if gap is None else number("gap", gap),
+        None if budget is None else number("budget", budget),
+        None if start is None else point("start", start),
+        None if goal is None else point("goal", goal),
+    )
 
 
 def check(
