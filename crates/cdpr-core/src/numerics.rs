@@ -408,7 +408,7 @@ pub const SIMILAR_LINE: f64 = 1e-6;
 pub const BOUND_EFFORT: usize = 50_000_000;
 
 /// The same for a bound that nobody asked for: some 0.1 s.
-pub const QUICK_BOUND_EFFORT: usize = 4_000_000;
+pub const QUICK_BOUND_EFFORT: usize = 1_000_000;
 
 /// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
 pub const BOUND_GAP: f64 = 1e-3;
