@@ -87,6 +87,17 @@ fn most_random_scenes_are_bounded_within_a_thousandth() {
     assert!(gaps.len() >= 20 && 100 * proved >= 95 * gaps.len(), "{gaps:?}");
 }
 
+#[test]
+fn nested_blocks_with_common_faces_do_not_hide_each_others_edges() {
+    // Both blocks share three faces, and so the edges between them.
+    let nested = among(&[([0.2, 0.6, 0.6], [1.0, 1.0, 1.0]), ([0.2, 0.6, 0.8], [1.0, 1.2, 1.1])]);
+    let ends = [Point::new(0.3, 1.0, 1.0), Point::new(1.7, 1.1, 1.0)];
+    let query = Query { start: Some(ends[0]), goal: Some(ends[1]), ..Query::of(&nested) };
+    let cost = (0..5).map(|seed| planned(query, seed).cost).fold(f64::INFINITY, f64::min);
+    let proved = bound(&nested, ends, 1.05 * cost, EFFORT);
+    assert!(proved <= cost + 1e-6 && proved > 0.999 * cost, "{proved} {cost}");
+}
+
 /// The paper's platform without cables among blocks, from one position to another.
 fn among(blocks: &[([f64; 3], [f64; 3])]) -> Scene {
     platform_only(blocks.iter().map(|(size, at)| block("block", *size, *at)).collect())

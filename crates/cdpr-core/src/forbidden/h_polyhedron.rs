@@ -89,14 +89,26 @@ impl HPolyhedron {
         inside(&self.planes, from, along, window, -GRAZING)
     }
 
-    /// The interval of t for which `from + t along`, on an edge in which two planes meet, is inside or on the face that lies in
-    /// one of these planes; inside only, if the polyhedron has both planes and so the same edge.
+    /// The interval of t in [0, 1] for which `from + t along`, on an edge in which two planes meet, is inside or on the face that
+    /// lies in one of these planes; `None` if the polyhedron has both planes and so the same edge.
     pub fn inside_or_on_face(&self, planes: &[HalfSpace; 2], from: &Point, along: &Vector) -> Option<[f64; 2]> {
         if planes.iter().all(|plane| self.planes.contains(plane)) {
-            return self.inside_within(from, along, [0.0, 1.0]);
+            return None;
         }
         let others: Vec<HalfSpace> = self.planes.iter().filter(|plane| !planes.contains(plane)).copied().collect();
         inside(&others, from, along, [0.0, 1.0], -GRAZING)
+    }
+
+    /// The two planes that bound the polyhedron at an edge: of all planes through it, those that are turned most from each other.
+    /// The others are redundant.
+    pub fn wedge(&self, edge: &Edge) -> [HalfSpace; 2] {
+        let ends = edge.ends();
+        let here = |plane: &&HalfSpace| ends.iter().all(|end| plane.height(end).abs() < ON_SURFACE);
+        let here: Vec<&HalfSpace> = self.planes.iter().filter(here).collect();
+        let pairs = here.iter().enumerate().flat_map(|(k, a)| here[k + 1..].iter().map(move |b| [**a, **b]));
+        let turned = |pair: &[HalfSpace; 2]| pair[0].normal.dot(&pair[1].normal);
+        let own = edge.planes().map(|plane| self.planes[plane]);
+        pairs.chain([own]).min_by(|a, b| turned(a).total_cmp(&turned(b))).expect("its own planes")
     }
 
     /// The directions of its edges through a point.

@@ -90,7 +90,7 @@ pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Resu
                 let Some([low, high]) = within.part(&from, &to) else { continue };
                 let ends = [low, high].map(|t| edge.at(t));
                 let others = hulls.near(&ends, &mut near).filter(|other| !std::ptr::eq(*other, hull));
-                let planes = edge.planes().map(|plane| hull.planes()[plane]);
+                let planes = hull.wedge(edge);
                 for [from, to] in uncovered(ends, &planes, others) {
                     lines.add(FreeEdge { from, to, planes });
                 }

@@ -169,9 +169,12 @@ impl Interval {
         let nearest = nearest.clamp(0.0, self.length);
         let way = way - self.along * nearest;
         let distance = way.norm();
-        let gradient = if distance > SAME_POINT { way / distance } else { self.along * slope };
         let share = if self.length > SAME_POINT { nearest / self.length } else { 0.0 };
-        (label.part([share; 2]).least() + distance, gradient)
+        let least = label.part([share; 2]).least();
+        match distance > SAME_POINT {
+            true => (least + distance, way / distance),
+            false => (least - distance, self.along * slope), // the tangent at the nearest point, less the way from there
+        }
     }
 
     /// Where to place the tangent of what continues from another interval, as a fraction. The middle is best, except where
