@@ -2,8 +2,8 @@
 
     python docs/figures/make.py fig3 fig5
 
-The same files come out every time, but for what is measured in seconds (fig7, right; planners) and what a browser draws
-(page, no-path-page).
+Every run writes the same files, except for plots of measured times (fig7, right; planners) and browser screenshots (page,
+no-path-page).
 """
 
 import functools

@@ -1,9 +1,10 @@
-"""Shared by the tests: the location of the test data, and delivery of Ctrl-C."""
+"""Shared by the tests: the location of the test data, delivery of Ctrl-C, and pages in a browser."""
 
 import signal
 from pathlib import Path
 
 import pytest
+from pages import browser, open_page  # noqa: F401 (fixtures)
 
 import cdpr
 

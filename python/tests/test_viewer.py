@@ -4,97 +4,20 @@ import copy
 import itertools
 import json
 import math
-import os
 import re
-import shutil
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from pages import HOSTILE, PHONE, SCENES, SCREENSHOTS, Open, picture, wait_until
+from playwright.sync_api import Browser, Page
 
 import cdpr
-
-ROOT = Path(__file__).resolve().parents[2]
-SCENES = ROOT / "testdata/scenes"
-SCREENSHOTS = ROOT / "target/screenshots"
-FLAGS = (
-    "--no-sandbox --disable-gpu --use-angle=swiftshader --enable-unsafe-swiftshader --disable-quic --no-first-run"
-).split()
-NAMES = ("chromium", "google-chrome", "chromium-browser")
-HOW = (
-    "no Chromium found: install the package chromium (Debian) or Google Chrome, or name its program in CDPR_CHROMIUM; "
-    "as root on Debian `make test` installs it"
-)
-MOST_BYTES = 2_000_000
-DESK = (1280, 800)
-PHONE = (390, 800)
-
-Open = Callable[..., Page]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
-    if program is None:
-        (pytest.fail if os.environ.get("CI") else pytest.skip)(HOW)
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
-        yield browser
-        browser.close()
-
-
-@pytest.fixture
-def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Open]:
-    """Opens the page of a scene and path; checks afterwards that nothing went wrong and nothing was fetched."""
-    complaints: list[str] = []
-    pages: list[Page] = []
-
-    def complain(text: str) -> None:
-        complaints.append(text)
-
-    def opened(
-        scene: cdpr.Scene, path: Any = None, size: tuple[int, int] = DESK, look: Any = "light", file: str = "view.html"
-    ) -> Page:
-        cdpr.save_view(tmp_path / file, scene, path)
-        assert (tmp_path / file).stat().st_size < MOST_BYTES
-        context = browser.new_context(viewport={"width": size[0], "height": size[1]}, color_scheme=look)
-        page = context.new_page()
-        own = (tmp_path / file).as_uri()
-        page.on("console", lambda message: complain(message.text) if message.type == "error" else None)
-        page.on("pageerror", lambda error: complain(str(error)))
-        page.on("dialog", lambda dialog: (complain(f"dialog {dialog.message}"), dialog.dismiss()))
-        page.on("request", lambda r: None if r.url == own or r.url[:5] == "data:" else complain(f"request {r.url}"))
-        page.goto(own)
-        wait_until(page, "Boolean(window.cdprViewer?.ready)")
-        pages.append(page)
-        return page
-
-    yield opened
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    for number, page in enumerate(pages):
-        name = re.sub(r"[^a-z0-9]+", "-", request.node.name.removeprefix("test_").lower()).strip("-")
-        page.screenshot(path=SCREENSHOTS / f"{name}-{number}.png")
-        page.context.close()
-    assert complaints == []
-
-
-def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
-    """Waits in Python: the page's own policy forbids Playwright to evaluate text within it."""
-    end = time.monotonic() + seconds
-    while not page.evaluate(condition):
-        assert time.monotonic() < end, f"waited {seconds} s for {condition}"
-        page.wait_for_timeout(20)
-
-
-def picture(page: Page) -> str:
-    """The 3D view with its labels as a base64 PNG."""
-    return str(page.evaluate("cdprViewer.picture().toDataURL()"))
 
 
 def colors(page: Page) -> int:
@@ -464,108 +387,6 @@ def test_labels_do_not_cover_each_other(open_page: Open, cogiro: cdpr.Scene, pla
     assert len(boxes) == 11
     for (a, b, c, d), (e, f, g, h) in itertools.combinations(boxes, 2):
         assert b <= e + 0.5 or f <= a + 0.5 or d <= g + 0.5 or h <= c + 0.5
-
-
-@pytest.fixture(scope="module")
-def closed() -> cdpr.Scene:
-    return cdpr.Scene.load(SCENES / "closed.toml")
-
-
-def proof_of(result: cdpr.Result) -> cdpr.Proof:
-    assert result.status == "no_path" and result.proof is not None
-    return result.proof
-
-
-def plain(text: str) -> str:
-    return text.replace("\xa0", " ")
-
-
-def test_a_scene_without_a_path_says_why_and_shows_it(open_page: Open, closed: cdpr.Scene) -> None:
-    result = cdpr.plan(closed)
-    proof, page = proof_of(result), open_page(closed, result)
-    assert page.locator("#status").inner_text() == "there is no path (proved)"
-    assert page.locator("#closed-by li").all_inner_texts() == ["cable 1 and south", "cable 3 and north"]
-    said = plain(page.locator("#reached").inner_text())
-    assert f"({proof.reachable_volume:.4g} m³)" in said
-    assert f"within {np.linalg.norm(proof.nearest_to_goal - closed.goal):.3f} m of the goal" in said
-    assert re.search(r"at least 26 % of its workspace", said)
-    labels = [plain(text) for text in page.locator(".label:visible").all_inner_texts()]
-    assert {"nearest reachable", "0.625 m to the goal", "start", "goal", "south", "north"} == set(labels)
-    names = page.locator(".legend-name").all_inner_texts()
-    assert {"can be reached from the start", "wall that closes the way", "obstacles that close the way"} <= set(names)
-    parts = "Object.keys(cdprViewer.layers.walls.parts)"
-    assert page.evaluate(parts) == ["cable 1 and south", "cable 3 and north"]
-    before = picture(page)
-    layers = ["reachable", "walls", "culprits", "nearestReachable", "walls.parts['cable 3 and north']"]
-    for layer in layers:
-        page.evaluate(f"cdprViewer.layers.{layer}.visible = false")
-        assert picture(page) != before, layer
-        page.evaluate(f"cdprViewer.layers.{layer}.visible = true")
-        assert picture(page) == before, layer
-
-
-def test_a_proof_is_shown_between_its_own_ends(open_page: Open, closed: cdpr.Scene) -> None:
-    page = open_page(closed, cdpr.plan(closed, start=[0.3, 1.0, 0.6]))
-    data = json.loads(page.locator("#cdpr-data").text_content() or "")
-    assert (data["start"], data["goal"]) == ([0.3, 1.0, 0.6], closed.goal.tolist())
-    assert data["no_path"]["culprits"] and data["path"]["status"] == "no_path"
-
-
-def test_a_button_shows_the_path_without_an_obstacle(open_page: Open, closed: cdpr.Scene) -> None:
-    result = cdpr.plan(closed)
-    proof, page = proof_of(result), open_page(closed, result)
-    before, seen = picture(page), set()
-    assert not page.locator("#transport").is_visible()
-    for name in ["north", "south"]:
-        cost = proof.without[name]
-        button = page.get_by_role("button", name=f"without {name}")
-        assert cost is not None and plain(button.inner_text()) == f"without {name}: {cost:.3f} m"
-        button.click()
-        assert page.locator("#remedies button[aria-pressed=true]").all_inner_texts() == [button.inner_text()]
-        assert math.isclose(page.evaluate("cdprViewer.length"), cost)
-        assert page.locator("#transport").is_visible()
-        shown = {other: page.evaluate(f"cdprViewer.layers.obstacles.parts.{other}.visible") for other in proof.without}
-        assert shown == {other: other != name for other in proof.without}
-        page.evaluate("cdprViewer.setDistance(cdprViewer.length)")
-        assert np.allclose(page.evaluate("cdprViewer.position()"), closed.goal)
-        page.evaluate("cdprViewer.setDistance(0)")
-        seen.add(picture(page))
-    button.click()
-    assert page.locator("#remedies button[aria-pressed=true]").count() == 0
-    assert page.evaluate("cdprViewer.length") == 0 and not page.locator("#transport").is_visible()
-    assert picture(page) == before and before not in seen and len(seen) == 2
-
-
-def test_an_obstacle_that_does_not_open_the_way_alone_says_so(open_page: Open, closed: cdpr.Scene) -> None:
-    twins = closed.with_obstacle("twin", {"box": [0.14, 0.14, 0.86]}, position=[1.78, 0.32, 0.43])
-    result = cdpr.plan(twins)
-    (still,) = [name for name, cost in proof_of(result).without.items() if cost is None]
-    assert still in ("south", "twin")
-    page = open_page(twins, result)
-    button = page.get_by_role("button", name=f"without {still}")
-    assert button.inner_text() == f"without {still}: still no path found" and button.is_disabled()
-
-
-@pytest.mark.parametrize("look", ["light", "dark"])
-def test_many_may_close_the_way_and_names_stay_names(open_page: Open, closed: cdpr.Scene, look: str) -> None:
-    spec = closed.to_dict()
-    spec["obstacles"][0]["name"], spec["obstacles"][1]["name"] = HOSTILE[0], "__proto__"
-    scene = cdpr.Scene.from_dict(spec)
-    page = open_page(scene, cdpr.plan(scene), look=look)
-    assert page.locator("#closed-by li").all_inner_texts() == [f"cable 1 and {HOSTILE[0]}", "cable 3 and __proto__"]
-    for button in page.locator("#remedies button").all():
-        button.click()
-        assert page.evaluate("cdprViewer.length") > 2
-    assert page.evaluate("window.hacked") is None and page.locator("#no-path img, #no-path script").count() == 0
-
-
-HOSTILE = [
-    "</script><script>window.hacked = 1</script>",
-    "<img src=x onerror='window.hacked = 1'>",
-    "\"><svg onload=\"window.hacked = 1\">",
-    "<!--<script>{{data}}/*{{script}}*/",
-    "__proto__",
-]
 
 
 def test_names_cannot_inject_anything(open_page: Open, hard1: cdpr.Scene) -> None:
