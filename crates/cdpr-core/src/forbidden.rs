@@ -5,5 +5,5 @@ mod h_polyhedron;
 mod polygon;
 
 pub use h_polyhedra::{HPolyhedra, Near, Room};
-pub use h_polyhedron::{Edge, HPolyhedron, edge_direction, in_box, meeting_line};
+pub use h_polyhedron::{Edge, HPolyhedron, edge_direction, gaps, in_box, meeting_line};
 pub use polygon::{Frame, Place, Polygon};

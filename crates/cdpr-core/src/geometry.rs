@@ -42,6 +42,16 @@ pub type Vector = nalgebra::Vector3<f64>;
 /// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;
 
+/// The place on a line, given by a point and a unit vector, through which the way between two positions is shortest, m from the
+/// point: where the way is straight in the unfolding of the two half-planes.
+pub fn shortest_over(point: &Point, along: &Vector, places: [&Point; 2]) -> f64 {
+    let [(a, height_a), (b, height_b)] = places.map(|place| {
+        let foot = along.dot(&(place - point));
+        (foot, (place - (point + along * foot)).norm())
+    });
+    if height_a + height_b > 0.0 { (a * height_b + b * height_a) / (height_a + height_b) } else { a }
+}
+
 /// Length of a path of straight segments, m.
 pub fn path_length(waypoints: &[Point]) -> f64 {
     waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()

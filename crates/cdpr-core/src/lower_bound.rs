@@ -15,7 +15,7 @@
 //! Papadimitriou, "An algorithm for shortest-path motion in three dimensions", Inf. Process. Lett. 20, 1985.
 //!
 //! Only what is certainly forbidden counts, so all paths that any engine accepts are at least that long; with clearances,
-//! crossing cables and wrenches the bound is looser. Polyhedra are moved outward a little ([`widened_polyhedra`]): otherwise
+//! crossing cables and wrenches the bound is looser. Polyhedra are moved outward a little ([`widened_evenly`]): otherwise
 //! slits without width between parts that abut would be short cuts. `planes` gives a first bound quickly, by other means.
 
 mod free_edges;
@@ -24,16 +24,17 @@ mod network;
 mod planes;
 mod snapping;
 
-use crate::collision::Checker;
+use crate::collision::{Checker, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
 use crate::geometry::{Point, path_length};
 use crate::numerics::LEAST_INTERVAL;
-use crate::proof::{Widened, widened_polyhedra};
+use crate::proof::widened_evenly;
 use crate::watch::{Watch, in_time};
 use free_edges::{Ellipsoid, free_edges};
 use interval::Interval;
 use network::Network;
+use snapping::{Moved, snapped};
 
 /// A lower bound, and where a path close to it might be.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,22 +65,23 @@ pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 /// assert_eq!(bound.length, enough); // that is proved
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub struct Forbidden {
-    polyhedra: Vec<Widened>,
+pub struct Forbidden<'c> {
+    checker: &'c dyn Checker,
+    polyhedra: Vec<Polyhedron>,
     ends: [Point; 2],
     low: Point,
     high: Point,
 }
 
-impl Forbidden {
+impl<'c> Forbidden<'c> {
     /// The forbidden polyhedra of an engine.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn new(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Self, Error> {
+    pub fn new(checker: &'c dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Self, Error> {
         let (low, high) = checker.conditions().position_box();
         let (low, high) = (low.inf(ends[0]).inf(ends[1]), high.sup(ends[0]).sup(ends[1]));
-        Ok(Forbidden { polyhedra: widened_polyhedra(checker, ends, watch)?, ends: ends.map(|end| *end), low, high })
+        Ok(Forbidden { checker, polyhedra: checker.certain_polyhedra(watch)?, ends: ends.map(|end| *end), low, high })
     }
 
     /// A bound that is found quickly, m; infinite if it is certain that there is no path. The best one so far if time runs
@@ -88,7 +90,7 @@ impl Forbidden {
     /// # Errors
     /// [`Error::interrupted`].
     pub fn quick_bound(&self, watch: &Watch) -> Result<f64, Error> {
-        let hulls = self.polyhedra.iter().map(|polyhedron| HPolyhedron::exact(polyhedron.certain.clone()));
+        let hulls = self.polyhedra.iter().map(|polyhedron| HPolyhedron::exact(polyhedron.half_spaces.clone()));
         let hulls = HPolyhedra::new(hulls, self.low, self.high);
         planes::lower_bound(&hulls, &self.low, &self.high, &self.ends[0], &self.ends[1], watch)
     }
@@ -112,8 +114,13 @@ impl Forbidden {
             return Ok(());
         }
         let within = Ellipsoid { start: *start, goal: *goal, length: enough };
-        let near = self.polyhedra.iter().filter(|polyhedron| !within.misses(&polyhedron.planes));
-        let hulls = HPolyhedra::new(snapping::snapped(near, self.low, self.high), self.low, self.high);
+        let mut moved = Vec::new();
+        for polyhedron in self.polyhedra.iter().filter(|polyhedron| !within.misses(&polyhedron.half_spaces)) {
+            watch.check()?;
+            let after = widened_evenly(self.checker, polyhedron, [start, goal]);
+            moved.push(Moved { before: &polyhedron.half_spaces, after });
+        }
+        let hulls = HPolyhedra::new(snapped(&moved, self.low, self.high), self.low, self.high);
         let edges = free_edges(&hulls, &within, watch)?;
         if edges.len().saturating_mul(edges.len()) / 2 > effort {
             return Ok(());

@@ -328,10 +328,11 @@ fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<
         return Ok(Some(known).filter(|_| known >= enough || result.lower_bound.is_some()));
     }
     let forbidden = Forbidden::new(engine, [start, goal], watch)?;
-    let quick = forbidden.quick_bound(watch)?.min(*cost);
-    let proved =
-        if quick >= enough { quick } else { forbidden.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length };
-    Ok(Some(known.max(quick).max(proved)))
+    let known = known.max(forbidden.quick_bound(watch)?.min(*cost));
+    if known >= enough || result.lower_bound.is_some() {
+        return Ok(Some(known)); // the planner has already tried to prove more
+    }
+    Ok(Some(known.max(forbidden.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length)))
 }
 
 /// A result, or `None` if the work was interrupted or ran out of time.

@@ -18,7 +18,7 @@ mod tiling;
 pub use certificate::{
     BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Reason, VERSION, WRENCH, certificate_ends,
 };
-pub use closing::{Widened, widened_polyhedra};
+pub use closing::widened_evenly;
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::collision::{Checker, Piece};

@@ -199,20 +199,25 @@ impl Edge {
 
     /// Its pieces outside all hulls that have at least this length, m.
     pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h HPolyhedron>, least: f64) -> Vec<Edge> {
-        let mut covered: Vec<[f64; 2]> =
-            hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0])).collect();
-        covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let mut free = Vec::new();
-        let mut at = 0.0;
-        for [start, end] in covered.into_iter().chain([[1.0, 1.0]]) {
-            let piece = Edge { from: self.at(at), along: self.along * (start.min(1.0) - at), ..*self };
-            if start > at && piece.along.norm() >= least {
-                free.push(piece);
-            }
-            at = at.max(end);
-        }
-        free
+        let covered = hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0]));
+        let free = gaps(covered.collect(), 1.0).into_iter();
+        let pieces = free.map(|[a, b]| Edge { from: self.at(a), along: self.along * (b.min(1.0) - a), ..*self });
+        pieces.filter(|piece| piece.along.norm() >= least).collect()
     }
+}
+
+/// The gaps that ranges leave from zero to an end.
+pub fn gaps(mut covered: Vec<[f64; 2]>, end: f64) -> Vec<[f64; 2]> {
+    covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut at = 0.0;
+    let mut gaps = Vec::new();
+    for [start, end] in covered.into_iter().chain([[end, end]]) {
+        if start > at {
+            gaps.push([at, start]);
+        }
+        at = at.max(end);
+    }
+    gaps
 }
 
 /// The whole line.

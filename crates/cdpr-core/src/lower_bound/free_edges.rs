@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use crate::error::Error;
-use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Polygon};
+use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Polygon, gaps};
 use crate::geometry::{HalfSpace, Point, Vector};
 use crate::numerics::{SAME_POINT, SIMILAR_LINE};
 use crate::watch::Watch;
@@ -110,17 +110,8 @@ fn uncovered<'h>(
     let along = to - from;
     let seam = SAME_POINT / along.norm().max(SAME_POINT);
     let covered = others.filter_map(|other| other.inside_or_on_face(planes, &from, &along));
-    let mut covered: Vec<[f64; 2]> = covered.map(|[a, b]| [a + seam, b - seam]).filter(|[a, b]| a < b).collect();
-    covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut at = 0.0;
-    let mut free = Vec::new();
-    for [start, end] in covered.into_iter().chain([[1.0 + seam, 1.0]]) {
-        if start > at {
-            free.push([from + along * at, from + along * start.min(1.0)]);
-        }
-        at = at.max(end);
-    }
-    free
+    let covered = covered.map(|[a, b]| [a + seam, b - seam]).filter(|[a, b]| a < b).collect();
+    gaps(covered, 1.0 + seam).into_iter().map(|gap| gap.map(|t| from + along * t.min(1.0))).collect()
 }
 
 /// Free edges, of which those that coincide are kept once: edges of the platform's and the cables' regions often do.

@@ -3,7 +3,7 @@
 use super::free_edges::FreeEdge;
 use crate::forbidden::HPolyhedron;
 use crate::geometry::segment_segment::closest;
-use crate::geometry::{HalfSpace, Point, Vector};
+use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
 use crate::numerics::{BLOCKED_DEPTH, ON_SURFACE, SAME_POINT};
 
 /// An interval of a free edge, or a single point.
@@ -132,16 +132,12 @@ impl Interval {
         closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance
     }
 
-    /// The point through which the way between two positions is shortest: straight in the unfolding.
+    /// The point through which the way between two positions is shortest.
     pub fn nearest_way(&self, places: [&Point; 2]) -> Point {
         if self.length <= SAME_POINT {
             return self.middle();
         }
-        let [(s, ds), (g, dg)] = places.map(|place| {
-            let foot = (place - self.ends[0]).dot(&self.along);
-            (foot, (place - (self.ends[0] + self.along * foot)).norm())
-        });
-        let best = if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { 0.5 * (s + g) };
+        let best = shortest_over(&self.ends[0], &self.along, places);
         self.ends[0] + self.along * best.clamp(0.0, self.length)
     }
 
@@ -194,9 +190,9 @@ impl Interval {
     pub fn may_bend_towards(&self, other: &Interval) -> bool {
         let Some(Edge { planes, .. }) = &self.edge else { return true };
         let [a, b] = planes.each_ref().map(|plane| other.ends.map(|end| plane.height(&end)));
-        let (below_a, below_b) = (not_above(a), not_above(b));
-        let (above_a, above_b) = (not_above(a.map(|h| -h)), not_above(b.map(|h| -h)));
-        overlap(below_a, above_b) || overlap(below_b, above_a)
+        let below = |heights: [f64; 2]| Label(heights).below(ON_SURFACE);
+        let above = |heights: [f64; 2]| below(heights.map(|height| -height));
+        overlap(below(a), above(b)) || overlap(below(b), above(a))
     }
 
     /// Whether a shortest path may run along an edge from one of these intervals to the other, if they are on the same edge. It meets
@@ -233,17 +229,7 @@ impl Interval {
     }
 }
 
-/// The fractions of an interval between which a height, given at both ends, is not positive beyond contact.
-fn not_above(heights: [f64; 2]) -> [f64; 2] {
-    let [a, b] = heights.map(|height| height - ON_SURFACE);
-    match (a <= 0.0, b <= 0.0) {
-        (true, true) => [0.0, 1.0],
-        (true, false) => [0.0, a / (a - b)],
-        (false, true) => [a / (a - b), 1.0],
-        (false, false) => [1.0, 0.0],
-    }
-}
-
-fn overlap(a: [f64; 2], b: [f64; 2]) -> bool {
-    a[0].max(b[0]) <= a[1].min(b[1])
+/// Whether two ranges have a common place.
+fn overlap(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> bool {
+    a.zip(b).is_some_and(|(a, b)| a[0].max(b[0]) <= a[1].min(b[1]))
 }

@@ -7,7 +7,7 @@
 
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, edge_direction, in_box, meeting_line};
-use crate::geometry::{HalfSpace, Point, Vector};
+use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
 use crate::numerics::SAME_POINT;
 use crate::watch::Watch;
 
@@ -170,23 +170,13 @@ impl<'a> Section<'a> {
                 let range = [from.max(first), to.min(last)];
                 if range[0] <= range[1] {
                     let mut side = Side { hull, point, along, range, unfolded: 0.0, least: 0.0 };
-                    side.unfolded = self.unfolded(&side);
+                    side.unfolded = shortest_over(&point, &along, [self.start, self.goal]);
                     side.least = self.over(&side, side.unfolded.clamp(range[0], range[1]));
                     sides.push(side);
                 }
             }
         }
         Some(sides)
-    }
-
-    /// The point on the line of a side through which a path from start to goal is shortest: it is straight in the
-    /// unfolding.
-    fn unfolded(&self, side: &Side) -> f64 {
-        let [(s, ds), (g, dg)] = [self.start, self.goal].map(|end| {
-            let t = side.along.dot(&(end - side.point));
-            (t, (end - (side.point + side.along * t)).norm())
-        });
-        if ds + dg > 0.0 { (s * dg + g * ds) / (ds + dg) } else { s }
     }
 
     /// Length of the path through a point on the line of a side, m.

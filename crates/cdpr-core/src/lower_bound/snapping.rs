@@ -5,26 +5,25 @@ use std::collections::HashMap;
 use crate::forbidden::HPolyhedron;
 use crate::geometry::{HalfSpace, Point};
 use crate::numerics::SAME_PLANE;
-use crate::proof::Widened;
 
-/// The widened polyhedra. Of planes that are equal before they are moved outward, all become the innermost, so that the
-/// polyhedra become smaller, if anything. Faces of the platform's and of the cables' polyhedra often lie in one plane.
-pub fn snapped<'p>(
-    polyhedra: impl Iterator<Item = &'p Widened>,
-    low: Point,
-    high: Point,
-) -> impl Iterator<Item = HPolyhedron> {
-    let polyhedra: Vec<&Widened> = polyhedra.collect();
+/// The planes of a polyhedron, before and after they are moved outward.
+pub struct Moved<'p> {
+    pub before: &'p [HalfSpace],
+    pub after: Vec<HalfSpace>,
+}
+
+/// The moved polyhedra. Of planes that are equal before they are moved, all become the innermost, so that the polyhedra become
+/// smaller, if anything. Faces of the platform's and of the cables' polyhedra often lie in one plane.
+pub fn snapped(polyhedra: &[Moved], low: Point, high: Point) -> impl Iterator<Item = HPolyhedron> {
     let extent = low.coords.abs().sup(&high.coords.abs()).norm();
     let mut same: HashMap<[i64; 4], HalfSpace> = HashMap::new();
-    for (certain, plane) in polyhedra.iter().flat_map(|polyhedron| polyhedron.certain.iter().zip(&polyhedron.planes)) {
-        let known = same.entry(key(certain)).or_insert(*plane);
+    for (before, plane) in polyhedra.iter().flat_map(|polyhedron| polyhedron.before.iter().zip(&polyhedron.after)) {
+        let known = same.entry(key(before)).or_insert(*plane);
         let turned = (plane.normal - known.normal).norm();
         known.offset = known.offset.min(plane.offset - turned * extent);
     }
-    let snapped =
-        |polyhedron: &Widened| HPolyhedron::exact(polyhedron.certain.iter().map(|plane| same[&key(plane)]).collect());
-    polyhedra.iter().map(|polyhedron| snapped(polyhedron)).collect::<Vec<_>>().into_iter()
+    let snapped = move |moved: &Moved| HPolyhedron::exact(moved.before.iter().map(|plane| same[&key(plane)]).collect());
+    polyhedra.iter().map(snapped)
 }
 
 fn key(plane: &HalfSpace) -> [i64; 4] {

@@ -7,10 +7,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::collision::{Checker, Conditions, Piece, Polyhedron};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
-use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
 use crate::numerics::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
-use crate::watch::Watch;
 
 /// How far regions and bounds reach beyond what is forbidden, m.
 const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
@@ -153,40 +151,24 @@ fn farthest(checker: &dyn Checker, condition: usize, region: &[HalfSpace], bound
     Some(body.vertices.iter().map(slack).fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// A polyhedron of certainly forbidden positions.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Widened {
-    /// Its planes.
-    pub certain: Vec<HalfSpace>,
-    /// The same planes moved outward, so that all positions inside are within the margin of forbidden ones.
-    pub planes: Vec<HalfSpace>,
-}
-
 /// Corners at which moved planes meet farther out than this times their own movement are sharp.
 const SHARPNESS: f64 = 4.0;
 
-/// All certainly forbidden polyhedra, widened by at most [`BOUND_MARGIN`]; those that have sharp
-/// corners or that one of the ends touches are not moved.
-///
-/// # Errors
-/// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn widened_polyhedra(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Vec<Widened>, Error> {
-    let (low, high) = checker.conditions().position_box();
-    let bounds = Cuboid::new(low, high);
-    let touches = |planes: &[HalfSpace], end: &Point| planes.iter().all(|plane| plane.height(end) < 2.0 * BOUND_MARGIN);
-    // All are moved by the same distance, so that faces and edges that coincide still do.
-    let within_margin = |planes: &[HalfSpace], condition: usize| match checker.conditions().list[condition].details() {
-        cone if cone.ends_on_body() => mitre(planes) <= SHARPNESS,
-        _ => farthest(checker, condition, planes, &bounds).is_some_and(|farthest| farthest < BOUND_MARGIN),
+/// The planes of a certainly forbidden polyhedron, moved outward so far that all positions inside are within [`BOUND_MARGIN`] of
+/// forbidden ones; not moved if it has sharp corners or one of the ends touches it. All polyhedra are moved by the same
+/// distance, so that faces and edges that coincide still do.
+pub fn widened_evenly(checker: &dyn Checker, polyhedron: &Polyhedron, ends: [&Point; 2]) -> Vec<HalfSpace> {
+    let Polyhedron { condition, half_spaces: certain } = polyhedron;
+    let touches = |end: &&Point| certain.iter().all(|plane| plane.height(end) < 2.0 * BOUND_MARGIN);
+    let region = moved(certain, BOUND_MARGIN / SHARPNESS);
+    let within_margin = || {
+        if checker.conditions().list[*condition].details().ends_on_body() {
+            return mitre(&region) <= SHARPNESS;
+        }
+        let (low, high) = checker.conditions().position_box();
+        farthest(checker, *condition, &region, &Cuboid::new(low, high)).is_some_and(|farthest| farthest < BOUND_MARGIN)
     };
-    let of = |Polyhedron { condition, half_spaces: certain }: Polyhedron| {
-        watch.check()?;
-        let touched = ends.iter().any(|end| touches(&certain, end));
-        let planes = Some(moved(&certain, BOUND_MARGIN / SHARPNESS))
-            .filter(|planes| !touched && within_margin(planes, condition));
-        Ok(Widened { planes: planes.unwrap_or_else(|| certain.clone()), certain })
-    };
-    checker.certain_polyhedra(watch)?.into_iter().map(of).collect()
+    if !ends.iter().any(touches) && within_margin() { region } else { certain.clone() }
 }
 
 /// Distance by which the corner of a cone moves if its planes move outward by 1; infinite if they are dependent.
