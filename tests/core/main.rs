@@ -13,4 +13,5 @@ mod properties;
 mod random_scenes;
 mod regions;
 mod regressions;
+mod trajectory;
 mod wrench_planning;

@@ -36,6 +36,7 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         robot: RobotSource::Inline(robot),
         obstacles,
         wrench: None,
+        motion: None,
         query: None,
     };
     GjkEngine::new(&Scene::new(spec).unwrap(), Interference::Exact).unwrap()

@@ -424,3 +424,30 @@ pub const PROOF_EFFORT: usize = 3_000_000;
 
 /// Number of these cells per sample that the planner may draw, so that its limit limits both.
 pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;
+
+/// Distance of a waypoint from the line between its neighbours below which a trajectory goes straight on, m; as
+/// [`SAME_POINT`].
+pub const STRAIGHT_ON: f64 = 1e-9;
+
+/// How often a bend is halved to prove that it is free: parts of a thousandth, which deviate from their chord by a
+/// millionth of what the bend does.
+pub const BEND_HALVINGS: usize = 10;
+
+/// Distance of a bend from its chord up to which the cells of the grid rule judge the chord, m: far below the size of a cell.
+pub const CHORD_OF_CELLS: f64 = 1e-4;
+
+/// Share of each cable's range of tensions that trajectories leave unused at both ends: room for the proof that tensions
+/// exist between instants. It costs about this share of the acceleration.
+pub const TENSION_RESERVE: f64 = 1e-4;
+
+/// Number of intervals into which the timing of a trajectory divides its curve.
+pub const TIMING_INTERVALS: usize = 1000;
+
+/// Excess over a limit at which a timing is accepted and slowed down as a whole, as a share of the limit.
+pub const TIMING_EXCESS: f64 = 1e-5;
+
+/// How often the time between two instants is halved to prove that tensions exist in between.
+pub const TENSION_HALVINGS: usize = 12;
+
+/// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
+pub const TIMING_ROUNDS: usize = 10;

@@ -51,6 +51,7 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         obstacles,
         wrench: None,
         query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 1.7]), orientation: None }),
+        motion: None,
     }
 }
 

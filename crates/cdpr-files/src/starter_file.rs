@@ -76,6 +76,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         robot: RobotSource::File(relative(&starter.robot, output)?),
         obstacles: obstacles(starter, output)?,
         wrench: None,
+        motion: None,
         query: given.then(|| QuerySpec {
             start: starter.start.map(Into::into),
             goal: starter.goal.map(Into::into),

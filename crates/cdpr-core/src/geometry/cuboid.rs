@@ -21,6 +21,13 @@ impl Cuboid {
         Cuboid { low, high, center: nalgebra::center(&low, &high), half: (high - low) * 0.5 }
     }
 
+    /// The smallest box around some points.
+    pub fn around(points: &[Point]) -> Self {
+        let low = points.iter().fold(points[0], |low, p| low.inf(p));
+        let high = points.iter().fold(points[0], |high, p| high.sup(p));
+        Self::new(low, high)
+    }
+
     /// Largest height of its points above a plane, m.
     #[inline]
     pub fn highest(&self, plane: &HalfSpace) -> f64 {

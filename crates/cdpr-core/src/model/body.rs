@@ -1,6 +1,6 @@
 //! Bodies built from their specs, and checks of numbers shared by robots and scenes.
 
-use super::spec::{BodySpec, MarginSpec, MeshSource, PrismSpec, WrenchSpec};
+use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector};
 use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
@@ -93,6 +93,27 @@ pub fn wrench(place: &str, numbers: &[f64; 6]) -> Result<(), Error> {
             Err(Error::invalid(place, problem))
         }
     }
+}
+
+/// Checks the values of a `[motion]` table.
+///
+/// # Errors
+/// A limit that is not positive (`blend` and `wrench_margin`: negative) or not finite.
+pub fn sound_motion(spec: &MotionSpec) -> Result<(), Error> {
+    let limits = [
+        ("speed", spec.speed),
+        ("acceleration", spec.acceleration),
+        ("jerk", spec.jerk),
+        ("cable_speed", spec.cable_speed),
+        ("cable_acceleration", spec.cable_acceleration),
+    ];
+    for (key, limit) in limits {
+        limit.map(|limit| positive(key, limit)).transpose()?;
+    }
+    for (key, limit) in [("blend", spec.blend), ("wrench_margin", spec.wrench_margin)] {
+        limit.map(|limit| not_negative(key, limit)).transpose()?;
+    }
+    Ok(())
 }
 
 /// Checks the numbers of `[wrench]`.

@@ -59,6 +59,9 @@ impl Scene {
         if let Some(wrench) = &spec.wrench {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
+        if let Some(motion) = &spec.motion {
+            body::sound_motion(motion).map_err(|e| e.under("motion"))?;
+        }
         let workspace = workspace(&spec)?;
         body::at_most("obstacles", spec.obstacles.len(), MOST_BODIES)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
@@ -270,6 +273,15 @@ impl Scene {
         Scene::new(spec)
     }
 
+    /// The same scene without any required clearance: bodies only must not overlap.
+    ///
+    /// # Errors
+    /// Never for a checked scene.
+    pub fn without_clearance(&self) -> Result<Scene, Error> {
+        let spec = SceneSpec { clearance: None, clearances: None, ..self.spec.clone() };
+        Ok(Scene { orientation: self.orientation, ..Scene::new(spec)? })
+    }
+
     /// The rules for pairs of bodies.
     pub fn pairs(&self) -> &PairRules {
         &self.pairs
@@ -306,7 +318,8 @@ impl Scene {
 
     /// Identifies the scene of a path: covers everything except name, start, goal and the names of orientations.
     pub fn fingerprint(&self) -> String {
-        let mut spec = SceneSpec { name: None, orientations: Vec::new(), query: None, ..self.spec.clone() };
+        let mut spec =
+            SceneSpec { name: None, orientations: Vec::new(), query: None, motion: None, ..self.spec.clone() };
         let turn = rounded(&self.orientation);
         if turn != [1.0, 0.0, 0.0, 0.0] {
             spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });

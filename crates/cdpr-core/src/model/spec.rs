@@ -87,6 +87,9 @@ pub struct SceneSpec {
     /// Start, goal and orientation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub query: Option<QuerySpec>,
+    /// Limits of timed motions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionSpec>,
 }
 
 /// Clearances that differ from the scene's `clearance`. A clearance for a pair takes precedence over that of its kind.
@@ -396,6 +399,50 @@ pub struct QuerySpec {
     /// scene's orientations; default: no rotation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationSource>,
+}
+
+/// Limits of timed motions; all are optional. Tensions are limited by those of the cables.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct MotionSpec {
+    /// Largest speed of the platform, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
+    /// Largest acceleration of the platform, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<f64>,
+    /// Largest jerk of the platform, m/s³; needs an acceleration.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jerk: Option<f64>,
+    /// Largest speed at which a cable is wound or unwound, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_speed: Option<f64>,
+    /// Largest acceleration of a cable, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_acceleration: Option<f64>,
+    /// Largest deviation from the path where corners are rounded, m; default the scene's clearance.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blend: Option<f64>,
+    /// Capacity margin that the cables keep in addition to the inertia of the platform, N; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrench_margin: Option<f64>,
+}
+
+impl MotionSpec {
+    /// These limits and, where they are not set, those of another table.
+    pub fn over(&self, other: Option<&MotionSpec>) -> Self {
+        let other = other.copied().unwrap_or_default();
+        MotionSpec {
+            speed: self.speed.or(other.speed),
+            acceleration: self.acceleration.or(other.acceleration),
+            jerk: self.jerk.or(other.jerk),
+            cable_speed: self.cable_speed.or(other.cable_speed),
+            cable_acceleration: self.cable_acceleration.or(other.cable_acceleration),
+            blend: self.blend.or(other.blend),
+            wrench_margin: self.wrench_margin.or(other.wrench_margin),
+        }
+    }
 }
 
 /// A named orientation of the platform, world-from-platform.

@@ -97,6 +97,16 @@ impl Measure {
         }
     }
 
+    /// The most by which slack can change per metre within `reach`, m, of a position: a cable turns by at most the inverse of
+    /// its length. Infinite if a cable may lose its direction there.
+    pub fn steepness(&self, position: &Point, reach: f64) -> f64 {
+        let change = |cable: &StaticCable| {
+            let shortest = (cable.outlet - (position + cable.arm)).norm() - reach;
+            if shortest > 0.0 { cable.tension[1] * self.lever(cable) / shortest } else { f64::INFINITY }
+        };
+        self.statics().cables().iter().map(change).sum()
+    }
+
     /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
     /// everywhere in the box.
     ///

@@ -1,0 +1,200 @@
+//! Timed motions along a path that keep every limit at every instant.
+//!
+//! A path of straight lines becomes a curve with continuous curvature ([`corners`]), which is proved free as a whole
+//! ([`free_space`]). The fastest progress along it follows from the limits on a grid ([`rows`], [`fastest`]); a limit of
+//! jerk is kept by smoothing it ([`timing`]). Bounds between the instants of the grid ([`between`]) then show by how much a
+//! limit may be exceeded, and the motion is planned again with tighter limits there; what remains, far below a thousandth,
+//! is removed by slowing down as a whole.
+
+pub mod between;
+pub mod corners;
+pub mod curve;
+pub mod fastest;
+mod free_space;
+mod limits;
+pub mod rows;
+mod schedule;
+pub mod timing;
+pub mod winches;
+
+pub use between::{Bound, Motion};
+pub use corners::{Corner, Passing};
+pub use curve::Curve;
+pub use limits::Limits;
+pub use timing::Timing;
+pub use winches::{Winches, Winding};
+
+use crate::collision::{Engine, Interference, check_path};
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::model::Scene;
+use crate::model::spec::MotionSpec;
+use crate::plan::engine_within;
+use crate::watch::Watch;
+use crate::wrench::TensionQp;
+use between::{shares, tension_shares};
+use corners::rounded;
+use free_space::FreeSpace;
+use schedule::Schedule;
+
+/// A timed motion of a robot's platform at fixed orientation, from rest to rest.
+#[derive(Debug, Clone)]
+pub struct Trajectory {
+    curve: Curve,
+    corners: Vec<Corner>,
+    timing: Timing,
+    limits: Limits,
+    winches: Winches,
+}
+
+/// The state of platform and cables at an instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// s.
+    pub time: f64,
+    /// The platform.
+    pub motion: Motion,
+    /// The cables, in the order of the robot.
+    pub windings: Vec<Winding>,
+    /// Tension of each cable, N; `None` if tensions are not limited.
+    pub tensions: Option<Vec<f64>>,
+}
+
+/// A limit that determines the motion during some time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limiting {
+    /// s.
+    pub from: f64,
+    /// s.
+    pub to: f64,
+    /// The limit.
+    pub bound: Bound,
+}
+
+impl Trajectory {
+    /// The fastest motion along a free path of a scene that keeps the limits of the scene, replaced by those of `given`
+    /// that are set. Corners are rounded within the allowed deviation where that is free; the curve keeps the scene's
+    /// conditions except for clearances, of which it uses up to the deviation.
+    ///
+    /// # Errors
+    /// A path that is not free; limits that are missing or contradictory; a place where the cables cannot hold the platform;
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    ///
+    /// # Source
+    /// See [`fastest`] for the timing. Rounding and bounds between instants are new here.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{geometry::Point, model::spec::MotionSpec, testing, trajectory::Trajectory, watch::Watch};
+    /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+    /// let path = [Point::new(0.5, 1.0, 1.0), Point::new(1.5, 1.0, 1.0)];
+    /// let motion = Trajectory::new(&testing::empty(), &path, &limits, &Watch::NONE)?;
+    /// assert!((motion.duration() - 1.5).abs() < 1e-4); // half a second to speed up, half a second to slow down
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn new(scene: &Scene, waypoints: &[Point], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
+        let limits = Limits::of(scene, given)?;
+        let start =
+            waypoints.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
+        let winches = Winches::of(scene, &limits, start)?;
+        bounded(&limits, &winches)?;
+        let engine = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
+        free(&check_path(&*engine, waypoints, watch)?)?;
+        let bare = scene.without_clearance()?;
+        let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
+        let (curve, corners) = rounded(waypoints, limits.blend, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
+        let timing = Schedule::new(&curve, &corners, &limits, &winches, watch)?.timing(watch)?;
+        Ok(Trajectory { curve, corners, timing, limits, winches })
+    }
+
+    /// s.
+    pub fn duration(&self) -> f64 {
+        self.timing.duration()
+    }
+
+    /// The curve.
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// The progress along the curve.
+    pub fn timing(&self) -> &Timing {
+        &self.timing
+    }
+
+    /// How the corners of the path are passed.
+    pub fn corners(&self) -> &[Corner] {
+        &self.corners
+    }
+
+    /// The limits.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// The cables.
+    pub fn winches(&self) -> &Winches {
+        &self.winches
+    }
+
+    /// The motion of the platform at an instant; outside of the duration that at its nearest end.
+    pub fn at(&self, time: f64) -> Motion {
+        let phase = self.timing.at(time);
+        Motion::on(&self.curve, self.curve.piece_at(phase.s), &phase)
+    }
+
+    /// Platform and cables at an instant. The solver is reused from one instant to the next.
+    ///
+    /// # Errors
+    /// A solver that reached no answer.
+    pub fn sample(&self, solver: &mut TensionQp, time: f64) -> Result<Sample, Error> {
+        let motion = self.at(time);
+        let Motion { position, velocity, acceleration, .. } = &motion;
+        Ok(Sample {
+            time,
+            windings: self.winches.windings(position, velocity, acceleration).collect(),
+            tensions: self.winches.tensions(solver, position, acceleration)?,
+            motion,
+        })
+    }
+
+    /// Which limit determines the motion when: it is used to more than 99.9 %.
+    pub fn limiting(&self) -> Vec<Limiting> {
+        let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
+        if let Some(tensions) = tension_shares(&self.curve, &self.timing, &self.winches) {
+            for (share, tension) in shares.iter_mut().zip(tensions).filter(|(share, tension)| *tension > share.0) {
+                *share = (tension, Some(Bound::Tension));
+            }
+        }
+        let mut list: Vec<Limiting> = Vec::new();
+        for (k, (share, bound)) in shares.into_iter().enumerate() {
+            let [from, to] = [self.timing.phases()[k].time, self.timing.end_of(k)];
+            let Some(bound) = bound.filter(|_| share >= BINDING) else { continue };
+            match list.last_mut() {
+                Some(last) if last.bound == bound && last.to >= from => last.to = to,
+                _ => list.push(Limiting { from, to, bound }),
+            }
+        }
+        list
+    }
+}
+
+/// Share of a limit from which it counts as binding.
+const BINDING: f64 = 0.999;
+
+/// Without a limit of acceleration the fastest motion would be arbitrarily fast.
+fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
+    if limits.acceleration.is_some() || limits.cable_acceleration.is_some() || winches.tension_limits().is_some() {
+        return Ok(());
+    }
+    let note = winches.note().unwrap_or_default();
+    let problem = format!("found no limit, expected an acceleration or a cable_acceleration, since {note}");
+    Err(Error::invalid("acceleration", problem))
+}
+
+/// An error about the first violation of a path.
+fn free(report: &crate::collision::PathReport) -> Result<(), Error> {
+    let Some(first) = report.violations.first() else { return Ok(()) };
+    let problem = format!("found a segment that is not free ({}), expected a valid path", first.violation.sentence());
+    Err(Error::invalid(format!("waypoints[{}]", first.segment), problem))
+}

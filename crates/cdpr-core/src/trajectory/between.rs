@@ -1,0 +1,244 @@
+//! How close a timed motion comes to its limits, at every instant and not only on a grid.
+//!
+//! During a time h in which the motion is smooth, a quantity f exceeds the larger of its values at both ends by at most
+//! h²/8 max |f''|. The derivatives of the position follow from those of the curve and of the progress (Faà di Bruno's
+//! formula); both are polynomials with known bounds.
+
+use super::curve::{Curve, Piece};
+use super::limits::Limits;
+use super::timing::{Phase, Timing};
+use super::winches::{Winches, Winding};
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::numerics::TENSION_HALVINGS;
+use crate::wrench::TensionQp;
+
+/// A limit that a trajectory keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// Speed of the platform.
+    Speed,
+    /// Acceleration of the platform.
+    Acceleration,
+    /// Jerk of the platform.
+    Jerk,
+    /// Speed of this cable.
+    CableSpeed(usize),
+    /// Acceleration of this cable.
+    CableAcceleration(usize),
+    /// The tensions of the cables.
+    Tension,
+}
+
+/// Position, velocity, acceleration and jerk of the platform at an instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// m.
+    pub position: Point,
+    /// m/s.
+    pub velocity: Vector,
+    /// m/s².
+    pub acceleration: Vector,
+    /// m/s³.
+    pub jerk: Vector,
+}
+
+impl Motion {
+    /// The motion at a state of progress on a piece of a curve.
+    pub fn on(curve: &Curve, piece: usize, phase: &Phase) -> Self {
+        let jet = curve.on_piece(piece, phase.s);
+        let Phase { speed, acceleration, jerk, .. } = *phase;
+        Motion {
+            position: jet.position,
+            velocity: jet.first * speed,
+            acceleration: jet.first * acceleration + jet.second * speed.powi(2),
+            jerk: jet.first * jerk + jet.second * (3.0 * speed * acceleration) + jet.third * speed.powi(3),
+        }
+    }
+}
+
+/// A time in which the motion stays on one piece of the curve and in one phase of its progress.
+struct Smooth {
+    piece: usize,
+    phase: Phase,
+    /// s.
+    time: f64,
+    ends: [Motion; 2],
+    /// Bounds of the norms of the first five time derivatives of the position.
+    derivatives: [f64; 5],
+}
+
+impl Smooth {
+    fn new(curve: &Curve, piece: usize, phase: Phase, time: f64) -> Self {
+        let end = phase.after(time);
+        let ends = [Motion::on(curve, piece, &phase), Motion::on(curve, piece, &end)];
+        Smooth { piece, phase, time, ends, derivatives: derivatives(&curve.pieces()[piece], &phase, &end, time) }
+    }
+
+    /// How much a quantity with this bound of its second derivative exceeds its values at both ends.
+    fn sag(&self, second_derivative: f64) -> f64 {
+        self.time * self.time / 8.0 * second_derivative
+    }
+
+    fn halves(&self, curve: &Curve) -> [Smooth; 2] {
+        let half = 0.5 * self.time;
+        [self.phase, self.phase.after(half)].map(|phase| Smooth::new(curve, self.piece, phase, half))
+    }
+}
+
+/// Bounds of the norms of the first five derivatives of q(s(t)).
+fn derivatives(piece: &Piece, start: &Phase, end: &Phase, time: f64) -> [f64; 5] {
+    let [d1, d2, d3, d4, d5] = piece.derivative_bounds;
+    let s3 = start.jerk.abs();
+    let s2 = start.acceleration.abs().max(end.acceleration.abs());
+    let s1 = start.speed.abs().max(end.speed.abs()) + time * time / 8.0 * s3;
+    [
+        d1 * s1,
+        d1 * s2 + d2 * s1.powi(2),
+        d1 * s3 + 3.0 * d2 * s1 * s2 + d3 * s1.powi(3),
+        4.0 * d2 * s1 * s3 + 3.0 * d2 * s2.powi(2) + 6.0 * d3 * s1.powi(2) * s2 + d4 * s1.powi(4),
+        10.0 * d2 * s2 * s3
+            + 10.0 * d3 * s1.powi(2) * s3
+            + 15.0 * d3 * s1 * s2.powi(2)
+            + 10.0 * d4 * s1.powi(3) * s2
+            + d5 * s1.powi(5),
+    ]
+}
+
+/// Calls `visit` with the index of each phase and the smooth times within it.
+fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, &Smooth)) {
+    for (k, phase) in timing.phases().iter().enumerate() {
+        let end = timing.end_of(k);
+        let to = phase.after(end - phase.time).s;
+        let middle = |from: f64, to: f64| curve.piece_at(0.5 * (from + to));
+        let mut now = *phase;
+        let (first, last) = (curve.piece_at(phase.s), middle(to.min(curve.end()), to.min(curve.end())));
+        for joint in first + 1..=last {
+            let s = curve.starts()[joint];
+            let leaves = timing.when(s).clamp(now.time, end);
+            if s > now.s && s < to && leaves > now.time {
+                visit(k, &Smooth::new(curve, middle(now.s, s), now, leaves - now.time));
+                now = phase.after(leaves - phase.time);
+            }
+        }
+        if end > now.time {
+            visit(k, &Smooth::new(curve, middle(now.s, to), now, end - now.time));
+        }
+    }
+}
+
+/// For each phase of a timing, the largest share of a limit that it uses, and the limit. Shares are those of forces and
+/// squared speeds: a motion with a share r keeps the limit if it is slowed down by √r.
+pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Bound>)> {
+    let mut shares = vec![(0.0, None); timing.phases().len()];
+    for_each_smooth(curve, timing, |k, smooth| {
+        for_each_share(smooth, limits, winches, |share, bound| {
+            if share > shares[k].0 {
+                shares[k] = (share, Some(bound));
+            }
+        });
+    });
+    shares
+}
+
+fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit: impl FnMut(f64, Bound)) {
+    let [_, _, m3, m4, m5] = smooth.derivatives;
+    let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
+    if let Some(limit) = limits.speed {
+        let speed = largest(|motion| motion.velocity.norm()) + smooth.sag(m3);
+        visit((speed / limit).powi(2), Bound::Speed);
+    }
+    if let Some(limit) = limits.acceleration {
+        let acceleration = largest(|motion| motion.acceleration.norm()) + smooth.sag(m4);
+        visit(acceleration / limit, Bound::Acceleration);
+    }
+    if let Some(limit) = limits.jerk {
+        let jerk = largest(|motion| motion.jerk.norm()) + smooth.sag(m5);
+        visit((jerk / limit).powf(2.0 / 3.0), Bound::Jerk);
+    }
+    if limits.cable_speed.is_none() && limits.cable_acceleration.is_none() {
+        return;
+    }
+    let [before, after] =
+        [&smooth.ends[0], &smooth.ends[1]].map(|m| winches.windings(&m.position, &m.velocity, &m.acceleration));
+    for (cable, (before, after)) in before.zip(after).enumerate() {
+        let [third, fourth] = winding_derivatives(smooth, &before, &after);
+        if let Some(limit) = limits.cable_speed {
+            let speed = before.speed.abs().max(after.speed.abs()) + smooth.sag(third);
+            visit((speed / limit).powi(2), Bound::CableSpeed(cable));
+        }
+        if let Some(limit) = limits.cable_acceleration {
+            let acceleration = before.acceleration.abs().max(after.acceleration.abs()) + smooth.sag(fourth);
+            visit(acceleration / limit, Bound::CableAcceleration(cable));
+        }
+    }
+}
+
+/// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order.
+const TURNING: [f64; 3] = [1.0, 1.154_700_538_379_251_5, 3.0];
+
+/// Bounds of the third and fourth time derivative of a cable's length between two instants.
+fn winding_derivatives(smooth: &Smooth, before: &Winding, after: &Winding) -> [f64; 2] {
+    let [m1, m2, m3, m4, _] = smooth.derivatives;
+    let shortest = 0.5 * (before.length + after.length - m1 * smooth.time);
+    if !(shortest > 0.0) {
+        return [f64::INFINITY; 2];
+    }
+    let [b1, b2, b3] = [m1, m2, m3].map(|m| m / shortest);
+    let turning =
+        [TURNING[0] * b1, TURNING[1] * b1 * b1 + b2, TURNING[2] * b1.powi(3) + 3.0 * TURNING[1] * b1 * b2 + b3];
+    [m3 + 2.0 * turning[0] * m2 + turning[1] * m1, m4 + 3.0 * turning[0] * m3 + 3.0 * turning[1] * m2 + turning[2] * m1]
+}
+
+/// For each phase of a timing, the largest share of the slack at rest that its inertia uses at its ends, over all facets of
+/// the available wrenches; `None` where the cables cannot hold the platform at rest.
+pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches) -> Option<Vec<f64>> {
+    let mut shares = vec![Some(0.0_f64); timing.phases().len()];
+    for_each_smooth(curve, timing, |k, smooth| {
+        for Motion { position, acceleration, .. } in &smooth.ends {
+            shares[k] = shares[k].and_then(|most| Some(most.max(winches.tension_share(position, acceleration)?)));
+        }
+    });
+    shares.into_iter().collect()
+}
+
+/// The first instant at which it is not proved that tensions within their limits move the platform; `None` if they do at
+/// every instant.
+///
+/// # Errors
+/// A solver that reached no answer.
+pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Option<f64>, Error> {
+    if winches.tension_limits().is_none() {
+        return Ok(None);
+    }
+    let (mut solver, mut first) = (TensionQp::default(), Ok(None));
+    for_each_smooth(curve, timing, |_, smooth| {
+        if matches!(first, Ok(None)) {
+            first = lacking_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS);
+        }
+    });
+    first
+}
+
+fn lacking_tensions(
+    curve: &Curve,
+    smooth: &Smooth,
+    winches: &Winches,
+    solver: &mut TensionQp,
+    halvings: usize,
+) -> Result<Option<f64>, Error> {
+    let ends = [&smooth.ends[0], &smooth.ends[1]].map(|motion| (&motion.position, &motion.acceleration));
+    let [m1, m2, _, m4, _] = smooth.derivatives;
+    if winches.hold_between(solver, ends, [m1, m2, m4], smooth.time)? {
+        return Ok(None);
+    }
+    if halvings == 0 {
+        return Ok(Some(smooth.phase.time));
+    }
+    for half in smooth.halves(curve) {
+        if let Some(time) = lacking_tensions(curve, &half, winches, solver, halvings - 1)? {
+            return Ok(Some(time));
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,151 @@
+//! Proves that bends are free: the curve as a whole, not samples of it.
+//!
+//! A bend stays in the convex hull of its control points. If the hull is on the free side of one plane of a forbidden
+//! polyhedron, the bend misses the polyhedron; otherwise the bend is halved, and each half has its own control points. What
+//! no polyhedron describes is bounded by distances, which change by at most the length of a motion.
+
+use super::curve::{CONTROL, Piece};
+use crate::collision::Checker;
+use crate::error::Error;
+use crate::geometry::{Cuboid, HalfSpace, Point, path_length};
+use crate::model::{RuleSpec, Scene};
+use crate::numerics::{BEND_HALVINGS, CHORD_OF_CELLS, TOUCH_DEPTH};
+use crate::watch::Watch;
+use crate::wrench::{Measure, least_slack, measures};
+
+/// What is forbidden to the curve of a trajectory.
+pub struct FreeSpace<'a> {
+    checker: &'a dyn Checker,
+    bounds: Cuboid,
+    forbidden: Vec<Vec<HalfSpace>>,
+    /// Conditions that forbid positions outside of all polyhedra.
+    by_distance: Vec<usize>,
+    wrench: Requirement,
+}
+
+/// How the wrench requirement of a scene is judged.
+enum Requirement {
+    /// By measures, everywhere; by none if the scene requires nothing.
+    Everywhere(Vec<Measure>),
+    /// By the cells of a grid that chords pass through.
+    Cells,
+}
+
+impl<'a> FreeSpace<'a> {
+    /// What an engine for a scene forbids.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn new(scene: &Scene, checker: &'a dyn Checker, watch: &Watch) -> Result<Self, Error> {
+        let conditions = checker.conditions();
+        let pieces = checker.pieces(watch)?;
+        let mut has_piece = vec![false; conditions.list.len()];
+        pieces.iter().for_each(|piece| has_piece[piece.condition] = true);
+        let (low, high) = conditions.position_box();
+        let exceeds = |index: &usize| !has_piece[*index] || conditions.list[*index].details().exceeds_pieces();
+        let by_cells = scene.wrench().is_some_and(|spec| spec.rule == Some(RuleSpec::Grid));
+        Ok(FreeSpace {
+            checker,
+            bounds: Cuboid::new(low, high),
+            forbidden: pieces.into_iter().map(|piece| piece.outer).collect(),
+            by_distance: (1..conditions.list.len()).filter(exceeds).collect(),
+            wrench: if by_cells { Requirement::Cells } else { Requirement::Everywhere(measures(scene)?) },
+        })
+    }
+
+    /// Whether a piece of a curve is certainly free.
+    pub fn allows(&self, piece: &Piece) -> bool {
+        match piece.control() {
+            [from, to] => self.checker.motion_valid(from, to),
+            control => {
+                let control: &[Point; CONTROL] = control.try_into().expect("a bend has six control points");
+                let inside = |p: &Point| (p - self.bounds.low).inf(&(self.bounds.high - p)).min() >= -TOUCH_DEPTH;
+                let near: Vec<usize> = (0..self.forbidden.len()).collect();
+                control.iter().all(inside) && self.bend(control, &near, &self.by_distance, BEND_HALVINGS)
+            }
+        }
+    }
+
+    /// Whether a bend misses these polyhedra and keeps these conditions and the wrench requirement.
+    fn bend(&self, control: &[Point; CONTROL], near: &[usize], by_distance: &[usize], halvings: usize) -> bool {
+        let hull = Cuboid::around(control);
+        let bodies = &self.checker.conditions().bodies;
+        let reached = |index: &&usize| !separated(&self.forbidden[**index], control);
+        let near: Vec<usize> = near.iter().filter(reached).copied().collect();
+        let undecided = |index: &&usize| !self.checker.conditions().list[**index].details().allows_all(bodies, &hull);
+        let by_distance: Vec<usize> = by_distance.iter().filter(undecided).copied().collect();
+        if near.is_empty() && by_distance.is_empty() && self.balanced(control) {
+            return true;
+        }
+        let broken = |p: &Point| !self.checker.state_valid(p);
+        if halvings == 0 || broken(&control[0]) || broken(&control[CONTROL - 1]) {
+            return false;
+        }
+        halves(control).iter().all(|half| self.bend(half, &near, &by_distance, halvings - 1))
+    }
+
+    /// Whether the cables certainly provide the required wrenches along a bend: the slack on its chord exceeds what it can
+    /// change over the distance between the two.
+    fn balanced(&self, control: &[Point; CONTROL]) -> bool {
+        let [from, to] = [&control[0], &control[CONTROL - 1]];
+        let away = control.iter().map(|p| distance_from_segment(p, from, to)).fold(0.0, f64::max);
+        let reach = path_length(control);
+        let holds = |measure: &Measure| least_slack(measure, from, to).0 >= away * measure.steepness(from, reach);
+        match &self.wrench {
+            Requirement::Everywhere(measures) => measures.iter().all(holds),
+            Requirement::Cells => away <= CHORD_OF_CELLS && self.checker.motion_valid(from, to),
+        }
+    }
+}
+
+/// Whether all points are outside one of the half-spaces, or touch it.
+fn separated(half_spaces: &[HalfSpace], points: &[Point]) -> bool {
+    half_spaces.iter().any(|plane| points.iter().all(|p| plane.height(p) >= -TOUCH_DEPTH))
+}
+
+fn distance_from_segment(point: &Point, from: &Point, to: &Point) -> f64 {
+    let step = to - from;
+    let squared = step.norm_squared();
+    let share = if squared > 0.0 { ((point - from).dot(&step) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (point - (from + step * share)).norm()
+}
+
+/// The control points of both halves of a bend, by de Casteljau's algorithm.
+fn halves(control: &[Point; CONTROL]) -> [[Point; CONTROL]; 2] {
+    let (mut level, mut first, mut second) = (*control, *control, *control);
+    for k in 1..CONTROL {
+        for i in 0..CONTROL - k {
+            level[i] = nalgebra::center(&level[i], &level[i + 1]);
+        }
+        first[k] = level[0];
+        second[CONTROL - 1 - k] = level[CONTROL - 1 - k];
+    }
+    [first, second]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Vector;
+
+    #[test]
+    fn halves_are_parts_of_the_same_curve() {
+        let control: [Point; CONTROL] =
+            std::array::from_fn(|k| Point::new(k as f64, (k * k) as f64, (k * k * k) as f64));
+        let piece = Piece::bend(control);
+        let [first, second] = halves(&control).map(Piece::bend);
+        for k in 0..=10 {
+            let u = f64::from(k) / 10.0;
+            let whole = |u: f64| piece.at(u * piece.length).position;
+            assert!((first.at(u * first.length).position - whole(0.5 * u)).norm() < 1e-12);
+            assert!((second.at(u * second.length).position - whole(0.5 + 0.5 * u)).norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn points_in_front_of_one_plane_are_separated_even_if_they_touch_it() {
+        let box_of = |x: f64| HalfSpace { normal: Vector::x(), offset: x };
+        let points = [Point::new(1.0, 0.0, 0.0), Point::new(2.0, 5.0, 0.0)];
+        assert!(separated(&[box_of(1.0)], &points) && !separated(&[box_of(1.1)], &points));
+    }
+}

@@ -1,0 +1,56 @@
+//! The limits of a motion.
+
+use crate::error::Error;
+use crate::model::spec::MotionSpec;
+use crate::model::{Scene, body};
+
+/// The limits that a trajectory keeps; all of them are optional except `blend`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Speed of the platform, m/s.
+    pub speed: Option<f64>,
+    /// Acceleration of the platform, m/s².
+    pub acceleration: Option<f64>,
+    /// Jerk of the platform, m/s³.
+    pub jerk: Option<f64>,
+    /// Speed of every cable, m/s.
+    pub cable_speed: Option<f64>,
+    /// Acceleration of every cable, m/s².
+    pub cable_acceleration: Option<f64>,
+    /// Largest distance between the curve and the path, m.
+    pub blend: f64,
+    /// Capacity margin that the cables keep in addition to the inertia of the platform, N.
+    pub wrench_margin: f64,
+}
+
+impl Limits {
+    /// The limits of a scene, replaced by those of `given` that are set.
+    ///
+    /// # Errors
+    /// A number that is not positive (`blend` and `wrench_margin`: negative) or not finite; a jerk without an acceleration.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Limits};
+    /// let given = MotionSpec { speed: Some(0.5), acceleration: Some(2.0), ..MotionSpec::default() };
+    /// let limits = Limits::of(&testing::hard1(), &given)?;
+    /// assert_eq!((limits.speed, limits.jerk, limits.blend), (Some(0.5), None, 0.0));
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn of(scene: &Scene, given: &MotionSpec) -> Result<Self, Error> {
+        body::sound_motion(given)?;
+        let spec = given.over(scene.spec().motion.as_ref());
+        if spec.jerk.is_some() && spec.acceleration.is_none() {
+            return Err(Error::invalid("jerk", "found a jerk without an acceleration, expected both"));
+        }
+        Ok(Limits {
+            speed: spec.speed,
+            acceleration: spec.acceleration,
+            jerk: spec.jerk,
+            cable_speed: spec.cable_speed,
+            cable_acceleration: spec.cable_acceleration,
+            blend: spec.blend.or(scene.spec().clearance).unwrap_or(0.0),
+            wrench_margin: spec.wrench_margin.unwrap_or(0.0),
+        })
+    }
+}

@@ -1,0 +1,237 @@
+//! Limits on the motion along a curve, as limits on two numbers.
+//!
+//! With q(s) the curve and s(t) the progress on it, velocity and acceleration are q' ṡ and q' s̈ + q'' ṡ². So at each
+//! parameter every limit but that of jerk is linear in (u, x) = (s̈, ṡ²), or an ellipse (the norm of the acceleration).
+//! Standing still, (0, 0), keeps all of them.
+//!
+//! Source: J. E. Bobrow, S. Dubowsky and J. S. Gibson, "Time-optimal control of robotic manipulators along specified paths",
+//! International Journal of Robotics Research 4(3), 1985; tensions as facets of the available wrench set as in
+//! [`crate::wrench::zonotope`].
+
+use super::curve::Jet;
+use super::limits::Limits;
+use super::winches::Winches;
+use crate::geometry::Vector;
+
+/// A linear limit `a u + b x ≤ c`, with c ≥ 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Coefficient of u = s̈.
+    pub a: f64,
+    /// Coefficient of x = ṡ².
+    pub b: f64,
+    /// The limit.
+    pub c: f64,
+}
+
+/// The limit `|first u + second x| ≤ radius`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipse {
+    /// Coefficient of u = s̈.
+    pub first: Vector,
+    /// Coefficient of x = ṡ².
+    pub second: Vector,
+    /// The limit.
+    pub radius: f64,
+}
+
+/// All limits at one parameter of a curve.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Rows {
+    /// Linear limits.
+    pub linear: Vec<Row>,
+    /// The limit of the platform's acceleration, if there is one.
+    pub ellipse: Option<Ellipse>,
+}
+
+impl Rows {
+    /// The limits at a place of a curve. `None` if the cables cannot hold the platform at rest there.
+    pub fn at(jet: &Jet, limits: &Limits, winches: &Winches) -> Option<Self> {
+        let mut linear = Vec::new();
+        if let Some(speed) = limits.speed {
+            linear.push(Row { a: 0.0, b: jet.first.norm_squared(), c: speed * speed });
+        }
+        if let Some(jerk) = limits.jerk.filter(|_| jet.third.norm() > 0.0) {
+            // At constant progress; the rest of the jerk is known only once the timing is.
+            linear.push(Row { a: 0.0, b: 1.0, c: (jerk / jet.third.norm()).powf(2.0 / 3.0) });
+        }
+        for cable in winches.cables() {
+            let line = jet.position + cable.arm - cable.outlet;
+            let length = line.norm();
+            let rate = line.dot(&jet.first) / length;
+            if let Some(speed) = limits.cable_speed {
+                linear.push(Row { a: 0.0, b: rate * rate, c: speed * speed });
+            }
+            if let Some(most) = limits.cable_acceleration {
+                let bend = (jet.first.norm_squared() + line.dot(&jet.second) - rate * rate) / length;
+                linear.push(Row { a: rate, b: bend, c: most });
+                linear.push(Row { a: -rate, b: -bend, c: most });
+            }
+        }
+        winches.push_tension_rows(jet, &mut linear)?;
+        let ellipse = limits.acceleration.map(|radius| Ellipse { first: jet.first, second: jet.second, radius });
+        Some(Rows { linear, ellipse })
+    }
+
+    /// The same limits, divided by a factor: motions that keep them may exceed them by the factor, in forces and squared
+    /// speeds.
+    pub fn tighten(&mut self, factor: f64) {
+        self.linear.iter_mut().for_each(|row| row.c /= factor);
+        self.ellipse.iter_mut().for_each(|ellipse| ellipse.radius /= factor);
+    }
+}
+
+/// Coefficients of u below this share of those of x count as zero: the row limits x alone.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// The limits that hold while u is constant between two parameters, given the x at the first: those at both ends, and those
+/// of the x that may be reached.
+#[derive(Debug, Default)]
+pub struct Interval {
+    /// u ≤ α − β x: upper limits as (α, β).
+    upper: Vec<[f64; 2]>,
+    /// u ≥ α − β x: lower limits.
+    lower: Vec<[f64; 2]>,
+    ellipses: [Option<Ellipse>; 2],
+    /// The largest x that rows without u allow.
+    most: f64,
+}
+
+/// The range of u at some x, and how its ends change with x.
+#[derive(Debug, Clone, Copy)]
+struct Range {
+    low: f64,
+    low_slope: f64,
+    high: f64,
+    high_slope: f64,
+}
+
+impl Interval {
+    /// The limits between two parameters `step` apart. At the second one x is at most `reach`.
+    pub fn set(&mut self, first: &Rows, second: &Rows, step: f64, reach: f64) {
+        self.upper.clear();
+        self.lower.clear();
+        self.most = f64::INFINITY;
+        for row in &first.linear {
+            self.push(row.a, row.b, row.c);
+        }
+        // At the second parameter x is x + 2 step u.
+        for row in &second.linear {
+            self.push(row.a + 2.0 * step * row.b, row.b, row.c);
+        }
+        self.push(2.0 * step, 1.0, reach);
+        self.push(-2.0 * step, -1.0, 0.0);
+        let moved = |ellipse: Ellipse| Ellipse { first: ellipse.first + ellipse.second * (2.0 * step), ..ellipse };
+        self.ellipses = [first.ellipse, second.ellipse.map(moved)];
+        for ellipse in self.ellipses.iter().flatten() {
+            self.most = self.most.min(ellipse.widest());
+        }
+    }
+
+    fn push(&mut self, a: f64, b: f64, c: f64) {
+        if a.abs() <= NEGLIGIBLE * b.abs() {
+            if b > 0.0 {
+                self.most = self.most.min(c / b);
+            }
+        } else if a > 0.0 {
+            self.upper.push([c / a, b / a]);
+        } else if a < 0.0 {
+            self.lower.push([c / a, b / a]);
+        }
+    }
+
+    /// The range of u at some x.
+    fn range(&self, x: f64) -> Range {
+        let mut range = Range { low: f64::NEG_INFINITY, low_slope: 0.0, high: f64::INFINITY, high_slope: 0.0 };
+        for [alpha, beta] in &self.upper {
+            let value = alpha - beta * x;
+            if value < range.high {
+                (range.high, range.high_slope) = (value, -beta);
+            }
+        }
+        for [alpha, beta] in &self.lower {
+            let value = alpha - beta * x;
+            if value > range.low {
+                (range.low, range.low_slope) = (value, -beta);
+            }
+        }
+        for ellipse in self.ellipses.iter().flatten() {
+            let own = ellipse.range(x);
+            if own.high < range.high {
+                (range.high, range.high_slope) = (own.high, own.high_slope);
+            }
+            if own.low > range.low {
+                (range.low, range.low_slope) = (own.low, own.low_slope);
+            }
+        }
+        range
+    }
+
+    /// The largest x at the first parameter for which some u is allowed: low(x) − high(x) is convex, so its root lies
+    /// between that of its tangent at a larger x and that of its chord from a smaller one.
+    pub fn most_x(&self) -> f64 {
+        let excess = |x: f64| {
+            let Range { low, low_slope, high, high_slope } = self.range(x);
+            (low - high - ROOT * (low.abs() + high.abs()), low_slope - high_slope)
+        };
+        let (mut good, mut bad) = (0.0, self.most.min(LARGEST));
+        let (mut at_good, (mut at_bad, mut slope)) = (excess(good).0, excess(bad));
+        if at_bad <= 0.0 || at_good > 0.0 {
+            return if at_bad <= 0.0 { bad } else { 0.0 };
+        }
+        while bad - good > ROOT * bad {
+            let width = bad - good;
+            let by_chord = good - at_good * width / (at_bad - at_good);
+            let by_tangent = bad - at_bad / slope;
+            for x in [by_tangent, by_chord, 0.5 * (good + bad)] {
+                if !(good < x && x < bad) || bad - good < 0.5 * width {
+                    continue;
+                }
+                let (value, steepness) = excess(x);
+                match value {
+                    value if value <= 0.0 => (good, at_good) = (x, value),
+                    value => (bad, at_bad, slope) = (x, value, steepness),
+                }
+            }
+            if bad - good >= width {
+                break;
+            }
+        }
+        good
+    }
+
+    /// The largest u at some x that [`Interval::most_x`] allows.
+    pub fn most_u(&self, x: f64) -> f64 {
+        let Range { low, high, .. } = self.range(x.min(self.most));
+        if high >= low { high } else { 0.5 * (high + low) }
+    }
+}
+
+/// Largest squared speed, m²/s², if nothing limits it.
+const LARGEST: f64 = 1e12;
+/// Relative difference of the two ends of a range that counts as one point.
+const ROOT: f64 = 1e-13;
+
+impl Ellipse {
+    /// The largest x that it allows.
+    fn widest(&self) -> f64 {
+        // The part of `second` across `first`, which no u can compensate.
+        let along = self.first.dot(&self.second) / self.first.norm_squared();
+        let across = (self.second - self.first * along).norm();
+        if across > 0.0 { self.radius / across } else { f64::INFINITY }
+    }
+
+    /// |first u + second x|² ≤ radius², solved for u.
+    fn range(&self, x: f64) -> Range {
+        let (p, r) = (self.first.norm_squared(), self.first.dot(&self.second));
+        let across = (self.second - self.first * (r / p)).norm_squared() * p;
+        let root = (p * self.radius * self.radius - across * x * x).max(0.0).sqrt();
+        let slope = if root > 0.0 { across * x / root } else { LARGEST };
+        Range {
+            low: (-r * x - root) / p,
+            low_slope: (-r + slope) / p,
+            high: (-r * x + root) / p,
+            high_slope: (-r - slope) / p,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! The timing along a curve with stops, under all limits at every instant.
+
+use super::between::{shares, tension_shares, without_tensions};
+use super::corners::{Corner, Passing};
+use super::curve::Curve;
+use super::fastest::{fastest, grid};
+use super::limits::Limits;
+use super::rows::Rows;
+use super::timing::Timing;
+use super::winches::Winches;
+use crate::error::Error;
+use crate::geometry::Point;
+use crate::numerics::{TIMING_EXCESS, TIMING_ROUNDS};
+use crate::watch::Watch;
+
+/// A curve, its stops, and the limits on a grid of its parameters.
+#[derive(Clone)]
+pub struct Schedule<'a> {
+    curve: &'a Curve,
+    limits: &'a Limits,
+    winches: &'a Winches,
+    grid: Vec<f64>,
+    rows: Vec<Rows>,
+    /// Indices of the grid at which the platform is at rest: start, stops, end.
+    rests: Vec<usize>,
+}
+
+impl<'a> Schedule<'a> {
+    /// The limits along a curve that stops at some corners.
+    ///
+    /// # Errors
+    /// A place where the cables cannot hold the platform; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn new(
+        curve: &'a Curve,
+        corners: &[Corner],
+        limits: &'a Limits,
+        winches: &'a Winches,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let grid = grid(curve);
+        let mut rows = Vec::with_capacity(grid.len());
+        for &s in &grid {
+            watch.check()?;
+            let jet = curve.at(s);
+            rows.push(Rows::at(&jet, limits, winches).ok_or_else(|| not_held(&jet.position))?);
+        }
+        let stops = corners.iter().filter(|corner| corner.passing == Passing::Stop);
+        let index = |corner: &Corner| grid.partition_point(|s| *s < corner.at);
+        let rests = std::iter::once(0).chain(stops.map(index)).chain([grid.len() - 1]).collect();
+        Ok(Schedule { curve, limits, winches, grid, rows, rests })
+    }
+
+    /// The timing: planned on the grid, checked between its parameters, and planned again with tighter limits where one is
+    /// exceeded; finally slowed down by the excess that is left.
+    ///
+    /// # Errors
+    /// A place where the cables cannot hold or accelerate the platform; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn timing(self, watch: &Watch) -> Result<Timing, Error> {
+        let mut best: Option<Timing> = None;
+        for window in self.windows() {
+            let timing = self.clone().slowed(window, watch)?;
+            if best.as_ref().is_none_or(|best| timing.duration() < best.duration()) {
+                best = Some(timing);
+            }
+        }
+        let timing = best.expect("at least one window");
+        match without_tensions(self.curve, &timing, self.winches)? {
+            None => Ok(timing),
+            Some(time) => Err(not_held(&self.curve.at(timing.at(time).s).position)),
+        }
+    }
+
+    /// The times over which progress may be averaged to keep the limit of jerk, s: a jump of the acceleration by its limit
+    /// takes the first, one from the limit to its opposite the last. 0 without such a limit.
+    fn windows(&self) -> Vec<f64> {
+        match (self.limits.jerk, self.limits.acceleration) {
+            (Some(jerk), Some(acceleration)) => [1.0, 1.4, 2.0].map(|share| share * acceleration / jerk).to_vec(),
+            _ => vec![0.0],
+        }
+    }
+
+    /// The timing for one window, so slow that it keeps all limits except for tensions between instants.
+    fn slowed(mut self, window: f64, watch: &Watch) -> Result<Timing, Error> {
+        let (mut timing, mut shares) = self.planned(window)?;
+        for _ in 0..TIMING_ROUNDS {
+            watch.check()?;
+            if shares.iter().all(|share| *share <= 1.0 + TIMING_EXCESS) {
+                break;
+            }
+            self.tighten(&timing, &shares, window);
+            (timing, shares) = self.planned(window)?;
+        }
+        Ok(timing.stretched(worst(&shares).sqrt()))
+    }
+
+    /// The fastest timing, smoothed over a window of time, s, and the shares of limits that each of its phases uses.
+    fn planned(&self, window: f64) -> Result<(Timing, Vec<f64>), Error> {
+        let timing = smoothed(&self.stretches()?, window);
+        let mut shares = self.kinematic_shares(&timing);
+        if window > 0.0 {
+            let tensions = tension_shares(self.curve, &timing, self.winches)
+                .ok_or_else(|| Error::internal("the cables hold the platform at rest on a grid but not in between"))?;
+            shares.iter_mut().zip(tensions).for_each(|(share, tension)| *share = share.max(tension));
+        }
+        Ok((timing, shares))
+    }
+
+    fn kinematic_shares(&self, timing: &Timing) -> Vec<f64> {
+        shares(self.curve, timing, self.limits, self.winches).into_iter().map(|(share, _)| share).collect()
+    }
+
+    /// The fastest timing of each stretch between two rests.
+    fn stretches(&self) -> Result<Vec<Timing>, Error> {
+        let stretch = |pair: &[usize]| {
+            let range = pair[0]..=pair[1];
+            let stuck = |s| not_moved(&self.curve.at(s).position);
+            fastest(&self.grid[range.clone()], &self.rows[range]).map_err(stuck)
+        };
+        self.rests.windows(2).filter(|pair| pair[0] < pair[1]).map(stretch).collect()
+    }
+
+    /// Divides the limits on the grid by the shares that exceed them within half a window.
+    fn tighten(&mut self, timing: &Timing, shares: &[f64], window: f64) {
+        let mut factors = vec![1.0_f64; self.grid.len()];
+        for (k, share) in shares.iter().enumerate().filter(|(_, share)| **share > 1.0) {
+            let [start, end] = [timing.phases()[k].time - 0.5 * window, timing.end_of(k) + 0.5 * window];
+            let ends = [start, end].map(|time| timing.at(time).s);
+            let first = self.grid.partition_point(|s| *s <= ends[0]).saturating_sub(1);
+            let last = self.grid.partition_point(|s| *s < ends[1]).min(self.grid.len() - 1);
+            factors[first..=last].iter_mut().for_each(|factor| *factor = factor.max(*share));
+        }
+        self.rows.iter_mut().zip(factors).for_each(|(rows, factor)| rows.tighten(factor));
+    }
+}
+
+fn smoothed(stretches: &[Timing], window: f64) -> Timing {
+    let smooth = |timing: &Timing| if window > 0.0 { timing.smoothed(window) } else { timing.clone() };
+    Timing::joined(stretches.iter().map(smooth))
+}
+
+/// The largest share, at least 1.
+fn worst(shares: &[f64]) -> f64 {
+    shares.iter().copied().fold(1.0, f64::max)
+}
+
+fn not_held(position: &Point) -> Error {
+    let at = [position.x, position.y, position.z];
+    let problem = format!(
+        "found no tensions within the limits that hold the platform at {at:?} m, expected some all along the path"
+    );
+    Error::invalid("waypoints", problem)
+}
+
+fn not_moved(position: &Point) -> Error {
+    let at = [position.x, position.y, position.z];
+    let problem =
+        format!("found no tensions within the limits that accelerate the platform along the path at {at:?} m");
+    Error::invalid("waypoints", problem)
+}

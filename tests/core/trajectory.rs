@@ -1,0 +1,227 @@
+//! Timed motions: worked examples, and limits at many instants of motions along planned paths.
+
+use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::Scene;
+use cdpr_core::model::spec::{CableSpec, MotionSpec, RobotSource, RobotSpec, SceneSpec};
+use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::testing::{empty, hard1, hard3};
+use cdpr_core::trajectory::{Bound, Passing, Trajectory};
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::TensionQp;
+use std::path::Path;
+
+const FREE: MotionSpec = MotionSpec {
+    speed: Some(1.0),
+    acceleration: Some(2.0),
+    jerk: None,
+    cable_speed: None,
+    cable_acceleration: None,
+    blend: None,
+    wrench_margin: None,
+};
+
+/// A scene of testdata.
+fn scene_file(name: &str) -> Scene {
+    cdpr_files::load_scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes").join(name)).unwrap()
+}
+
+fn motion(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> Trajectory {
+    let waypoints: Vec<Point> = waypoints.iter().map(|p| (*p).into()).collect();
+    Trajectory::new(scene, &waypoints, limits, &Watch::NONE).unwrap()
+}
+
+fn refusal(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> String {
+    let waypoints: Vec<Point> = waypoints.iter().map(|p| (*p).into()).collect();
+    Trajectory::new(scene, &waypoints, limits, &Watch::NONE).unwrap_err().to_string()
+}
+
+/// A point mass of 10 kg without gravity, with cables along all axes from so far that they do not turn.
+fn far_point() -> Scene {
+    let spec = empty().spec().clone();
+    let RobotSource::Inline(robot) = spec.robot.clone() else { panic!("the robot is part of the scene") };
+    let cable = |k: usize| CableSpec {
+        name: None,
+        outlet: std::array::from_fn(
+            |axis| if axis == k / 2 { if k.is_multiple_of(2) { 1e5 } else { -1e5 } } else { 0.0 },
+        ),
+        attachment: [0.0; 3],
+        tension: Some([10.0, 100.0]),
+        diameter: None,
+        length: None,
+    };
+    let mut platform = robot.platform.clone();
+    platform[0].cuboid = None;
+    platform[0].vertices = Some(vec![[0.0; 3]]);
+    let robot = RobotSpec { mass: Some(10.0), platform, cables: (0..6).map(cable).collect(), ..robot };
+    Scene::new(SceneSpec { gravity: Some([0.0; 3]), robot: RobotSource::Inline(robot), ..spec }).unwrap()
+}
+
+#[test]
+fn tensions_that_allow_a_known_acceleration_give_the_time_of_a_triangle() {
+    let unlimited = MotionSpec { speed: None, acceleration: None, ..FREE };
+    let found = motion(&far_point(), &[[1.0, 1.0, 0.5], [1.0, 1.0, 1.5]], &unlimited);
+    // One cable pulls with 100 N, the other holds against it with 10 N: 9 m/s² for 10 kg.
+    let exact = 2.0 * (1.0_f64 / 9.0).sqrt();
+    assert!(found.duration() >= exact && found.duration() < exact * (1.0 + 2e-4), "{}", found.duration());
+    assert!(found.limiting().iter().all(|limiting| limiting.bound == Bound::Tension));
+    let sample = found.sample(&mut TensionQp::default(), 0.1 * exact).unwrap();
+    let tensions = sample.tensions.unwrap();
+    assert!((tensions[4] - 100.0).abs() < 0.1 && (tensions[5] - 10.0).abs() < 0.1, "{tensions:?}");
+}
+
+#[test]
+fn a_wrench_margin_takes_its_force_from_the_acceleration() {
+    let unlimited = MotionSpec { speed: None, acceleration: None, wrench_margin: Some(45.0), ..FREE };
+    let found = motion(&far_point(), &[[1.0, 1.0, 0.5], [1.0, 1.0, 1.5]], &unlimited);
+    let exact = 2.0 * (1.0_f64 / 4.5).sqrt(); // 45 N of 90 N are left
+    assert!(found.duration() >= exact && found.duration() < exact * (1.0 + 3e-4), "{}", found.duration());
+}
+
+#[test]
+fn a_binding_cable_speed_is_reached_and_kept() {
+    // Toward the outlet of cable 4, whose length changes as fast as the platform moves.
+    let scene = empty();
+    let cable = &scene.robot().cables()[4];
+    let arm = cable.attachment.coords;
+    let toward = (cable.outlet - arm - Point::new(1.0, 1.0, 1.0)).normalize();
+    let [from, to] = [-0.6, 0.6].map(|way| Point::new(1.0, 1.0, 1.0) + toward * way);
+    let limits = MotionSpec { cable_speed: Some(0.5), ..FREE };
+    let found = motion(&scene, &[from.into(), to.into()], &limits);
+    // 0.25 s to 0.5 m/s, over 0.0625 m at each end.
+    let exact = 0.5 + (1.2 - 0.125) / 0.5;
+    assert!((found.duration() - exact).abs() < 1e-3 * exact, "{} {exact}", found.duration());
+    // The opposite cable, number 3, is on the same line.
+    let bounds: Vec<Bound> = found.limiting().iter().map(|limiting| limiting.bound).collect();
+    assert_eq!((bounds[0], bounds[bounds.len() - 1]), (Bound::Acceleration, Bound::Acceleration));
+    let middle = &bounds[1..bounds.len() - 1];
+    assert!(!middle.is_empty() && middle.iter().all(|b| [Bound::CableSpeed(3), Bound::CableSpeed(4)].contains(b)));
+}
+
+#[test]
+fn jerk_is_limited_and_the_acceleration_continuous() {
+    let limits = MotionSpec { jerk: Some(10.0), ..FREE };
+    let found = motion(&empty(), &[[0.5, 1.0, 1.0], [1.5, 1.0, 1.0]], &limits);
+    // 0.2 s to 2 m/s², 0.3 s with it, 0.2 s back: 1 m/s after 0.7 s... until 0.5 m are left.
+    assert!((found.duration() - 1.7).abs() < 2e-3, "{}", found.duration());
+    let mut before = found.at(0.0);
+    assert!(before.acceleration.norm() < 1e-12);
+    let steps = 20_000;
+    for k in 1..=steps {
+        let now = found.at(found.duration() * f64::from(k) / f64::from(steps));
+        let step = (now.acceleration - before.acceleration).norm();
+        assert!(step <= 10.0 * (1.0 + 1e-9) * found.duration() / f64::from(steps) + 1e-12, "{k}");
+        before = now;
+    }
+}
+
+#[test]
+fn a_path_that_touches_what_it_goes_around_swings_outward_or_stops() {
+    let path = plan(&hard1(), &PlanOptions::default(), &()).unwrap().result.waypoints;
+    let outward = Trajectory::new(&hard1(), &path, &MotionSpec { blend: Some(0.03), ..FREE }, &Watch::NONE).unwrap();
+    assert!(outward.corners().iter().all(|corner| corner.passing == Passing::Outward));
+    let stopped = Trajectory::new(&hard1(), &path, &FREE, &Watch::NONE).unwrap();
+    assert!(stopped.corners().iter().all(|corner| corner.passing == Passing::Stop));
+    assert!(outward.duration() < 0.95 * stopped.duration(), "{} {}", outward.duration(), stopped.duration());
+    for corner in stopped.corners() {
+        let time = stopped.timing().when(corner.at);
+        assert!(stopped.at(time).velocity.norm() < 1e-6);
+    }
+}
+
+/// Checks limits, collisions and deviation of a motion at many instants.
+fn check(scene: &Scene, waypoints: &[Point], limits: &MotionSpec, instants: u32) {
+    let found = Trajectory::new(scene, waypoints, limits, &Watch::NONE).unwrap();
+    let bare = scene.without_clearance().unwrap();
+    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
+    let mut solver = TensionQp::default();
+    let keeps = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit * (1.0 + 1e-9));
+    let mut before = found.at(0.0).position;
+    let (first, last) = (before, found.at(found.duration()).position);
+    assert!((first - waypoints[0]).norm() < 1e-12 && (last - waypoints[waypoints.len() - 1]).norm() < 1e-9);
+    let stops = found.corners().iter().filter(|corner| corner.passing == Passing::Stop);
+    let mut times: Vec<f64> = (0..=instants).map(|k| found.duration() * f64::from(k) / f64::from(instants)).collect();
+    times.extend(stops.map(|corner| found.timing().when(corner.at)));
+    times.sort_by(f64::total_cmp);
+    for time in times {
+        let sample = found.sample(&mut solver, time).unwrap();
+        let now = sample.motion;
+        assert!(keeps(now.velocity.norm(), limits.speed), "{time}: speed {}", now.velocity.norm());
+        assert!(
+            keeps(now.acceleration.norm(), limits.acceleration),
+            "{time}: acceleration {}",
+            now.acceleration.norm()
+        );
+        assert!(keeps(now.jerk.norm(), limits.jerk), "{time}: jerk {}", now.jerk.norm());
+        for winding in &sample.windings {
+            assert!(keeps(winding.speed.abs(), limits.cable_speed), "{time}: {winding:?}");
+            assert!(keeps(winding.acceleration.abs(), limits.cable_acceleration), "{time}: {winding:?}");
+        }
+        for (tension, limit) in sample.tensions.iter().flatten().zip(found.winches().tension_limits().unwrap_or(&[])) {
+            assert!((limit[0]..=limit[1]).contains(tension), "{time}");
+        }
+        assert!(distance(&now.position, waypoints) <= found.limits().blend + 1e-9, "{time}");
+        // A chord may cut off as much of a bend as the acceleration explains.
+        let sag = now.acceleration.norm().max(1.0) * (found.duration() / f64::from(instants)).powi(2) / 8.0;
+        for violation in engines.iter().flat_map(|engine| engine.violations(&before, &now.position)) {
+            assert!(violation.gap.is_some_and(|gap| gap >= -sag), "{time}: {violation:?}");
+        }
+        before = now.position;
+    }
+}
+
+fn distance(point: &Point, path: &[Point]) -> f64 {
+    let from = |pair: &[Point]| {
+        let step: Vector = pair[1] - pair[0];
+        let share = ((point - pair[0]).dot(&step) / step.norm_squared()).clamp(0.0, 1.0);
+        (point - (pair[0] + step * share)).norm()
+    };
+    path.windows(2).map(from).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
+    let all = MotionSpec { cable_speed: Some(0.8), cable_acceleration: Some(3.0), blend: Some(0.03), ..FREE };
+    for scene in [hard1(), hard3(), scene_file("cogiro.toml"), scene_file("ipanema2.toml")] {
+        for (seed, clearance) in [(0, None), (1, None), (2, Some(0.01))] {
+            let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() }).unwrap();
+            let planned = plan(&scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).unwrap();
+            let scene = planned.turned.unwrap_or(scene);
+            if planned.result.waypoints.is_empty() {
+                continue;
+            }
+            for jerk in [None, Some(30.0)] {
+                check(&scene, &planned.result.waypoints, &MotionSpec { jerk, ..all }, 4000);
+            }
+        }
+    }
+}
+
+#[test]
+fn impossible_limits_and_paths_are_refused_with_a_reason() {
+    let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.5, 1.0, 1.0]]);
+    let with = |change: fn(&mut MotionSpec)| {
+        let mut limits = FREE;
+        change(&mut limits);
+        refusal(&empty(), &line, &limits)
+    };
+    assert!(with(|l| l.speed = Some(0.0)).contains("speed"));
+    assert!(with(|l| l.acceleration = Some(f64::NAN)).contains("acceleration"));
+    assert!(with(|l| (l.jerk, l.acceleration) = (Some(10.0), None)).contains("jerk without an acceleration"));
+    assert!(with(|l| l.acceleration = None).contains("expected an acceleration"));
+    assert!(with(|l| l.wrench_margin = Some(1.0)).contains("tensions are not limited"));
+    assert!(refusal(&scene, &line[..1], &FREE).contains("at least two"));
+    assert!(refusal(&scene, &[line[0], line[0]], &FREE).contains("only one position"));
+    assert!(refusal(&scene, &[line[0], [9.0, 1.0, 1.0]], &FREE).contains("leaves the workspace"));
+}
+
+#[test]
+fn repeated_and_almost_repeated_waypoints_change_nothing() {
+    let scene = empty();
+    let plain = motion(&scene, &[[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]], &FREE);
+    let step = 1e-9;
+    let repeated =
+        [[0.5, 1.0, 1.0], [0.5, 1.0, 1.0], [0.75, 1.0, 1.0], [0.75 + step, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]];
+    let repeated = motion(&scene, &repeated, &FREE);
+    assert!((plain.duration() - repeated.duration()).abs() < 1e-6);
+}
