@@ -7,6 +7,7 @@ use cdpr_core::model::spec::{CableSpec, MotionSpec, RobotSource, RobotSpec, Scen
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::{Bound, Passing, Trajectory};
+use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use std::path::Path;
@@ -224,4 +225,22 @@ fn repeated_and_almost_repeated_waypoints_change_nothing() {
         [[0.5, 1.0, 1.0], [0.5, 1.0, 1.0], [0.75, 1.0, 1.0], [0.75 + step, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]];
     let repeated = motion(&scene, &repeated, &FREE);
     assert!((plain.duration() - repeated.duration()).abs() < 1e-6);
+}
+
+#[test]
+fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
+    let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
+    let found = motion(&scene, &line, &MotionSpec { blend: Some(0.05), jerk: Some(20.0), ..FREE });
+    let waypoints = line.map(Point::from);
+    let file = TrajectoryFile::of(&scene, &waypoints, &found, 100.0, &Watch::NONE).unwrap();
+    assert_eq!(file.times.len(), (file.duration * 100.0).ceil() as usize + 1);
+    assert_eq!((file.times[7], file.times[file.times.len() - 1]), (0.07, file.duration));
+    cdpr_files::check_trajectory(&file).unwrap();
+    let read: TrajectoryFile = serde_json::from_str(&serde_json::to_string(&file).unwrap()).unwrap();
+    assert_eq!(read, file);
+    let (curve, timing) = read.exact().unwrap();
+    assert_eq!((&curve, &timing), (found.curve(), found.timing()));
+    assert!(
+        TrajectoryFile::of(&scene, &waypoints, &found, 1e9, &Watch::NONE).unwrap_err().to_string().contains("rate")
+    );
 }

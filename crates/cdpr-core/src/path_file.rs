@@ -79,6 +79,13 @@ pub struct SceneId {
     pub fingerprint: String,
 }
 
+impl SceneId {
+    /// The identity of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        SceneId { name: scene.name().to_string(), fingerprint: scene.fingerprint() }
+    }
+}
+
 /// The keys of a planned path that are only written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedKeys {
@@ -141,7 +148,7 @@ impl PathFile {
             waypoints: rows(waypoints),
             orientation: Some([turn.w, turn.i, turn.j, turn.k]),
             orientation_name: Some(scene.orientation_name().map(str::to_string)),
-            scene: Some(SceneId { name: scene.name().to_string(), fingerprint: scene.fingerprint() }),
+            scene: Some(SceneId::of(scene)),
             cost: Some(path_length(waypoints)),
             ..PathFile::default()
         }

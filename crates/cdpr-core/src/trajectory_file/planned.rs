@@ -1,0 +1,184 @@
+//! The file of a planned trajectory.
+
+use serde_json::{Value, json};
+
+use super::{
+    CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile,
+    TrajectoryLimits,
+};
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::model::{Scene, body};
+use crate::numerics::MOST_SAMPLES;
+use crate::path_file::SceneId;
+use crate::trajectory::timing::{Phase, Timing};
+use crate::trajectory::{Bound, Curve, Limits, Motion, Passing, Sample, Trajectory, curve};
+use crate::watch::Watch;
+use crate::wrench::TensionQp;
+
+impl TrajectoryFile {
+    /// A trajectory of a scene along a path, sampled `rate` times per second and at its end.
+    ///
+    /// # Errors
+    /// A rate that is not positive or gives too many samples; a solver that reached no answer; [`Error::interrupted`],
+    /// [`Error::out_of_time`].
+    pub fn of(
+        scene: &Scene,
+        waypoints: &[Point],
+        trajectory: &Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let times = sample_times(trajectory.duration(), rate)?;
+        let (mut solver, mut samples) = (TensionQp::default(), Vec::with_capacity(times.len()));
+        for &time in &times {
+            watch.check()?;
+            samples.push(trajectory.sample(&mut solver, time)?);
+        }
+        let turn = scene.orientation();
+        let cables = scene.robot().cable_names();
+        let platform = |of: fn(&Motion) -> [f64; 3]| samples.iter().map(|sample| of(&sample.motion)).collect();
+        let each = |of: fn(&crate::trajectory::Winding) -> f64| {
+            samples.iter().map(|sample| sample.windings.iter().map(of).collect()).collect()
+        };
+        Ok(TrajectoryFile {
+            format: TRAJECTORY_FORMAT.to_string(),
+            version: TRAJECTORY_VERSION,
+            scene: SceneId::of(scene),
+            orientation: [turn.w, turn.i, turn.j, turn.k],
+            orientation_name: scene.orientation_name().map(str::to_string),
+            duration: trajectory.duration(),
+            length: trajectory.curve().length(),
+            rate,
+            limits: limits(trajectory.limits()),
+            tension_limits: trajectory.winches().tension_limits().map(<[_]>::to_vec),
+            waypoints: waypoints.iter().map(|point| (*point).into()).collect(),
+            corners: corners(trajectory),
+            limiting: limiting(trajectory, &cables),
+            cables: cables.iter().map(ToString::to_string).collect(),
+            positions: platform(|motion| motion.position.into()),
+            velocities: platform(|motion| motion.velocity.into()),
+            accelerations: platform(|motion| motion.acceleration.into()),
+            cable_lengths: each(|winding| winding.length),
+            cable_speeds: each(|winding| winding.speed),
+            tensions: samples.iter().map(|Sample { tensions, .. }| tensions.clone()).collect(),
+            curve: Some(exact_curve(trajectory.curve())),
+            timing: Some(exact_timing(trajectory.timing())),
+            times,
+        })
+    }
+}
+
+/// Instants at a rate, and the end.
+fn sample_times(duration: f64, rate: f64) -> Result<Vec<f64>, Error> {
+    let rate = body::positive("rate", rate)?;
+    if duration * rate > MOST_SAMPLES {
+        let problem =
+            format!("found {rate} per second for {duration:.3} s, which makes more than {MOST_SAMPLES:e} samples");
+        return Err(Error::invalid("rate", problem));
+    }
+    let mut times: Vec<f64> = (0..).map(|k| f64::from(k) / rate).take_while(|time| *time < duration).collect();
+    if times.len() > 1 && duration - times[times.len() - 1] < SAME_SAMPLE / rate {
+        times.pop();
+    }
+    times.push(duration);
+    Ok(times)
+}
+
+/// Steps shorter than this share of a period are none.
+const SAME_SAMPLE: f64 = 1e-6;
+
+fn limits(limits: &Limits) -> TrajectoryLimits {
+    TrajectoryLimits {
+        speed: limits.speed,
+        acceleration: limits.acceleration,
+        jerk: limits.jerk,
+        cable_speed: limits.cable_speed,
+        cable_acceleration: limits.cable_acceleration,
+        blend: limits.blend,
+        wrench_margin: Some(limits.wrench_margin).filter(|margin| *margin > 0.0),
+    }
+}
+
+fn corners(trajectory: &Trajectory) -> Vec<TrajectoryCorner> {
+    let corner = |corner: &crate::trajectory::Corner| TrajectoryCorner {
+        waypoint: corner.waypoint,
+        kind: match corner.passing {
+            Passing::Rounded => CornerKind::Rounded,
+            Passing::Outward => CornerKind::Outward,
+            Passing::Stop => CornerKind::Stop,
+        },
+        deviation: corner.deviation,
+        time: trajectory.timing().when(corner.at),
+    };
+    trajectory.corners().iter().map(corner).collect()
+}
+
+fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
+    let kind = |bound: Bound| match bound {
+        Bound::Speed => (LimitKind::Speed, None),
+        Bound::Acceleration => (LimitKind::Acceleration, None),
+        Bound::Jerk => (LimitKind::Jerk, None),
+        Bound::CableSpeed(cable) => (LimitKind::CableSpeed, Some(cable)),
+        Bound::CableAcceleration(cable) => (LimitKind::CableAcceleration, Some(cable)),
+        Bound::Tension => (LimitKind::Tension, None),
+    };
+    let named = |found: crate::trajectory::Limiting| {
+        let (limit, cable) = kind(found.bound);
+        Limiting { from: found.from, to: found.to, limit, cable: cable.map(|k| cables[k].to_string()) }
+    };
+    trajectory.limiting().into_iter().map(named).collect()
+}
+
+/// Lines as `{"line": [from, to]}`, bends as `{"bend": [six control points]}`, m.
+fn exact_curve(curve: &Curve) -> Value {
+    let piece = |piece: &curve::Piece| {
+        let control: Vec<[f64; 3]> = piece.control().iter().map(|point| (*point).into()).collect();
+        if piece.is_line() { json!({ "line": control }) } else { json!({ "bend": control }) }
+    };
+    curve.pieces().iter().map(piece).collect()
+}
+
+/// Rows of time, s, and the parameter of the curve with its first three derivatives then, m, m/s, m/s², m/s³.
+fn exact_timing(timing: &Timing) -> Value {
+    let row = |phase: &Phase| json!([phase.time, phase.s, phase.speed, phase.acceleration, phase.jerk]);
+    timing.phases().iter().map(row).collect()
+}
+
+/// Position, velocity and acceleration at an instant, from the exact form in a file.
+impl TrajectoryFile {
+    /// The motion of the platform at an instant, exactly; before the start or after the end, at rest there.
+    ///
+    /// # Errors
+    /// A file without `curve` and `timing`, or with others than planning writes.
+    pub fn exact(&self) -> Result<(Curve, Timing), Error> {
+        let missing = |key: &str| Error::invalid(key, "found none, expected the exact form that planning writes");
+        let pieces = self.curve.as_ref().and_then(Value::as_array).ok_or_else(|| missing("curve"))?;
+        let pieces: Vec<curve::Piece> = (pieces.iter().enumerate())
+            .map(|(k, piece)| read_piece(piece).ok_or_else(|| strange(&format!("curve[{k}]"))))
+            .collect::<Result<_, _>>()?;
+        let rows: Vec<[f64; 5]> = (self.timing.clone())
+            .map(serde_json::from_value)
+            .ok_or_else(|| missing("timing"))?
+            .map_err(|_| strange("timing"))?;
+        if pieces.is_empty() || rows.is_empty() {
+            return Err(strange(if rows.is_empty() { "timing" } else { "curve" }));
+        }
+        let phase = |[time, s, speed, acceleration, jerk]: [f64; 5]| Phase { time, s, speed, acceleration, jerk };
+        Ok((Curve::new(pieces), Timing::new(rows.into_iter().map(phase).collect(), self.duration)))
+    }
+}
+
+fn strange(place: &str) -> Error {
+    Error::invalid(place, "found something else than planning writes")
+}
+
+fn read_piece(piece: &Value) -> Option<curve::Piece> {
+    let points = |key: &str| serde_json::from_value::<Vec<[f64; 3]>>(piece.get(key)?.clone()).ok();
+    if let Some([from, to]) = points("line").as_deref() {
+        let (from, to): (Point, Point) = ((*from).into(), (*to).into());
+        return (Vector::norm(&(to - from)) > 0.0).then(|| curve::Piece::line(from, to));
+    }
+    let control: [[f64; 3]; curve::CONTROL] = points("bend")?.try_into().ok()?;
+    (control[0] != control[1]).then(|| curve::Piece::bend(control.map(Point::from)))
+}
