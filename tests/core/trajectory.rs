@@ -9,7 +9,10 @@ use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::{Bound, Passing, Trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::TensionQp;
+use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp};
+use nalgebra::Vector6;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 
 const FREE: MotionSpec = MotionSpec {
@@ -243,4 +246,41 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     assert!(
         TrajectoryFile::of(&scene, &waypoints, &found, 1e9, &Watch::NONE).unwrap_err().to_string().contains("rate")
     );
+}
+
+#[test]
+fn facets_by_the_kernel_limit_demands_as_those_of_the_definition() {
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    for name in ["cogiro.toml", "ipanema2.toml", "acrobot.toml"] {
+        let statics = Statics::of(&scene_file(name)).unwrap();
+        let outlets: Vec<Point> = statics.cables().iter().map(|cable| cable.outlet).collect();
+        let kernel = DemandFacets::new(statics.clone(), 3.0);
+        let defined = kernel.clone().by_definition();
+        let mut wrench = |size: f64| Vector6::from_fn(|_, _| rng.random_range(-size..size));
+        let demands: Vec<Demand> = (0..203)
+            .map(|_| {
+                let mix = wrench(1.0).abs();
+                let weights: Vec<f64> = (0..outlets.len()).map(|k| mix[k % 6] + 0.1).collect();
+                let total: f64 = weights.iter().sum();
+                let at: Vector = outlets.iter().zip(&weights).map(|(p, w)| p.coords * (w / total)).sum();
+                (Point::from(at - Vector::z()), [wrench(100.0), wrench(10.0)])
+            })
+            .collect();
+        let least = |facets: &DemandFacets| {
+            let mut least = vec![[f64::INFINITY; 2]; demands.len()];
+            let lacking = facets.for_each(&demands, |k, facet| {
+                for side in 0..2 {
+                    let height = if side == 0 { facet.heights[0] } else { -facet.heights[0] };
+                    least[k][0] = least[k][0].min((facet.slack[side] - height) / facet.norm);
+                    least[k][1] = least[k][1].min((facet.slack[side] + facet.heights[1].abs()) / facet.norm);
+                }
+            });
+            (least, lacking)
+        };
+        let ((by_kernel, lacking), (by_definition, lacking_defined)) = (least(&kernel), least(&defined));
+        assert_eq!(lacking, lacking_defined);
+        for (a, b) in by_kernel.iter().flatten().zip(by_definition.iter().flatten()) {
+            assert!((a - b).abs() <= 1e-7 * (1.0 + b.abs()), "{name}: {a} {b}");
+        }
+    }
 }

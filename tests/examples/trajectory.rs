@@ -35,7 +35,7 @@ fn one(file: &str, clearance: Option<f64>, seed: u64) -> Result<(), Error> {
         println!("{file}: no path with clearance {clearance:?}");
         return Ok(());
     }
-    for jerk in [None, Some(40.0)] {
+    for jerk in if std::env::var("REPEAT").is_ok() { vec![None] } else { vec![None, Some(40.0)] } {
         let limits = MotionSpec {
             speed: Some(1.0),
             acceleration: Some(2.0),
@@ -50,9 +50,16 @@ fn one(file: &str, clearance: Option<f64>, seed: u64) -> Result<(), Error> {
             Err(error) => println!("{file} seed {seed} clearance {clearance:?}: {error}"),
             Ok(found) => {
                 let ms = 1e3 * start.elapsed().as_secs_f64();
+                let (curve, corners) = (found.curve().clone(), found.corners().to_vec());
+                let (limits, winches) = (*found.limits(), found.winches().clone());
+                let start = Instant::now();
+                for _ in 0..std::env::var("REPEAT").map_or(1, |n| n.parse().unwrap()) {
+                    Trajectory::along(curve.clone(), corners.clone(), limits, winches.clone(), &Watch::NONE)?;
+                }
+                let timing_ms = 1e3 * start.elapsed().as_secs_f64();
                 let count = |passing| found.corners().iter().filter(|c| c.passing == passing).count();
                 println!(
-                    "{file} seed {seed} clearance {clearance:?} jerk {jerk:?}: {:.4} s for {:.3} m, corners {} rounded {} outward {} stops, {ms:.1} ms",
+                    "{file} seed {seed} clearance {clearance:?} jerk {jerk:?}: {:.4} s for {:.3} m, corners {} rounded {} outward {} stops, {ms:.1} ms, of which timing {timing_ms:.1}",
                     found.duration(),
                     found.curve().length(),
                     count(Passing::Rounded),

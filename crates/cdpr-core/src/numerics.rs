@@ -457,3 +457,7 @@ pub const TIMING_ROUNDS: usize = 10;
 
 /// Largest number of samples of a trajectory; more are probably due to a wrong unit.
 pub const MOST_SAMPLES: f64 = 1e7;
+
+/// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order. With x the
+/// squared cotangent of the angle between d and the line, the squares of these are 1/(1+x), (1+4x)/(1+x)² and 9(1+4x²)/(1+x)³.
+pub const TURNING: [f64; 3] = [1.0, 1.154_700_538_379_251_5, 3.0];

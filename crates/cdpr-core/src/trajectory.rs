@@ -103,6 +103,20 @@ impl Trajectory {
         let bare = scene.without_clearance()?;
         let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
         let (curve, corners) = rounded(waypoints, limits.blend, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
+        Self::along(curve, corners, limits, winches, watch)
+    }
+
+    /// The fastest motion along a curve, which must be free. It stops at corners that are marked as stops.
+    ///
+    /// # Errors
+    /// A place where the cables cannot hold or accelerate the platform; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn along(
+        curve: Curve,
+        corners: Vec<Corner>,
+        limits: Limits,
+        winches: Winches,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
         let timing = Schedule::new(&curve, &corners, &limits, &winches, watch)?.timing(watch)?;
         Ok(Trajectory { curve, corners, timing, limits, winches })
     }
@@ -161,7 +175,7 @@ impl Trajectory {
     /// Which limit determines the motion when: it is used to more than 99.9 %.
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
-        if let Some(tensions) = tension_shares(&self.curve, &self.timing, &self.winches) {
+        if let Ok(tensions) = tension_shares(&self.curve, &self.timing, &self.winches) {
             for (share, tension) in shares.iter_mut().zip(tensions).filter(|(share, tension)| *tension > share.0) {
                 *share = (tension, Some(Bound::Tension));
             }

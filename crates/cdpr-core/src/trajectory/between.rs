@@ -7,10 +7,10 @@
 use super::curve::{Curve, Piece};
 use super::limits::Limits;
 use super::timing::{Phase, Timing};
-use super::winches::{Winches, Winding};
+use super::winches::{TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
-use crate::numerics::TENSION_HALVINGS;
+use crate::numerics::{TENSION_HALVINGS, TURNING};
 use crate::wrench::TensionQp;
 
 /// A limit that a trajectory keeps.
@@ -80,6 +80,12 @@ impl Smooth {
         self.time * self.time / 8.0 * second_derivative
     }
 
+    /// The bounds of the first, second and fourth derivative.
+    fn tension_bounds(&self) -> [f64; 3] {
+        let [first, second, _, fourth, _] = self.derivatives;
+        [first, second, fourth]
+    }
+
     fn halves(&self, curve: &Curve) -> [Smooth; 2] {
         let half = 0.5 * self.time;
         [self.phase, self.phase.after(half)].map(|phase| Smooth::new(curve, self.piece, phase, half))
@@ -106,7 +112,7 @@ fn derivatives(piece: &Piece, start: &Phase, end: &Phase, time: f64) -> [f64; 5]
 }
 
 /// Calls `visit` with the index of each phase and the smooth times within it.
-fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, &Smooth)) {
+fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, Smooth)) {
     for (k, phase) in timing.phases().iter().enumerate() {
         let end = timing.end_of(k);
         let to = phase.after(end - phase.time).s;
@@ -117,12 +123,12 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, 
             let s = curve.starts()[joint];
             let leaves = timing.when(s).clamp(now.time, end);
             if s > now.s && s < to && leaves > now.time {
-                visit(k, &Smooth::new(curve, middle(now.s, s), now, leaves - now.time));
+                visit(k, Smooth::new(curve, middle(now.s, s), now, leaves - now.time));
                 now = phase.after(leaves - phase.time);
             }
         }
         if end > now.time {
-            visit(k, &Smooth::new(curve, middle(now.s, to), now, end - now.time));
+            visit(k, Smooth::new(curve, middle(now.s, to), now, end - now.time));
         }
     }
 }
@@ -132,7 +138,7 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, 
 pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Bound>)> {
     let mut shares = vec![(0.0, None); timing.phases().len()];
     for_each_smooth(curve, timing, |k, smooth| {
-        for_each_share(smooth, limits, winches, |share, bound| {
+        for_each_share(&smooth, limits, winches, |share, bound| {
             if share > shares[k].0 {
                 shares[k] = (share, Some(bound));
             }
@@ -174,9 +180,6 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
     }
 }
 
-/// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order.
-const TURNING: [f64; 3] = [1.0, 1.154_700_538_379_251_5, 3.0];
-
 /// Bounds of the third and fourth time derivative of a cable's length between two instants.
 fn winding_derivatives(smooth: &Smooth, before: &Winding, after: &Winding) -> [f64; 2] {
     let [m1, m2, m3, m4, _] = smooth.derivatives;
@@ -191,33 +194,55 @@ fn winding_derivatives(smooth: &Smooth, before: &Winding, after: &Winding) -> [f
 }
 
 /// For each phase of a timing, the largest share of the slack at rest that its inertia uses at its ends, over all facets of
-/// the available wrenches; `None` where the cables cannot hold the platform at rest.
-pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches) -> Option<Vec<f64>> {
-    let mut shares = vec![Some(0.0_f64); timing.phases().len()];
-    for_each_smooth(curve, timing, |k, smooth| {
-        for Motion { position, acceleration, .. } in &smooth.ends {
-            shares[k] = shares[k].and_then(|most| Some(most.max(winches.tension_share(position, acceleration)?)));
-        }
-    });
-    shares.into_iter().collect()
+/// the available wrenches. An error is a position at which the cables cannot hold the platform at rest.
+pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Vec<f64>, Point> {
+    let mut shares = vec![0.0_f64; timing.phases().len()];
+    for (k, _, ends) in &tension_ends(curve, timing, winches)? {
+        shares[*k] = shares[*k].max(ends[0].share).max(ends[1].share);
+    }
+    Ok(shares)
 }
 
-/// The first instant at which it is not proved that tensions within their limits move the platform; `None` if they do at
-/// every instant.
+/// All smooth times of a timing with the index of their phase and what inertia needs of the available wrenches at both ends.
+fn tension_ends(
+    curve: &Curve,
+    timing: &Timing,
+    winches: &Winches,
+) -> Result<Vec<(usize, Smooth, [TensionShare; 2])>, Point> {
+    let (mut smooths, mut motions) = (Vec::new(), Vec::new());
+    for_each_smooth(curve, timing, |k, smooth| {
+        motions.extend(smooth.ends.iter().map(|motion| (motion.position, motion.acceleration)));
+        smooths.push((k, smooth));
+    });
+    let shares = winches.tension_shares(&motions).map_err(|k| motions[k].0)?;
+    let ends = shares.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
+    Ok(smooths.into_iter().zip(ends).map(|((k, smooth), ends)| (k, smooth, ends)).collect())
+}
+
+/// The position at which it is first not proved that tensions within their limits move the platform; `None` if they do at
+/// every instant. Where the slack of the available wrenches is large, a bound shows it, elsewhere tensions do.
 ///
 /// # Errors
 /// A solver that reached no answer.
-pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Option<f64>, Error> {
+pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Option<Point>, Error> {
     if winches.tension_limits().is_none() {
         return Ok(None);
     }
-    let (mut solver, mut first) = (TensionQp::default(), Ok(None));
-    for_each_smooth(curve, timing, |_, smooth| {
-        if matches!(first, Ok(None)) {
-            first = lacking_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS);
+    let ends = match tension_ends(curve, timing, winches) {
+        Ok(ends) => ends,
+        Err(position) => return Ok(Some(position)),
+    };
+    let mut solver = TensionQp::default();
+    for (_, smooth, shares) in &ends {
+        let sag = winches.sag(smooth.ends.each_ref().map(|m| &m.position), smooth.tension_bounds(), smooth.time);
+        if shares[0].slack.min(shares[1].slack) >= sag {
+            continue;
         }
-    });
-    first
+        if let Some(position) = lacking_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS)? {
+            return Ok(Some(position));
+        }
+    }
+    Ok(None)
 }
 
 fn lacking_tensions(
@@ -226,18 +251,17 @@ fn lacking_tensions(
     winches: &Winches,
     solver: &mut TensionQp,
     halvings: usize,
-) -> Result<Option<f64>, Error> {
-    let ends = [&smooth.ends[0], &smooth.ends[1]].map(|motion| (&motion.position, &motion.acceleration));
-    let [m1, m2, _, m4, _] = smooth.derivatives;
-    if winches.hold_between(solver, ends, [m1, m2, m4], smooth.time)? {
+) -> Result<Option<Point>, Error> {
+    let ends = smooth.ends.each_ref().map(|motion| (&motion.position, &motion.acceleration));
+    if winches.hold_between(solver, ends, smooth.tension_bounds(), smooth.time)? {
         return Ok(None);
     }
     if halvings == 0 {
-        return Ok(Some(smooth.phase.time));
+        return Ok(Some(smooth.ends[0].position));
     }
     for half in smooth.halves(curve) {
-        if let Some(time) = lacking_tensions(curve, &half, winches, solver, halvings - 1)? {
-            return Ok(Some(time));
+        if let Some(position) = lacking_tensions(curve, &half, winches, solver, halvings - 1)? {
+            return Ok(Some(position));
         }
     }
     Ok(None)

@@ -24,6 +24,13 @@ pub struct Row {
     pub c: f64,
 }
 
+impl Row {
+    /// Whether it limits x alone.
+    fn limits_x(&self) -> bool {
+        self.a == 0.0 && self.b > 0.0
+    }
+}
+
 /// The limit `|first u + second x| ≤ radius`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipse {
@@ -45,8 +52,29 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// The limits at a place of a curve. `None` if the cables cannot hold the platform at rest there.
-    pub fn at(jet: &Jet, limits: &Limits, winches: &Winches) -> Option<Self> {
+    /// The limits at places of a curve. An error is the index of the first place at which the cables cannot hold the platform
+    /// at rest.
+    pub fn along(jets: &[Jet], limits: &Limits, winches: &Winches) -> Result<Vec<Self>, usize> {
+        let mut rows: Vec<Rows> = jets.iter().map(|jet| Rows::kinematic(jet, limits, winches)).collect();
+        winches.push_tension_rows(jets, &mut rows)?;
+        rows.iter_mut().for_each(Rows::prune);
+        Ok(rows)
+    }
+
+    /// Removes rows that the limits of speed and acceleration never let come into effect.
+    fn prune(&mut self) {
+        let Some(ellipse) = &self.ellipse else { return };
+        let alone = self.linear.iter().filter(|row| row.limits_x()).map(|row| row.c / row.b);
+        let most_x = alone.fold(ellipse.widest(), f64::min);
+        if most_x.is_finite() {
+            let most_u = (ellipse.radius + ellipse.second.norm() * most_x) / ellipse.first.norm();
+            let reached = |row: &Row| row.a.abs() * most_u + row.b.max(0.0) * most_x > row.c;
+            self.linear.retain(|row| row.limits_x() && row.c / row.b <= most_x || !row.limits_x() && reached(row));
+        }
+    }
+
+    /// All limits at a place but those of tensions.
+    fn kinematic(jet: &Jet, limits: &Limits, winches: &Winches) -> Self {
         let mut linear = Vec::new();
         if let Some(speed) = limits.speed {
             linear.push(Row { a: 0.0, b: jet.first.norm_squared(), c: speed * speed });
@@ -68,9 +96,8 @@ impl Rows {
                 linear.push(Row { a: -rate, b: -bend, c: most });
             }
         }
-        winches.push_tension_rows(jet, &mut linear)?;
         let ellipse = limits.acceleration.map(|radius| Ellipse { first: jet.first, second: jet.second, radius });
-        Some(Rows { linear, ellipse })
+        Rows { linear, ellipse }
     }
 
     /// The same limits, divided by a factor: motions that keep them may exceed them by the factor, in forces and squared

@@ -2,7 +2,7 @@
 
 use super::between::{shares, tension_shares, without_tensions};
 use super::corners::{Corner, Passing};
-use super::curve::Curve;
+use super::curve::{Curve, Jet};
 use super::fastest::{fastest, grid};
 use super::limits::Limits;
 use super::rows::Rows;
@@ -38,11 +38,11 @@ impl<'a> Schedule<'a> {
         watch: &Watch,
     ) -> Result<Self, Error> {
         let grid = grid(curve);
+        let jets: Vec<Jet> = grid.iter().map(|s| curve.at(*s)).collect();
         let mut rows = Vec::with_capacity(grid.len());
-        for &s in &grid {
+        for some in jets.chunks(BETWEEN_CHECKS) {
             watch.check()?;
-            let jet = curve.at(s);
-            rows.push(Rows::at(&jet, limits, winches).ok_or_else(|| not_held(&jet.position))?);
+            rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
         }
         let stops = corners.iter().filter(|corner| corner.passing == Passing::Stop);
         let index = |corner: &Corner| grid.partition_point(|s| *s < corner.at);
@@ -66,7 +66,7 @@ impl<'a> Schedule<'a> {
         let timing = best.expect("at least one window");
         match without_tensions(self.curve, &timing, self.winches)? {
             None => Ok(timing),
-            Some(time) => Err(not_held(&self.curve.at(timing.at(time).s).position)),
+            Some(position) => Err(not_held(&position)),
         }
     }
 
@@ -98,8 +98,7 @@ impl<'a> Schedule<'a> {
         let timing = smoothed(&self.stretches()?, window);
         let mut shares = self.kinematic_shares(&timing);
         if window > 0.0 {
-            let tensions = tension_shares(self.curve, &timing, self.winches)
-                .ok_or_else(|| Error::internal("the cables hold the platform at rest on a grid but not in between"))?;
+            let tensions = tension_shares(self.curve, &timing, self.winches).map_err(|at| not_held(&at))?;
             shares.iter_mut().zip(tensions).for_each(|(share, tension)| *share = share.max(tension));
         }
         Ok((timing, shares))
@@ -132,6 +131,9 @@ impl<'a> Schedule<'a> {
         self.rows.iter_mut().zip(factors).for_each(|(rows, factor)| rows.tighten(factor));
     }
 }
+
+/// Number of places whose limits are computed between looks at the watch.
+const BETWEEN_CHECKS: usize = 256;
 
 fn smoothed(stretches: &[Timing], window: f64) -> Timing {
     let smooth = |timing: &Timing| if window > 0.0 { timing.smoothed(window) } else { timing.clone() };

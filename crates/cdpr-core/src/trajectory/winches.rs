@@ -1,16 +1,15 @@
 //! The cables of a robot during a motion at fixed orientation: lengths, speeds, accelerations and tensions.
 
-use nalgebra::{Matrix6, Matrix6xX, SVector, Vector6};
+use nalgebra::{Matrix6, Matrix6xX, Vector6};
 
 use super::curve::Jet;
 use super::limits::Limits;
-use super::rows::Row;
+use super::rows::{Row, Rows};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
-use crate::numerics::{BALANCE_RELATIVE, RANK_RELATIVE, TENSION_RESERVE};
-use crate::wrench::zonotope::{Span, for_each_normal};
-use crate::wrench::{Balance, Holding, StaticCable, Statics, TensionQp};
+use crate::numerics::{RANK_RELATIVE, TENSION_RESERVE, TURNING};
+use crate::wrench::{Balance, Demand, DemandFacets, FacetPair, Holding, StaticCable, Statics, TensionQp};
 
 /// A cable between a fixed outlet and the platform.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +31,15 @@ pub struct Winding {
     pub acceleration: f64,
 }
 
+/// What an acceleration needs of the available wrenches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TensionShare {
+    /// The largest share of the slack at rest.
+    pub share: f64,
+    /// The least slack that is left, N.
+    pub slack: f64,
+}
+
 /// The cables of a robot, and what their tensions must balance.
 #[derive(Debug, Clone)]
 pub struct Winches {
@@ -47,11 +55,10 @@ struct Inertia {
     mass: f64,
     /// Centre of mass from the platform's origin, world axes, divided by the characteristic length.
     center: Vector,
-    /// Tension limits, N, and the same with a reserve on both sides.
+    /// Tension limits, N.
     limits: Vec<[f64; 2]>,
-    reserved: Vec<[f64; 2]>,
-    /// Capacity margin, N.
-    margin: f64,
+    /// The facets of the wrenches that are available with a reserve of tension.
+    facets: DemandFacets,
 }
 
 impl Winches {
@@ -107,26 +114,58 @@ impl Winches {
         })
     }
 
-    /// Adds the limits of tensions at a place of a curve. `None` if the cables cannot hold the platform at rest there.
-    pub fn push_tension_rows(&self, jet: &Jet, rows: &mut Vec<Row>) -> Option<()> {
-        let Some(inertia) = &self.tensions else { return Some(()) };
-        let demands = [&jet.first, &jet.second].map(|v| inertia.wrench(v));
-        inertia.for_each_facet(&jet.position, |normal, slack| {
-            rows.push(Row { a: normal.dot(&demands[0]), b: normal.dot(&demands[1]), c: slack });
-        })
+    /// Adds the limits of tensions at places of a curve. An error is the index of the first place at which the cables cannot
+    /// hold the platform at rest.
+    pub fn push_tension_rows(&self, jets: &[Jet], rows: &mut [Rows]) -> Result<(), usize> {
+        let Some(inertia) = &self.tensions else { return Ok(()) };
+        let demand = |jet: &Jet| (jet.position, [&jet.first, &jet.second].map(|v| inertia.wrench(v)));
+        let demands: Vec<Demand> = jets.iter().map(demand).collect();
+        let push = |k: usize, FacetPair { heights: [a, b], slack, .. }: &FacetPair| {
+            rows[k].linear.push(Row { a: *a, b: *b, c: slack[0] });
+            rows[k].linear.push(Row { a: -a, b: -b, c: slack[1] });
+        };
+        inertia.facets.for_each(&demands, push).map_or(Ok(()), Err)
     }
 
-    /// The largest share of the slack at rest that an acceleration uses, over all facets of the available wrenches; above 1
-    /// if it needs more than the cables can exert. `None` if they cannot hold the platform at rest.
-    pub fn tension_share(&self, position: &Point, acceleration: &Vector) -> Option<f64> {
-        let Some(inertia) = &self.tensions else { return Some(0.0) };
-        let demand = inertia.wrench(acceleration);
-        let mut most = 0.0_f64;
-        inertia.for_each_facet(position, |normal, slack| {
-            let needed = normal.dot(&demand);
-            most = most.max(if needed > 0.0 { needed / slack } else { 0.0 });
-        })?;
-        Some(most)
+    /// For each position and acceleration the largest share of the slack at rest that the acceleration uses, over all facets
+    /// of the available wrenches (above 1 if it needs more than the cables can exert), and the least slack that it leaves,
+    /// N. An error is the index of the first position at which the cables cannot hold the platform at rest.
+    pub fn tension_shares(&self, motions: &[(Point, Vector)]) -> Result<Vec<TensionShare>, usize> {
+        let mut shares = vec![TensionShare { share: 0.0, slack: f64::INFINITY }; motions.len()];
+        let Some(inertia) = &self.tensions else { return Ok(shares) };
+        let nothing = Vector6::zeros();
+        let demand = |(position, acceleration): &(Point, Vector)| (*position, [inertia.wrench(acceleration), nothing]);
+        let demands: Vec<Demand> = motions.iter().map(demand).collect();
+        let lacking = inertia.facets.for_each(&demands, |k, facets| {
+            for (needed, slack) in [facets.heights[0], -facets.heights[0]].into_iter().zip(facets.slack) {
+                let found = &mut shares[k];
+                if needed > 0.0 {
+                    found.share = found.share.max(needed / slack);
+                }
+                found.slack = found.slack.min((slack - needed) / facets.norm);
+            }
+        });
+        lacking.map_or(Ok(shares), Err)
+    }
+
+    /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N;
+    /// compare [`crate::wrench::Measure::sag`]. `bounds` are the largest norms of the first, second and fourth time derivative
+    /// of the position, `time` is in s.
+    pub fn sag(&self, ends: [&Point; 2], [speed, acceleration, fourth]: [f64; 3], time: f64) -> f64 {
+        let Some(inertia) = &self.tensions else { return 0.0 };
+        let cable = |(line, lever): (&StaticCable, f64)| {
+            let [before, after] = ends.map(|p| (line.outlet - (p + line.arm)).norm());
+            let shortest = 0.5 * (before + after - speed * time);
+            if !(shortest > 0.0) {
+                return f64::INFINITY;
+            }
+            let turn = (speed / shortest * time).min(2.0);
+            let bend = time * time * (acceleration / shortest + TURNING[1] * (speed / shortest).powi(2));
+            let [least, largest] = line.tension;
+            lever * (0.25 * (largest - least) * turn + 0.125 * largest * bend)
+        };
+        let cables: f64 = inertia.statics.cables().iter().zip(inertia.levers()).map(cable).sum();
+        cables + time * time / 8.0 * inertia.heaviness() * fourth
     }
 
     /// The tensions nearest to the middle of their limits at a position and acceleration, N; `None` if tensions are not
@@ -165,10 +204,11 @@ impl Winches {
         time: f64,
     ) -> Result<bool, Error> {
         let Some(inertia) = &self.tensions else { return Ok(true) };
+        let reserved = inertia.facets.statics().limits();
         let mut densities: [Vec<f64>; 2] = Default::default();
         let lengths = ends.map(|(position, _)| inertia.statics.lengths(position));
         for (k, (position, acceleration)) in ends.into_iter().enumerate() {
-            let Some(tensions) = inertia.solve(solver, position, acceleration, &inertia.reserved)? else {
+            let Some(tensions) = inertia.solve(solver, position, acceleration, &reserved)? else {
                 return Ok(false);
             };
             densities[k] = tensions.iter().zip(&lengths[k]).map(|(t, l)| t / l).collect();
@@ -187,10 +227,8 @@ impl Winches {
             let shortest = lengths[0][k].min(lengths[1][k]) - speed * time;
             let change = (densities[1][k] - densities[0][k]).abs() / time;
             let bend = (acceleration + speed * speed / shortest) * tau + 2.0 * speed * change;
-            let [least, most] = inertia.limits[k];
-            let reserve = inertia.reserved[k][0] - least;
-            let room = if most > least { reserve } else { 0.0 };
-            shortest > 0.0 && (l + speed * time) * correction + eighth * bend <= room
+            let reserve = reserved[k][0] - inertia.limits[k][0];
+            shortest > 0.0 && (l + speed * time) * correction + eighth * bend <= reserve
         };
         Ok(correction >= 0.0 && (0..levers.len()).all(holds))
     }
@@ -215,17 +253,12 @@ impl Inertia {
         if let Some(hold) = statics.hold(start).filter(|hold| hold.holding == Holding::Underconstrained) {
             return Ok(Err(hold.sentence()));
         }
-        let reserved = |[least, most]: [f64; 2]| {
-            let reserve = TENSION_RESERVE * (most - least);
-            [least + reserve, most - reserve]
-        };
         let center = scene.orientation() * robot.center_of_mass().coords / statics.characteristic_length();
         Ok(Ok(Inertia {
             mass: robot.mass().unwrap_or_default(),
             center,
             limits: statics.limits(),
-            reserved: statics.limits().into_iter().map(reserved).collect(),
-            margin: limits.wrench_margin,
+            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVE), limits.wrench_margin),
             statics,
         }))
     }
@@ -246,51 +279,6 @@ impl Inertia {
     fn levers(&self) -> impl Iterator<Item = f64> + '_ {
         let length = self.statics.characteristic_length();
         self.statics.cables().iter().map(move |cable| (cable.arm / length).norm().hypot(1.0))
-    }
-
-    /// Calls `visit` with the outward normal of each facet of the available wrenches, and the slack that is left at rest.
-    /// `None` if the cables cannot hold the platform at rest.
-    fn for_each_facet(&self, position: &Point, mut visit: impl FnMut(&Vector6<f64>, f64)) -> Option<()> {
-        let columns = self.statics.columns(position)?;
-        if !self.statics.point_mass() {
-            return self.facets(&columns, |normal| *normal, &mut visit);
-        }
-        let forces: Vec<SVector<f64, 3>> = columns.iter().map(|c| c.fixed_rows::<3>(0).into_owned()).collect();
-        self.facets(&forces, |n| Vector6::new(n.x, n.y, n.z, 0.0, 0.0, 0.0), &mut visit)
-    }
-
-    fn facets<const N: usize>(
-        &self,
-        generators: &[SVector<f64, N>],
-        wrench: impl Fn(&SVector<f64, N>) -> Vector6<f64>,
-        visit: &mut impl FnMut(&Vector6<f64>, f64),
-    ) -> Option<()> {
-        let span = Span::of(generators);
-        let mut holds = true;
-        let mut facet = |normal: Vector6<f64>, out: f64| {
-            let slack = out - normal.dot(self.statics.balance());
-            holds &= slack >= 0.0;
-            visit(&normal, slack);
-        };
-        for_each_normal(generators, &span, &mut |normal| {
-            let [mut out, mut back] = [-self.margin; 2];
-            for (generator, [least, most]) in generators.iter().zip(&self.reserved) {
-                let height = normal.dot(generator);
-                let ends = [least * height, most * height];
-                out += ends[0].max(ends[1]);
-                back -= ends[0].min(ends[1]);
-            }
-            let normal = wrench(normal);
-            facet(normal, out);
-            facet(-normal, back);
-        });
-        // Nothing is available in these directions; rounding errors are no demand.
-        let nothing = BALANCE_RELATIVE * self.statics.largest_tension();
-        for normal in span.left_null().iter().map(&wrench) {
-            facet(normal, nothing);
-            facet(-normal, nothing);
-        }
-        holds.then_some(())
     }
 
     /// The tensions within these limits that balance loads and inertia and are nearest to the middle; `None` if there are

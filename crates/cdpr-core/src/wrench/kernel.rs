@@ -103,6 +103,67 @@ impl Task for FourMargins<'_> {
     }
 }
 
+/// Number of pairs of parallel facets.
+pub const FACETS: usize = TRIPLES.len();
+
+/// A pair of parallel facets at four positions, in units of its normal, whose length is arbitrary.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct FourFacets {
+    /// Heights of two wrenches over the plane through the origin, in the direction of the first facet.
+    pub heights: [[f64; WIDTH]; 2],
+    /// What the cables provide beyond the balance of the loads, in the direction of the first facet and of the second.
+    pub slack: [[f64; WIDTH]; 2],
+    /// Length of the normal; 0 if the facet does not exist.
+    pub norm: [f64; WIDTH],
+}
+
+/// The facets at four positions, and for each position two wrenches [force; moment / ℓ], N. The second part of the result
+/// is negative where the kernel is not sure.
+pub struct AllFacets<'a> {
+    pub robot: &'a KernelRobot,
+    pub positions: [Point; WIDTH],
+    pub wrenches: [[[f64; ROWS]; 2]; WIDTH],
+}
+
+impl Task for AllFacets<'_> {
+    type Output = ([FourFacets; FACETS], [f64; WIDTH]);
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> Self::Output {
+        let mut sure = l.splat(1.0);
+        let mut rows = transposed_wrench_matrix(l, self.robot, &self.positions, &mut sure);
+        let factors = Factors::new(l, &mut rows, &mut sure);
+        let [a, b, c, d] = &self.wrenches;
+        let mut wrenches = [[l.splat(0.0); ROWS]; 2];
+        for k in 0..2 {
+            for row in 0..ROWS {
+                wrenches[k][row] = l.load(&[a[k][row], b[k][row], c[k][row], d[k][row]]);
+            }
+        }
+        let mut facets = [FourFacets::default(); FACETS];
+        let Factors { dual, .. } = &factors;
+        let sides = Sides::new(l, self.robot, &factors);
+        for (facet, triple) in facets.iter_mut().zip(TRIPLES) {
+            let [i, j, k] = triple;
+            let v = sides.normal(l, triple);
+            let mut c = [l.splat(0.0); ROWS];
+            for r in 0..ROWS {
+                c[r] = dot(l, &v, &[dual[i][r], dual[j][r], dual[k][r]]);
+            }
+            let [out, off] = sides.reach(l, triple, &v);
+            let (slack, norm) = ([l.sub(out, off), l.add(out, off)], l.sqrt(dot(l, &c, &c)));
+            let size = dot(l, &v, &v);
+            let no_normal = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);
+            let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
+            sure = unless(l, l.max(no_normal, clear), sure);
+            facet.heights = [l.store(dot(l, &c, &wrenches[0])), l.store(dot(l, &c, &wrenches[1]))];
+            facet.slack = [l.store(slack[0]), l.store(slack[1])];
+            facet.norm = l.store(l.where_not_negative(no_normal, l.splat(0.0), norm));
+        }
+        (facets, l.store(sure))
+    }
+}
+
 /// Wᵀ, a row for each cable.
 #[inline(always)]
 fn transposed_wrench_matrix<L: Lanes>(
@@ -235,42 +296,71 @@ fn reflect<L: Lanes>(l: L, rows: &mut [[L::Four; ROWS]; CABLES], k: usize) -> (L
     (l.sub(l.splat(0.0), signed), factor)
 }
 
+/// What all facets share, in the coordinates of v.
+struct Sides<L: Lanes> {
+    /// Per cable: the offset of the balancing wrench from the centre of the set.
+    offset: [L::Four; CABLES],
+    half: [L::Four; CABLES],
+    /// Two by two minors of N: products of pairs of cables.
+    minor: [[L::Four; CABLES]; CABLES],
+}
+
+impl<L: Lanes> Sides<L> {
+    #[inline(always)]
+    fn new(l: L, robot: &KernelRobot, Factors { null, dual }: &Factors<L>) -> Self {
+        let zero = l.splat(0.0);
+        let mut offset = [zero; CABLES];
+        let mut half = [zero; CABLES];
+        for k in 0..CABLES {
+            let mut along = zero;
+            for r in 0..ROWS {
+                along = l.add(along, l.mul(dual[k][r], l.splat(robot.balance[r])));
+            }
+            offset[k] = l.sub(along, l.splat(robot.middle[k]));
+            half[k] = l.splat(robot.half[k]);
+        }
+        let mut minor = [[zero; CABLES]; CABLES];
+        for i in 0..CABLES {
+            for j in i + 1..CABLES {
+                minor[i][j] = l.sub(l.mul(null[i][0], null[j][1]), l.mul(null[i][1], null[j][0]));
+            }
+        }
+        Sides { offset, half, minor }
+    }
+
+    /// The three entries of v that are not zero.
+    #[inline(always)]
+    fn normal(&self, l: L, [i, j, k]: [usize; 3]) -> [L::Four; 3] {
+        [self.minor[j][k], l.sub(l.splat(0.0), self.minor[i][k]), self.minor[i][j]]
+    }
+
+    /// The distance of a facet from the centre of the set, and how far the balancing wrench is on the way to it.
+    #[inline(always)]
+    fn reach(&self, l: L, [i, j, k]: [usize; 3], v: &[L::Four; 3]) -> [L::Four; 2] {
+        let out = dot(l, &[l.abs(v[0]), l.abs(v[1]), l.abs(v[2])], &[self.half[i], self.half[j], self.half[k]]);
+        [out, dot(l, v, &[self.offset[i], self.offset[j], self.offset[k]])]
+    }
+}
+
 /// The smallest slack over all facets.
 #[inline(always)]
 fn least_slack<L: Lanes>(l: L, robot: &KernelRobot, factors: &Factors<L>, sure: &mut L::Four) -> L::Four {
     let zero = l.splat(0.0);
-    let Factors { null, dual } = factors;
-    // Per cable: the offset of the balancing wrench from the centre of the set, in the coordinates of v.
-    let mut offset = [zero; CABLES];
-    let mut half = [zero; CABLES];
-    for k in 0..CABLES {
-        let mut along = zero;
-        for r in 0..ROWS {
-            along = l.add(along, l.mul(dual[k][r], l.splat(robot.balance[r])));
-        }
-        offset[k] = l.sub(along, l.splat(robot.middle[k]));
-        half[k] = l.splat(robot.half[k]);
-    }
-    // Two by two minors of N: products of pairs of cables.
-    let mut minor = [[zero; CABLES]; CABLES];
-    for i in 0..CABLES {
-        for j in i + 1..CABLES {
-            minor[i][j] = l.sub(l.mul(null[i][0], null[j][1]), l.mul(null[i][1], null[j][0]));
-        }
-    }
+    let Factors { dual, .. } = factors;
+    let sides = Sides::new(l, robot, factors);
     let (force, moment) = (l.splat(robot.radii[0]), l.splat(robot.radii[1]));
     let mut least = l.splat(f64::INFINITY);
-    for [i, j, k] in TRIPLES {
-        let v = [minor[j][k], l.sub(zero, minor[i][k]), minor[i][j]];
+    for triple in TRIPLES {
+        let [i, j, k] = triple;
+        let v = sides.normal(l, triple);
         let mut c = [zero; ROWS];
         for r in 0..ROWS {
             c[r] = dot(l, &v, &[dual[i][r], dual[j][r], dual[k][r]]);
         }
         let [fx, fy, fz, mx, my, mz] = c;
         let (f2, m2) = (dot(l, &[fx, fy, fz], &[fx, fy, fz]), dot(l, &[mx, my, mz], &[mx, my, mz]));
-        let out = dot(l, &[l.abs(v[0]), l.abs(v[1]), l.abs(v[2])], &[half[i], half[j], half[k]]);
-        let off = l.abs(dot(l, &v, &[offset[i], offset[j], offset[k]]));
-        let needed = l.add(off, l.add(l.mul(force, l.sqrt(f2)), l.mul(moment, l.sqrt(m2))));
+        let [out, off] = sides.reach(l, triple, &v);
+        let needed = l.add(l.abs(off), l.add(l.mul(force, l.sqrt(f2)), l.mul(moment, l.sqrt(m2))));
         let slack = l.div(l.sub(out, needed), l.sqrt(l.add(f2, m2)));
         let size = dot(l, &v, &v);
         let no_normal = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);

@@ -146,6 +146,15 @@ impl Statics {
         Self::new(scene.robot(), &Loads::of(scene))
     }
 
+    /// The same with each cable's range of tensions narrowed by a share of it at both ends.
+    pub fn with_reserve(mut self, share: f64) -> Self {
+        for StaticCable { tension: [least, most], .. } in &mut self.cables {
+            let reserve = share * (*most - *least);
+            (*least, *most) = (*least + reserve, *most - reserve);
+        }
+        self
+    }
+
     /// Cables in the order of the robot.
     pub fn cables(&self) -> &[StaticCable] {
         &self.cables
