@@ -416,6 +416,9 @@ pub const BOUND_GAP: f64 = 1e-3;
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
+/// Largest trajectory file that is read, bytes: half an hour of eight cables at 100 samples per second.
+pub const MOST_TRAJECTORY_BYTES: u64 = 200_000_000;
+
 /// Largest certificate of a proof that is read, bytes.
 pub const MOST_CERTIFICATE_BYTES: u64 = 200_000_000;
 

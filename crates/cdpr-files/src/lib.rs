@@ -15,6 +15,7 @@ pub mod scene_file;
 pub mod starter_file;
 pub mod tension_file;
 pub mod text;
+pub mod trajectory_file;
 pub mod wrench_map_file;
 mod xml;
 
@@ -31,6 +32,9 @@ pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
 pub use starter_file::{Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
+pub use trajectory_file::{
+    check_trajectory, is_trajectory, read_trajectory, scene_of_trajectory, trajectory_from_text,
+};
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};
 
 /// Tests the examples in the crate's README.

@@ -1,0 +1,185 @@
+//! The JSON of a timed trajectory as plain data. Files, the command line and the page share this one type.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::collision::Checker;
+use crate::collision::path_check::PathViolation;
+use crate::error::Error;
+use crate::geometry::{Point, Vector};
+use crate::path_file::SceneId;
+use crate::watch::Watch;
+
+/// The value of [`TrajectoryFile::format`].
+pub const TRAJECTORY_FORMAT: &str = "cdpr-trajectory";
+
+/// Version of the format.
+pub const TRAJECTORY_VERSION: u32 = 1;
+
+/// The keys of a trajectory file. Other keys are allowed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TrajectoryFile {
+    /// Name of the format, [`TRAJECTORY_FORMAT`].
+    pub format: String,
+    /// Version of the format, [`TRAJECTORY_VERSION`].
+    pub version: u32,
+    /// The scene that the trajectory was made for.
+    pub scene: SceneId,
+    /// Orientation held all the time, a world-from-platform unit quaternion w x y z.
+    pub orientation: [f64; 4],
+    /// Name of the orientation in the scene.
+    pub orientation_name: Option<String>,
+    /// Time from start to goal, s.
+    pub duration: f64,
+    /// Length of the curve, m.
+    pub length: f64,
+    /// Samples per second.
+    pub rate: f64,
+    /// The limits that the trajectory keeps.
+    pub limits: TrajectoryLimits,
+    /// Minimum and maximum tension of each cable, N, if tensions were limited.
+    pub tension_limits: Option<Vec<[f64; 2]>>,
+    /// The path that the curve follows, m.
+    pub waypoints: Vec<[f64; 3]>,
+    /// How the curve passes the waypoints between start and goal.
+    pub corners: Vec<TrajectoryCorner>,
+    /// Which limit determines how fast the platform moves, in order of time; gaps are possible.
+    pub limiting: Vec<Limiting>,
+    /// Names of the cables.
+    pub cables: Vec<String>,
+    /// Times of the samples, s: 0 to the duration.
+    pub times: Vec<f64>,
+    /// Position of the platform's origin at each time, m.
+    pub positions: Vec<[f64; 3]>,
+    /// Its velocity, m/s.
+    pub velocities: Vec<[f64; 3]>,
+    /// Its acceleration, m/s².
+    pub accelerations: Vec<[f64; 3]>,
+    /// Length of each cable at each time, m.
+    pub cable_lengths: Vec<Vec<f64>>,
+    /// How fast each length grows, m/s.
+    pub cable_speeds: Vec<Vec<f64>>,
+    /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
+    pub tensions: Option<Vec<Vec<f64>>>,
+    /// The curve in exact form.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<Value>,
+    /// The timing in exact form.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub timing: Option<Value>,
+}
+
+impl TrajectoryFile {
+    /// The positions of the samples as points, m.
+    pub fn points(&self) -> Vec<Point> {
+        self.positions.iter().map(|row| Point::from(*row)).collect()
+    }
+
+    /// The violations on the straight lines between samples. Those that are no deeper than the curve may deviate from
+    /// these lines are left out, since a curve that touches an obstacle is valid. The file has been checked.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn violations(&self, checker: &dyn Checker, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
+        let mut violations = Vec::new();
+        for (segment, pair) in self.points().windows(2).enumerate() {
+            watch.check()?;
+            if checker.motion_valid(&pair[0], &pair[1]) {
+                continue; // many times faster than checking every condition separately
+            }
+            let least = -self.deviation(segment);
+            let found = checker.violations(&pair[0], &pair[1]).into_iter();
+            let deep = found.filter(|violation| !violation.margin.is_some_and(|margin| margin >= least));
+            violations.extend(deep.map(|violation| PathViolation { segment, violation }));
+        }
+        Ok(violations)
+    }
+
+    /// How far the curve deviates from the straight line between two samples, m, given the acceleration at both.
+    fn deviation(&self, segment: usize) -> f64 {
+        let step = self.times[segment + 1] - self.times[segment];
+        let [begin, end] = [segment, segment + 1].map(|k| Vector::from(self.accelerations[k]).norm());
+        begin.max(end) * step * step / 8.0
+    }
+}
+
+/// Limits of a trajectory; those that are not set are left out.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TrajectoryLimits {
+    /// Speed of the platform, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
+    /// Acceleration of the platform, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub acceleration: Option<f64>,
+    /// Jerk of the platform, m/s³.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jerk: Option<f64>,
+    /// Speed of a cable, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_speed: Option<f64>,
+    /// Acceleration of a cable, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_acceleration: Option<f64>,
+    /// Largest deviation of the curve from the path at a corner, m.
+    pub blend: f64,
+    /// Wrench margin that remains at every instant, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrench_margin: Option<f64>,
+}
+
+/// How the curve passes a waypoint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TrajectoryCorner {
+    /// Index of the waypoint.
+    pub waypoint: usize,
+    /// What the curve does there.
+    pub kind: CornerKind,
+    /// Distance between waypoint and curve, m.
+    pub deviation: f64,
+    /// When it is passed, s.
+    pub time: f64,
+}
+
+/// Ways to pass a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CornerKind {
+    /// Rounded on the inner side.
+    Rounded,
+    /// Rounded on the outer side.
+    Outward,
+    /// The platform stops there.
+    Stop,
+}
+
+/// What limits the motion for some time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Limiting {
+    /// Beginning, s.
+    pub from: f64,
+    /// End, s.
+    pub to: f64,
+    /// The limit.
+    pub limit: LimitKind,
+    /// The cable that has reached it, for limits of cables.
+    pub cable: Option<String>,
+}
+
+/// Kinds of limits that can determine the motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LimitKind {
+    /// Speed of the platform.
+    Speed,
+    /// Acceleration of the platform.
+    Acceleration,
+    /// Jerk of the platform.
+    Jerk,
+    /// Speed of a cable.
+    CableSpeed,
+    /// Acceleration of a cable.
+    CableAcceleration,
+    /// Tension of a cable.
+    Tension,
+}
