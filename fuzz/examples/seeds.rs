@@ -130,6 +130,8 @@ fn paths() -> Result<(), Box<dyn Error>> {
         put(name, "")?;
         cdpr_files::save_path(&inputs("seeds").join(name), &file)?;
     }
+    let motion = testing::moving(&scene, Point::new(0.3, 1.0, 0.3), Point::new(0.9, 1.0, 0.9), 4);
+    put("trajectory_json/hard1.json", serde_json::json!(motion).to_string())?;
     Ok(())
 }
 

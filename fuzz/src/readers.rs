@@ -24,12 +24,13 @@ pub struct Reader {
 }
 
 /// Every reader.
-pub const READERS: [Reader; 17] = [
+pub const READERS: [Reader; 18] = [
     Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
     Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
     Reader { name: "robot_toml", read: robot },
     Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
     Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
+    Reader { name: "trajectory_json", read: trajectory },
     Reader { name: "experiment_toml", read: experiment },
     Reader { name: "caspr_cables", read: |bytes| caspr(bytes, &seed("caspr_bodies/cogiro.xml")) },
     Reader { name: "caspr_bodies", read: |bytes| caspr(&seed("caspr_cables/cogiro.xml"), bytes) },
@@ -124,12 +125,13 @@ fn robot(bytes: &[u8]) {
     accepted(cdpr_files::load_robot(&folder.path("robot.toml")));
 }
 
+static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
+    let scene = testing::hard1();
+    let engine = CspaceEngine::new(&scene, Interference::Exact).expect("an engine");
+    (scene, engine)
+});
+
 fn path(name: &str, bytes: &[u8]) {
-    static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
-        let scene = testing::hard1();
-        let engine = CspaceEngine::new(&scene, Interference::Exact).expect("an engine");
-        (scene, engine)
-    });
     let folder = Folder::new().with(name, bytes);
     if let Some(loaded) = accepted(cdpr_files::load_waypoints(&folder.path(name))) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
@@ -139,6 +141,18 @@ fn path(name: &str, bytes: &[u8]) {
             .expect("a path can be written");
         assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
     }
+}
+
+fn trajectory(bytes: &[u8]) {
+    let folder = Folder::new().with("motion.json", bytes);
+    let Some(Some(text)) = accepted(cdpr_files::read_trajectory(&folder.path("motion.json"))) else { return };
+    let Some(file) = accepted(cdpr_files::trajectory_from_text(&text)) else { return };
+    let (scene, engine) = &*HARD1;
+    if file.times.len() > MOST_WAYPOINTS || accepted(cdpr_files::scene_of_trajectory(scene, &file, false)).is_none() {
+        return;
+    }
+    let violations = file.violations(engine, &Watch::NONE).expect("nothing stops it");
+    cdpr_view::trajectory_page_within(scene, &file, &violations, &Watch::NONE).expect("nothing stops it");
 }
 
 fn experiment(bytes: &[u8]) {

@@ -1,5 +1,6 @@
 """Shared by the tests: the location of the test data, delivery of Ctrl-C, and pages in a browser."""
 
+import os
 import signal
 from pathlib import Path
 
@@ -10,6 +11,13 @@ import cdpr
 
 ROOT = Path(__file__).resolve().parents[2]
 TESTDATA = ROOT / "testdata"
+
+
+def program() -> Path:
+    """The program as built for the Rust tests, or as named by CDPR."""
+    found = ROOT / os.environ.get("CDPR", "target/debug/cdpr")
+    assert found.exists(), f"no {found}: build it by `make program`"
+    return found
 
 
 def pytest_configure() -> None:

@@ -51,7 +51,8 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Open]:
-    """Opens the page of a scene and path; checks afterwards that nothing went wrong and nothing was fetched."""
+    """Opens the page of a scene and path, or a page that has been made; checks afterwards that nothing went wrong and
+    nothing was fetched."""
     complaints: list[str] = []
     pages: list[Page] = []
 
@@ -59,9 +60,16 @@ def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) 
         complaints.append(text)
 
     def opened(
-        scene: cdpr.Scene, path: Any = None, size: tuple[int, int] = DESK, look: Any = "light", file: str = "view.html"
+        scene: cdpr.Scene | Path,
+        path: Any = None,
+        size: tuple[int, int] = DESK,
+        look: Any = "light",
+        file: str = "view.html",
     ) -> Page:
-        cdpr.save_view(tmp_path / file, scene, path)
+        if isinstance(scene, Path):
+            shutil.copy(scene, tmp_path / file)
+        else:
+            cdpr.save_view(tmp_path / file, scene, path)
         assert (tmp_path / file).stat().st_size < MOST_BYTES
         context = browser.new_context(viewport={"width": size[0], "height": size[1]}, color_scheme=look)
         page = context.new_page()

@@ -29,7 +29,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from conftest import ROOT, TESTDATA
+from conftest import ROOT, TESTDATA, program
 from sybil import Sybil
 from sybil.evaluators.python import PythonEvaluator
 from sybil.parsers.markdown import CodeBlockParser, SkipParser
@@ -53,13 +53,6 @@ ELSEWHERE = {"rust", "pycon", "console", "pyi"}
 FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)
 TIME = re.compile(r"\d[\d.]* (ms|s|µs)\b")
 RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")
-
-
-def program() -> Path:
-    """The program as built for the Rust tests, or as named by CDPR."""
-    found = ROOT / os.environ.get("CDPR", "target/debug/cdpr")
-    assert found.exists(), f"no {found}: build it by `make program`"
-    return found
 
 
 class Page:

@@ -86,6 +86,41 @@ function readMotion(motion) {
   };
 }
 
+const readNumbers = (record, keys) =>
+  Object.fromEntries(Object.entries(keys).map(([name, key]) => [name, numberOrNull(record?.[key])]));
+
+const LIMITS = {
+  speed: 'speed',
+  acceleration: 'acceleration',
+  jerk: 'jerk',
+  cableSpeed: 'cable_speed',
+  cableAcceleration: 'cable_acceleration',
+  blend: 'blend',
+  wrenchMargin: 'wrench_margin',
+};
+
+// Times and positions; the curves have the same times or their own.
+function readTrajectory(trajectory) {
+  const times = list(trajectory?.times);
+  if (times.length < 2 || list(trajectory.positions).length !== times.length) return null;
+  const curve = (raw) => ({ at: list(raw?.times ?? times), values: list(raw?.values) });
+  return {
+    duration: times.at(-1),
+    length: numberOrNull(trajectory.length) ?? 0,
+    limits: readNumbers(trajectory.limits, LIMITS),
+    tensionLimits: list(trajectory.tension_limits),
+    limiting: list(trajectory.limiting).map(({ from, to, limit, cable }) => ({ from, to, kind: String(limit), cable })),
+    corners: list(trajectory.corners),
+    cables: list(trajectory.cables).map(String),
+    times,
+    positions: trajectory.positions,
+    speed: curve(trajectory.speed),
+    acceleration: curve(trajectory.acceleration),
+    cableSpeeds: list(trajectory.cable_speeds).map(curve),
+    tensions: list(trajectory.tensions).map(curve),
+  };
+}
+
 function readFeasible(feasible) {
   if (!feasible || !isPoint(feasible.origin) || !isPoint(feasible.counts)) return null;
   const margins = list(feasible.margins);
@@ -131,6 +166,7 @@ function readViolation(violation) {
   return {
     segment: Math.max(0, Math.trunc(numberOrNull(violation?.segment) ?? 0)),
     at: Math.min(1, Math.max(0, numberOrNull(violation?.at) ?? 0)),
+    time: numberOrNull(violation?.time),
     kind: text(violation?.kind, 'unknown'),
     culprits: list(violation?.culprits).map(String),
     gap: numberOrNull(violation?.gap),
@@ -163,6 +199,7 @@ export function readModel(raw) {
     path: readPath(raw?.path),
     regions: readRegions(raw?.regions),
     motion: readMotion(raw?.motion),
+    trajectory: readTrajectory(raw?.trajectory),
     feasible: readFeasible(raw?.feasible),
     noPath: readNoPath(raw?.no_path),
     violations: list(raw?.violations).map(readViolation),

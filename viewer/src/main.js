@@ -18,6 +18,7 @@ import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
 import { createSwept } from './swept.js';
 import { createTheme } from './theme.js';
+import { createTimedRoute } from './trajectory.js';
 import { describeFeasible, describeTree } from './wording.js';
 import { createFeasible } from './workspace.js';
 
@@ -27,6 +28,7 @@ function restingPosition({ start, workspace }) {
 }
 
 function routeOf(model) {
+  if (model.trajectory) return createTimedRoute(model.trajectory);
   const waypoints = model.path?.waypoints ?? [];
   return createRoute(waypoints.length > 0 ? waypoints : [restingPosition(model)]);
 }
@@ -39,6 +41,12 @@ function createGhosts(model, frame, shapes, theme) {
     ghost.position.copy(frame.point(point));
     return ghost;
   });
+}
+
+// Where the path has dots: at its waypoints, or where a trajectory passes them.
+function markedPlaces({ path, trajectory }, route) {
+  if (!trajectory) return path?.waypoints;
+  return [0, ...trajectory.corners.map(({ time }) => time), route.length].map(route.positionAt);
 }
 
 // Names of more obstacles than this would hide the picture; they can be switched on.
@@ -72,7 +80,7 @@ function fillScene(model, route, frame, stage, theme) {
     outlets: createOutlets(model, frame, theme),
     searchTree: createSearchTree(model.path, frame, theme),
     rawPath: createRawPath(model.path, frame, theme),
-    finalPath: createFinalPath(model.path, frame, theme),
+    finalPath: createFinalPath(model.path, frame, theme, markedPlaces(model, route)),
     nearest: highlight.objects,
     violations: createViolations(model, route, frame, theme),
     startGoal: ghosts,
@@ -101,10 +109,11 @@ const hiddenAtFirst = ({ obstacles, regions, path }) => [
   ...(obstacles.length > MOST_NAMES ? ['obstacleNames'] : []),
 ];
 
-function otherNames({ regions, path }) {
+function otherNames({ regions, path, trajectory }) {
   const onlyShadows = regions?.meshes.every(({ kind }) => kind === 'cable-obstacle');
   return {
     ...(onlyShadows && { regions: 'shadows of obstacles' }),
+    ...(trajectory && { rawPath: 'path that it follows', finalPath: 'trajectory' }),
     ...(path?.tree && { searchTree: describeTree(path.tree) }),
   };
 }
@@ -219,11 +228,12 @@ function connect(model, view) {
   const size = sizeOf(model);
   const playback = createPlayback(
     route.length,
+    route.timed,
     (distance) => {
       const position = route.positionAt(distance);
       view.move(position, showPlots(distance));
       panel.showPosition(position, size);
-      panel.showDistance(distance, route.length);
+      panel.showDistance(distance, route.length, route.describe(distance));
     },
     panel.showPlaying,
   );
@@ -239,21 +249,23 @@ function connect(model, view) {
     panel.showTransport(route.length);
   };
   showPlots = createPlots(model, route, jump);
-  panel.connectTransport(playback);
+  panel.connectTransport(playback, route.timed);
   panel.showNoPath(model.noPath, leaveOut);
-  panel.showViolations(model.violations, ({ segment, at }) => route.distanceAt(segment, at), jump);
+  panel.showViolations(model.violations, (violation) => route.placeOf(violation), jump);
   if (view.look) panel.connectTools(view);
   panel.connectKeys(playback, view);
   playback.setDistance(0);
-  return { playback, position: () => route.positionAt(playback.distance()) };
+  return { playback, timed: route.timed, position: () => route.positionAt(playback.distance()) };
 }
 
 // The interface for scripts that drive the page.
-function publish(view, { playback, position }) {
+function publish(view, { playback, timed, position }) {
+  const { distance: time, setDistance: setTime } = playback;
+  const place = { distance: playback.distance, setDistance: playback.setDistance };
   window.cdprViewer = {
-    get length() { return playback.length(); },
-    distance: playback.distance,
-    setDistance: playback.setDistance,
+    get length() { return timed ? null : playback.length(); },
+    get duration() { return timed ? playback.length() : null; },
+    ...(timed ? { time, setTime } : place),
     position,
     layers: view.layers,
     look: view.look,

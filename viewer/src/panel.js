@@ -2,7 +2,7 @@
 
 import { wallRole } from './theme.js';
 import { describeCulprits, describeDetour, describeProof, describeReached } from './wording.js';
-import { describeOutcome, describeRegions, describeViolation, formatPosition, formatProgress } from './wording.js';
+import { describeOutcome, describeRegions, describeViolation, formatPosition } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const LISTED_CULPRITS = 8;
@@ -21,7 +21,7 @@ function element(tag, className, text) {
 export function showSummary(model, length) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
-  const outcome = describeOutcome(model.path, length, model.violations.length);
+  const outcome = describeOutcome(model.path, length, model.violations.length, model.trajectory);
   byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
   if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
   foldWhereNarrow();
@@ -118,19 +118,19 @@ export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   return { element: row, tick };
 }
 
-function violationItem(violation, distance, onPick) {
+function violationItem(violation, place, onPick) {
   const item = element('li');
-  const button = element('button', 'violation', describeViolation(violation, distance));
+  const button = element('button', 'violation', describeViolation(violation, place));
   button.type = 'button';
-  button.addEventListener('click', () => onPick(distance));
+  button.addEventListener('click', () => onPick(place));
   item.append(button);
   return item;
 }
 
-/** Lists violations; `distanceOf` tells where one begins, `onPick` hears the distance of the one that is clicked. */
-export function showViolations(violations, distanceOf, onPick) {
+/** Lists violations; `placeOf` tells where one begins, `onPick` hears the place of the one that is clicked. */
+export function showViolations(violations, placeOf, onPick) {
   if (violations.length === 0) return;
-  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, distanceOf(v), onPick));
+  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, placeOf(v), onPick));
   byId('violation-list').replaceChildren(...shown);
   byId('violation-count').textContent = `${violations.length} violation${violations.length === 1 ? '' : 's'}`;
   const rest = violations.length - shown.length;
@@ -184,24 +184,27 @@ function connectSlider(slider, playback) {
   });
 }
 
-/** Connects slider and play button to the playback. */
-export function connectTransport(playback) {
+/** Connects slider and play button to the playback, of a trajectory if `timed`. */
+export function connectTransport(playback, timed) {
   connectSlider(byId('slider'), playback);
   byId('play').addEventListener('click', playback.toggle);
   byId('speed').addEventListener('change', () => playback.setSpeed(Number(byId('speed').value)));
+  if (timed) {
+    byId('slider').setAttribute('aria-label', 'time, s');
+    byId('speed').title = 'speed of the playback; 1× is real time';
+  }
   showTransport(playback.length());
 }
 
-/** Shows slider and play button for a path of a length, m. */
+/** Shows slider and play button for a path of a length, m, or a trajectory of a duration, s. */
 export function showTransport(length) {
   byId('slider').max = String(length);
   byId('transport').hidden = length === 0;
 }
 
-/** Shows a distance on the slider. */
-export function showDistance(distance, length) {
+/** Shows a distance or time on the slider, and in words. */
+export function showDistance(distance, length, text) {
   if (length === 0) return;
-  const text = formatProgress(distance, length);
   byId('slider').value = String(distance);
   byId('slider').setAttribute('aria-valuetext', text);
   byId('distance').textContent = text;

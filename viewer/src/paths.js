@@ -26,12 +26,12 @@ export function createRawPath(path, frame, theme) {
   return [line];
 }
 
-/** The path after post-processing: thick, with a dot at each waypoint. */
-export function createFinalPath(path, frame, theme) {
+/** The path after post-processing: thick, with a dot at each waypoint, or at the places in `marked`. */
+export function createFinalPath(path, frame, theme, marked = path?.waypoints) {
   if (!path || path.waypoints.length === 0) return [];
   const points = path.waypoints.map((p) => frame.point(p));
   const line = wideLines(chain(points), { linewidth: 5, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 });
-  const marks = dots(points, 10);
+  const marks = dots(marked.map((p) => frame.point(p)), 10);
   theme.paint(line.material, 'finalPath');
   theme.paint(marks.material, 'waypoint');
   return [line, marks];
@@ -49,7 +49,7 @@ export function createViolations({ violations, motion }, route, frame, theme) {
   if (violations.length === 0) return [];
   const pieces = wideLines(motion ? badPieces(motion, route, frame) : [], { linewidth: 6 });
   theme.paint(pieces.material, 'violation');
-  const points = violations.map((v) => frame.point(route.positionAt(route.distanceAt(v.segment, v.at))));
+  const points = violations.map((v) => frame.point(route.positionAt(route.placeOf(v))));
   const rim = crosses(points, 22, 0.7, 10);
   const core = crosses(points, 22, 0.4, 11);
   theme.paint(core.material, 'violation');

@@ -1,11 +1,13 @@
-// The position along the path: slider, play and pause.
+// The position along the path, or the time in a trajectory: slider, play and pause.
 
-// Time to play the whole path, s.
+// Time to play the whole of a path, s.
 const DURATION = 8;
-const LONGEST_STEP = 0.1;
 
-/** A distance between 0 and a length that can run by itself; `onMove` and `onState` hear of changes. */
-export function createPlayback(whole, onMove, onState) {
+/**
+ * A distance between 0 and a length that can run by itself; `onMove` and `onState` hear of changes. For a trajectory it
+ * is a time, which runs in real time: however few pictures are drawn, each shows where the platform is by then.
+ */
+export function createPlayback(whole, timed, onMove, onState) {
   let length = whole;
   let distance = 0;
   let playing = false;
@@ -33,12 +35,17 @@ export function createPlayback(whole, onMove, onState) {
 
   function advance(now) {
     if (!playing) return;
-    const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - before) / 1000));
-    before = now;
-    setDistance(distance + (speed * seconds * length) / DURATION);
+    const seconds = Math.max(0, (now - before) / 1000);
+    before = Math.max(before, now);
+    setDistance(distance + speed * seconds * (timed ? 1 : length / DURATION));
     if (distance >= length) setPlaying(false);
     else requestAnimationFrame(advance);
   }
+
+  // A hidden page draws nothing; it goes on where it stopped.
+  document.addEventListener('visibilitychange', () => {
+    before = performance.now();
+  });
 
   return {
     length: () => length,

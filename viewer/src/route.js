@@ -1,5 +1,7 @@
 // A path as a curve over its length.
 
+import { formatProgress, lengthAxis } from './wording.js';
+
 const distanceBetween = (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 
 const mix = (a, b, t) => [0, 1, 2].map((i) => a[i] + (b[i] - a[i]) * t);
@@ -37,10 +39,17 @@ export function createRoute(waypoints) {
     return mix(waypoints[i], waypoints[i + 1], (distance - lengths[i]) / (lengths[i + 1] - lengths[i]));
   }
 
-  function distanceAt(segment, fraction) {
+  function placeOf({ segment, at }) {
     if (segment >= last) return length;
-    return lengths[segment] + (lengths[segment + 1] - lengths[segment]) * fraction;
+    return lengths[segment] + (lengths[segment + 1] - lengths[segment]) * at;
   }
 
-  return { length, positionAt, distanceAt };
+  return {
+    timed: false,
+    length,
+    axis: { title: 'distance along the path', ...lengthAxis(length) },
+    positionAt,
+    placeOf,
+    describe: (distance) => formatProgress(distance, length),
+  };
 }

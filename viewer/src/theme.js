@@ -19,6 +19,16 @@ const PALE_WALL_EDGES = ['#f5c5ba', '#e8b5cf', '#e3e3b5', '#fbc6d9', '#e6b8b0', 
 /** The role of the colour of a wall: `wall0`, `wall1` and so on, with edges in `wall0Edge` and so on. */
 export const wallRole = (index) => `wall${index % WALLS.length}`;
 
+// What limits a motion: the palette of Okabe and Ito.
+const LIMITS = {
+  limitSpeed: '#0072b2',
+  limitAcceleration: '#e69f00',
+  limitJerk: '#cc79a7',
+  limitCableSpeed: '#56b4e9',
+  limitCableAcceleration: '#d55e00',
+  limitTension: '#009e73',
+};
+
 const LIGHT = {
   text: '#1b1f24',
   muted: '#545c66',
@@ -27,6 +37,7 @@ const LIGHT = {
   button: '#eceff3',
   focus: '#0059c9',
   ...roles('region#', MUTED),
+  ...LIMITS,
   ...roles('wall#', WALLS),
   ...roles('wall#Edge', WALL_EDGES),
   reachable: '#3f8fd0',
@@ -58,6 +69,7 @@ const DARK = {
   button: '#333a44',
   focus: '#8cc4ff',
   ...roles('region#', PALE),
+  ...LIMITS,
   ...roles('wall#', PALE_WALLS),
   ...roles('wall#Edge', PALE_WALL_EDGES),
   reachable: '#4ea3e6',

@@ -22,10 +22,83 @@ const axisOf = ({ factor, digits, name }) => ({
   unit: name,
   /** A number in this unit, without the unit; a dash where there is none. */
   format: (value) => (Number.isFinite(value) ? rounded(value * factor, digits) : '–'),
+  /** A number in this unit, with the unit and without needless digits: "1.5 m/s". */
+  brief: (value) => `${Number((value * factor).toPrecision(4))}\u00a0${name}`,
 });
 
 /** The unit of lengths up to this one, m. */
 export const lengthAxis = (largest) => axisOf(unitFor(UNITS, largest));
+
+const per = (time) => (greatest) => {
+  const unit = unitFor(UNITS, greatest);
+  return axisOf({ ...unit, name: `${unit.name}/${time}` });
+};
+
+/** The unit of speeds up to this one, m/s. */
+export const speedAxis = per('s');
+
+/** The unit of accelerations up to this one, m/s². */
+export const accelerationAxis = per('s²');
+
+/** The unit of times, s. */
+export const timeAxis = axisOf({ factor: 1, digits: 2, name: 's' });
+
+const MOST_TICKS = 6;
+
+/** Round times from 0 to a duration. */
+export function timeTicks(duration) {
+  const least = duration / MOST_TICKS;
+  const decade = 10 ** Math.floor(Math.log10(least));
+  const step = decade * [1, 2, 5, 10].find((factor) => factor * decade >= least);
+  return Array.from({ length: Math.floor(duration / step) + 1 }, (_, i) => Number((i * step).toPrecision(6)));
+}
+
+/** A time of a whole: "0.50 of 4.35 s". */
+export const formatTimeProgress = (time, whole) => `${timeAxis.format(time)} of ${timeAxis.format(whole)}\u00a0s`;
+
+/** A share of a whole: "38 %". */
+export const formatShare = (share) => `${share < 0.01 ? '<\u00a01' : Math.round(100 * share)}\u00a0%`;
+
+const LIMIT_NAMES = { cable_speed: 'cable speed', cable_acceleration: 'cable acceleration' };
+
+/** A limit in words: "tension of cable 3", "speed of cable 3", "acceleration". */
+export function describeLimit({ kind, cable }) {
+  const name = LIMIT_NAMES[kind] ?? kind;
+  return cable ? `${name.replace(/^cable /, '')} of ${cable}` : name;
+}
+
+/** What limits the motion for a while: "tension of cable 3, 0.50 to 0.90 s". */
+export const describePiece = (entry) =>
+  `${describeLimit(entry)}, ${timeAxis.format(entry.from)} to ${timeAxis.format(entry.to)}\u00a0s`;
+
+const CORNERS = { stop: 'stop', rounded: 'rounded', outward: 'rounded outward' };
+
+/** How a waypoint is passed: "waypoint 1 at 1.20 s: rounded, 12 mm off the path". */
+export function describeCorner({ waypoint, kind, deviation, time }) {
+  const off = deviation > 0 ? `, ${formatGap(deviation)} off the path` : '';
+  return `waypoint ${waypoint} at ${timeAxis.format(time)}\u00a0s: ${CORNERS[kind] ?? kind}${off}`;
+}
+
+/** How the waypoints are passed: "corners: 2 rounded (at most 12 mm off the path), 1 stop". */
+export function describeCorners(corners) {
+  const of = (kind) => corners.filter((corner) => corner.kind === kind);
+  const parts = Object.keys(CORNERS).filter((kind) => of(kind).length > 0).map((kind) => {
+    const most = Math.max(...of(kind).map(({ deviation }) => deviation));
+    const off = most > 0 ? ` (at most ${formatGap(most)} off the path)` : '';
+    const name = kind === 'stop' && of(kind).length > 1 ? 'stops' : CORNERS[kind];
+    return `${of(kind).length} ${name}${off}`;
+  });
+  return parts.length > 0 ? `corners: ${parts.join(', ')}` : '';
+}
+
+const OTHER_LIMITS = { jerk: ['jerk', 'm/s³'], cableAcceleration: ['cable acceleration', 'm/s²'], wrenchMargin: ['wrench margin', 'N'] };
+
+/** The limits that are not in a chart: "other limits: jerk 40 m/s³". */
+export function describeOtherLimits(limits) {
+  const known = Object.entries(OTHER_LIMITS).filter(([key]) => limits[key] !== null);
+  const parts = known.map(([key, [name, unit]]) => `${name} ${formatNumber(limits[key], unit)}`);
+  return parts.length > 0 ? `other limits: ${parts.join(', ')}` : '';
+}
 
 /** The unit of forces up to this one, N. */
 export const forceAxis = (largest) => axisOf(unitFor(FORCES, largest));
@@ -128,10 +201,11 @@ function verdict(status, violations) {
 }
 
 /** The outcome of planning or checking in one line. */
-export function describeOutcome(path, length, violations) {
+export function describeOutcome(path, length, violations, trajectory = null) {
   if (!path) return 'no path';
   if (path.waypoints.length === 0) return NO_PATH[path.status] ?? 'no path';
   const said = verdict(path.status, violations);
+  if (trajectory) return `${said}: ${formatLength(trajectory.length)} in ${timeAxis.format(trajectory.duration)}\u00a0s`;
   const cost = formatLength(path.cost ?? length);
   const raw = path.rawCost === null ? cost : formatLength(path.rawCost);
   return raw === cost ? `${said}: ${cost}` : `${said}: ${cost}, ${raw} before it was made shorter`;
@@ -170,8 +244,9 @@ function describeGap({ kind, gap, required }) {
   return gap > 0 ? `, only ${formatGap(gap)} apart, ${formatGap(required)} required` : '';
 }
 
-/** A violation that begins at a distance along the path in one sentence. */
+/** A violation that begins at a distance along the path, or at a time, in one sentence. */
 export function describeViolation(violation, distance) {
-  const where = `after ${formatLength(distance)} (segment ${violation.segment})`;
+  const place = `after ${formatLength(distance)} (segment ${violation.segment})`;
+  const where = violation.time === null ? place : `at ${timeAxis.format(violation.time)}\u00a0s`;
   return `${describeEvent(violation)} ${where}${describeGap(violation)}`;
 }

@@ -5,10 +5,12 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
+use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{LoadedPath, Loader, PathFile, scene_of_path, waypoints_from_text};
+use cdpr_files::{LoadedPath, Loader, PathFile, is_trajectory, read_trajectory, scene_of_path};
+use cdpr_files::{scene_of_trajectory, trajectory_from_text, waypoints_from_text};
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
@@ -71,29 +73,72 @@ pub fn path(
     scene: &Scene,
     args: &SceneArgs,
     path: &Path,
-    Strict { strict }: Strict,
+    strict: Strict,
     out: &Console,
 ) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene) && is_standard_input(path) {
         return Err(only_one());
     }
-    let in_scene = |loaded: LoadedPath| {
-        let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
-        let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
-        let hint = open.then(|| "use --orientation NAME".to_string());
-        let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
-        let (scene, warning) = found?;
-        warning.iter().for_each(|warning| out.warning(warning));
-        Ok((scene, loaded))
-    };
     match stream_of(path)? {
-        Some(stream) => {
-            stream.parse(|text| waypoints_from_text(text, text.trim_start().starts_with('{')).and_then(in_scene))
-        }
+        Some(stream) => stream.parse(|text| path_from_text(scene, text, strict, out)),
         None => {
-            cdpr_files::load_waypoints(path).and_then(|loaded| in_scene(loaded).map_err(|e: Error| e.in_file(path)))
+            let loaded = cdpr_files::load_waypoints(path)?;
+            in_scene(scene, loaded, strict, out).map_err(|e| e.in_file(path))
         }
     }
+}
+
+fn path_from_text(scene: &Scene, text: &str, strict: Strict, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+    let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
+    in_scene(scene, loaded, strict, out)
+}
+
+fn in_scene(
+    scene: &Scene,
+    loaded: LoadedPath,
+    Strict { strict }: Strict,
+    out: &Console,
+) -> Result<(Scene, LoadedPath), Error> {
+    let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
+    let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
+    let hint = open.then(|| "use --orientation NAME".to_string());
+    let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
+    let (scene, warning) = found?;
+    warning.iter().for_each(|warning| out.warning(warning));
+    Ok((scene, loaded))
+}
+
+/// A path or a trajectory, with the scene at its orientation.
+pub enum Motion {
+    /// A path without times.
+    Path(Box<(Scene, LoadedPath)>),
+    /// A trajectory.
+    Trajectory(Box<(Scene, TrajectoryFile)>),
+}
+
+/// A path or trajectory of a scene. Warns if it was made for another scene.
+pub fn motion(scene: &Scene, args: &SceneArgs, file: &Path, strict: Strict, out: &Console) -> Result<Motion, Error> {
+    if is_standard_input(&args.scene) && is_standard_input(file) {
+        return Err(only_one());
+    }
+    let of_path = |found| Motion::Path(Box::new(found));
+    if let Some(stream) = stream_of(file)? {
+        return stream.parse(|text| match is_trajectory(text) {
+            true => trajectory(scene, text, strict, out),
+            false => path_from_text(scene, text, strict, out).map(of_path),
+        });
+    }
+    match read_trajectory(file)? {
+        Some(text) => trajectory(scene, &text, strict, out).map_err(|e| e.in_file(file)),
+        None => path(scene, args, file, strict, out).map(of_path),
+    }
+}
+
+fn trajectory(scene: &Scene, text: &str, Strict { strict }: Strict, out: &Console) -> Result<Motion, Error> {
+    let file = trajectory_from_text(text)?;
+    let (scene, warning) = scene_of_trajectory(scene, &file, strict)?;
+    warning.iter().for_each(|warning| out.warning(warning));
+    Ok(Motion::Trajectory(Box::new((scene, file))))
 }
 
 /// An experiment.

@@ -185,3 +185,26 @@ pub enum LimitKind {
     /// Tension of a cable.
     Tension,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::engine_for;
+    use crate::testing::{block, moving, paper_scene, scene};
+
+    #[test]
+    fn what_lies_between_line_and_curve_is_no_violation() {
+        // Its end is 1 µm within the side of the platform.
+        let peg = block("peg", [0.05, 0.06, 0.01], [1.1 - 1e-6, 1.0, 1.0]);
+        let scene = scene(paper_scene("peg", vec![peg]));
+        let checker = engine_for(&scene, Default::default(), Default::default()).unwrap();
+        let found = |steps: usize| {
+            let file = moving(&scene, Point::new(1.0, 1.0, 0.99), Point::new(1.0, 1.0, 1.01), steps);
+            file.violations(&*checker, &Watch::NONE).unwrap()
+        };
+        // At 0.02 m/s² the curve may deviate by 25 µm between samples 0.1 s apart, and by 0.25 µm at 10 ms.
+        assert_eq!(found(20), []);
+        let close = found(200);
+        assert!(close.iter().all(|found| found.violation.culprits == ["platform", "peg"]) && close.len() > 100);
+    }
+}

@@ -22,10 +22,10 @@ use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
 /// Number of steps of the plots along a path: about one per pixel.
 const STEPS: f64 = 300.0;
 
-/// Numbers along a path, one column per plot, rounded to a few more digits than a plot can show.
+/// Numbers along a path or over time, one column per plot, rounded to a few more digits than a plot can show.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Motion {
-    /// Distance along the path, m.
+    /// Distance along the path, m; for a trajectory, time, s.
     s: Vec<f32>,
     /// Length of each cable, m.
     lengths: Vec<Vec<f32>>,
@@ -37,8 +37,8 @@ pub(super) struct Motion {
     tightest: Vec<usize>,
     /// Names of the pairs that have the smallest slack somewhere.
     pairs: Vec<Vec<String>>,
-    /// Tension of each cable, N, `None` where the loads cannot be balanced; empty if the robot has no mass or no
-    /// tension limits.
+    /// Tension of each cable at rest, N, `None` where the loads cannot be balanced; empty for a trajectory, and if the
+    /// robot has no mass or no tension limits.
     tensions: Vec<Vec<Option<f32>>>,
     /// Minimum and maximum tension of each cable, N.
     tension_limits: Vec<[f64; 2]>,
@@ -66,9 +66,35 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     }
     let places = even_steps(waypoints, length / STEPS)?;
     let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
+    let mut motion = untensed(scene, places.iter().map(|place| place.s as f32).collect(), &positions, watch)?;
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
+        motion.tensions = tensions(&statics, &positions, watch)?;
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+/// The plots of a trajectory over time, without tensions, which the trajectory has itself.
+///
+/// # Errors
+/// As [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn timed_motion(
+    scene: &Scene,
+    duration: f64,
+    position_at: impl Fn(f64) -> Point,
+    watch: &Watch,
+) -> Result<Option<Motion>, Error> {
+    let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
+    let positions: Vec<Point> = times.iter().map(|time| position_at(*time)).collect();
+    untensed(scene, times.iter().map(|time| *time as f32).collect(), &positions, watch).map(Some)
+}
+
+/// Everything but tensions at these positions.
+fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> Result<Motion, Error> {
     let conditions = Conditions::within(scene, watch)?;
     let mut motion = Motion {
-        s: places.iter().map(|place| place.s as f32).collect(),
+        s,
         lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
         clearance: Vec::new(),
         required: Vec::new(),
@@ -76,7 +102,7 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
         pairs: Vec::new(),
         tensions: Vec::new(),
         tension_limits: Vec::new(),
-        margins: margins(scene, &positions, watch)?,
+        margins: margins(scene, positions, watch)?,
     };
     let tightest: Result<Vec<_>, Error> =
         positions.par_iter().map(|position| watch.check().map(|()| tightest(&conditions, position))).collect();
@@ -91,24 +117,24 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
             motion.pairs.push(culprits);
         }
     }
-    // A robot without mass or tension limits has no tensions.
-    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
-        let found: Result<Vec<_>, Error> = positions
-            .par_iter()
-            .map_init(TensionQp::default, |solver, position| {
-                watch.check()?;
-                statics.tensions(solver, position, None)
-            })
-            .collect();
-        let count = statics.cables().len();
-        let row = |tensions: Option<Vec<f64>>| match tensions {
-            Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
-            None => vec![None; count],
-        };
-        motion.tensions = by_cable(found?.into_iter().map(row).collect());
-        motion.tension_limits = statics.limits();
-    }
-    Ok(Some(motion))
+    Ok(motion)
+}
+
+/// The tensions of each cable at rest.
+fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let found: Result<Vec<_>, Error> = positions
+        .par_iter()
+        .map_init(TensionQp::default, |solver, position| {
+            watch.check()?;
+            statics.tensions(solver, position, None)
+        })
+        .collect();
+    let count = statics.cables().len();
+    let row = |tensions: Option<Vec<f64>>| match tensions {
+        Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
+        None => vec![None; count],
+    };
+    Ok(by_cable(found?.into_iter().map(row).collect()))
 }
 
 fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {

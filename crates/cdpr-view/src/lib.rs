@@ -9,6 +9,7 @@
 mod blocks;
 mod extras;
 mod no_path;
+mod trajectory;
 
 use serde_json::{Value, json};
 
@@ -18,6 +19,7 @@ use cdpr_core::geometry::{Point, Polytope};
 use cdpr_core::model::{Obstacle, Scene};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::regions::{NamedMesh, Regions};
+use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 
 const TEMPLATE: &str = include_str!("assets/template.html");
@@ -46,12 +48,35 @@ pub fn page_within(
     watch: &Watch,
 ) -> Result<String, Error> {
     let motion = path.map(|path| extra(extras::motion(scene, &path.points(), watch))).transpose()?.flatten();
-    let regions = extra(extras::shadows(scene, watch))?;
-    let feasible = extra(extras::feasible(scene, watch))?;
     let mut data = data(scene, path, violations);
     data["motion"] = json!(motion);
-    data["regions"] = json!(regions);
-    data["feasible"] = json!(feasible);
+    complete(scene, data, watch)
+}
+
+/// The page that plays a trajectory in real time and plots it over time; `violations` are those between its samples, as
+/// found by [`TrajectoryFile::violations`]. The trajectory has been checked and fits the scene.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn trajectory_page_within(
+    scene: &Scene,
+    trajectory: &TrajectoryFile,
+    violations: &[PathViolation],
+    watch: &Watch,
+) -> Result<String, Error> {
+    let position_at = |time| trajectory::position_at(trajectory, time);
+    let motion = extra(extras::timed_motion(scene, trajectory.duration, position_at, watch))?;
+    let mut data = data(scene, Some(&trajectory::path(trajectory)), &[]);
+    data["motion"] = json!(motion);
+    data["trajectory"] = json!(trajectory::shown(trajectory));
+    data["violations"] = json!(trajectory::events(trajectory, violations));
+    complete(scene, data, watch)
+}
+
+/// The page with what does not depend on the path.
+fn complete(scene: &Scene, mut data: Value, watch: &Watch) -> Result<String, Error> {
+    data["regions"] = json!(extra(extras::shadows(scene, watch))?);
+    data["feasible"] = json!(extra(extras::feasible(scene, watch))?);
     watch.check()?;
     Ok(filled(scene, &data))
 }

@@ -76,7 +76,7 @@ pub struct SchemaArgs {
 pub struct ViewArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Path file to show, or a proof that there is no path.
+    /// Path or trajectory to show, or a proof that there is no path.
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: Option<PathBuf>,
     /// Page to write.

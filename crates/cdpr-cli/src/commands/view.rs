@@ -8,11 +8,11 @@ use cdpr_core::proof::certificate_ends;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
-use cdpr_view::page_within;
+use cdpr_view::{page_within, trajectory_page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
-use crate::input;
+use crate::input::{self, Motion};
 use crate::interruption::interrupted;
 use crate::output::{Console, is_stream, lossy};
 
@@ -29,20 +29,27 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
         engine_within(scene, args.checker.engine, args.checker.interference, &watch)
             .map_err(|e| e.in_file(&args.scene.scene))
     };
-    let (scene, shown, violations) = match (&args.path, proof) {
-        (None, _) => (scene, None, Vec::new()),
+    let (page, violations) = match (&args.path, proof) {
+        (None, _) => (page_within(&scene, None, &[], &watch)?, Vec::new()),
         (Some(path), Some(text)) => {
             input::selects_orientation(&scene, &args.scene)?;
             let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
-            (scene, Some(shown), Vec::new())
+            (page_within(&scene, Some(&shown), &[], &watch)?, Vec::new())
         }
-        (Some(path), None) => {
-            let (scene, loaded) = input::path(&scene, &args.scene, path, args.strict, out)?;
-            let report = check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?;
-            (scene, Some(shown(&loaded, report.length)), report.violations)
-        }
+        (Some(path), None) => match input::motion(&scene, &args.scene, path, args.strict, out)? {
+            Motion::Path(found) => {
+                let (scene, loaded) = *found;
+                let report = check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?;
+                let shown = shown(&loaded, report.length);
+                (page_within(&scene, Some(&shown), &report.violations, &watch)?, report.violations)
+            }
+            Motion::Trajectory(found) => {
+                let (scene, file) = *found;
+                let violations = file.violations(&*engine(&scene)?, &watch)?;
+                (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
+            }
+        },
     };
-    let page = page_within(&scene, shown.as_ref(), &violations, &watch)?;
     out.write(&args.output, page.as_bytes(), IN_BROWSER)?;
     if args.scene.format == Format::Json {
         out.result(&serde_json::json!({ "page": lossy(&args.output), "violations": violations }).to_string());
