@@ -1,19 +1,19 @@
 //! Timed motions: worked examples, and limits at many instants of motions along planned paths.
 
-use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{CableSpec, MotionSpec, RobotSource, RobotSpec, SceneSpec};
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::{Bound, Passing, Trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp};
+use cdpr_tests::built_scene;
+use cdpr_tests::motions::worst;
 use nalgebra::Vector6;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use std::path::Path;
 
 const FREE: MotionSpec = MotionSpec {
     speed: Some(1.0),
@@ -24,11 +24,6 @@ const FREE: MotionSpec = MotionSpec {
     blend: None,
     wrench_margin: None,
 };
-
-/// A scene of testdata.
-fn scene_file(name: &str) -> Scene {
-    cdpr_files::load_scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes").join(name)).unwrap()
-}
 
 fn motion(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> Trajectory {
     let waypoints: Vec<Point> = waypoints.iter().map(|p| (*p).into()).collect();
@@ -133,60 +128,10 @@ fn a_path_that_touches_what_it_goes_around_swings_outward_or_stops() {
     }
 }
 
-/// Checks limits, collisions and deviation of a motion at many instants.
-fn check(scene: &Scene, waypoints: &[Point], limits: &MotionSpec, instants: u32) {
-    let found = Trajectory::new(scene, waypoints, limits, &Watch::NONE).unwrap();
-    let bare = scene.without_clearance().unwrap();
-    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
-    let mut solver = TensionQp::default();
-    let keeps = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit * (1.0 + 1e-9));
-    let mut before = found.at(0.0).position;
-    let (first, last) = (before, found.at(found.duration()).position);
-    assert!((first - waypoints[0]).norm() < 1e-12 && (last - waypoints[waypoints.len() - 1]).norm() < 1e-9);
-    let stops = found.corners().iter().filter(|corner| corner.passing == Passing::Stop);
-    let mut times: Vec<f64> = (0..=instants).map(|k| found.duration() * f64::from(k) / f64::from(instants)).collect();
-    times.extend(stops.map(|corner| found.timing().when(corner.at)));
-    times.sort_by(f64::total_cmp);
-    for time in times {
-        let sample = found.sample(&mut solver, time).unwrap();
-        let now = sample.motion;
-        assert!(keeps(now.velocity.norm(), limits.speed), "{time}: speed {}", now.velocity.norm());
-        assert!(
-            keeps(now.acceleration.norm(), limits.acceleration),
-            "{time}: acceleration {}",
-            now.acceleration.norm()
-        );
-        assert!(keeps(now.jerk.norm(), limits.jerk), "{time}: jerk {}", now.jerk.norm());
-        for winding in &sample.windings {
-            assert!(keeps(winding.speed.abs(), limits.cable_speed), "{time}: {winding:?}");
-            assert!(keeps(winding.acceleration.abs(), limits.cable_acceleration), "{time}: {winding:?}");
-        }
-        for (tension, limit) in sample.tensions.iter().flatten().zip(found.winches().tension_limits().unwrap_or(&[])) {
-            assert!((limit[0]..=limit[1]).contains(tension), "{time}");
-        }
-        assert!(distance(&now.position, waypoints) <= found.limits().blend + 1e-9, "{time}");
-        // A chord may cut off as much of a bend as the acceleration explains.
-        let sag = now.acceleration.norm().max(1.0) * (found.duration() / f64::from(instants)).powi(2) / 8.0;
-        for violation in engines.iter().flat_map(|engine| engine.violations(&before, &now.position)) {
-            assert!(violation.gap.is_some_and(|gap| gap >= -sag), "{time}: {violation:?}");
-        }
-        before = now.position;
-    }
-}
-
-fn distance(point: &Point, path: &[Point]) -> f64 {
-    let from = |pair: &[Point]| {
-        let step: Vector = pair[1] - pair[0];
-        let share = ((point - pair[0]).dot(&step) / step.norm_squared()).clamp(0.0, 1.0);
-        (point - (pair[0] + step * share)).norm()
-    };
-    path.windows(2).map(from).fold(f64::INFINITY, f64::min)
-}
-
 #[test]
 fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
     let all = MotionSpec { cable_speed: Some(0.8), cable_acceleration: Some(3.0), blend: Some(0.03), ..FREE };
-    for scene in [hard1(), hard3(), scene_file("cogiro.toml"), scene_file("ipanema2.toml")] {
+    for scene in [hard1(), hard3(), built_scene("cogiro"), built_scene("ipanema2")] {
         for (seed, clearance) in [(0, None), (1, None), (2, Some(0.01))] {
             let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() }).unwrap();
             let planned = plan(&scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).unwrap();
@@ -195,7 +140,10 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
                 continue;
             }
             for jerk in [None, Some(30.0)] {
-                check(&scene, &planned.result.waypoints, &MotionSpec { jerk, ..all }, 4000);
+                let waypoints = &planned.result.waypoints;
+                let found = Trajectory::new(&scene, waypoints, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
+                let worst = worst(&scene, waypoints, &found, 4000);
+                assert!(worst.is_sound(), "{} {seed} {clearance:?} {jerk:?}: {worst:?}", scene.name());
             }
         }
     }
@@ -251,8 +199,8 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
 #[test]
 fn facets_by_the_kernel_limit_demands_as_those_of_the_definition() {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
-    for name in ["cogiro.toml", "ipanema2.toml", "acrobot.toml"] {
-        let statics = Statics::of(&scene_file(name)).unwrap();
+    for name in ["cogiro", "ipanema2", "acrobot"] {
+        let statics = Statics::of(&built_scene(name)).unwrap();
         let outlets: Vec<Point> = statics.cables().iter().map(|cable| cable.outlet).collect();
         let kernel = DemandFacets::new(statics.clone(), 3.0);
         let defined = kernel.clone().by_definition();

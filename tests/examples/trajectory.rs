@@ -1,73 +1,112 @@
-//! Trajectories along planned paths of scene files, and how long they take to compute.
+//! Trajectories along planned paths of scene files: limits at many instants, durations and computing times.
 //!
-//! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS SCENE...`
+//! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS STEPS SCENE...`: for each scene the paths of so many
+//! seeds, without and with 2.5 cm of clearance, without and with a limit of jerk, each judged at so many instants.
 
+use std::path::Path;
 use std::time::Instant;
 
 use cdpr_core::Error;
+use cdpr_core::geometry::Point;
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{MotionSpec, SceneSpec};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::trajectory::{Passing, Trajectory};
 use cdpr_core::watch::Watch;
+use cdpr_tests::motions::{Worst, worst};
+use rayon::prelude::*;
+
+const CLEARANCE: f64 = 0.025;
 
 fn main() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let seeds: u64 = args[0].parse().expect("a number of seeds");
-    for file in &args[1..] {
-        for clearance in [None, Some(0.03)] {
-            for seed in 0..seeds {
-                one(file, clearance, seed)?;
+    let [seeds, steps] = [0, 1].map(|k| args[k].parse::<u32>().expect("a number"));
+    for file in &args[2..] {
+        let scene = cdpr_files::load_scene(Path::new(file))?;
+        for clearance in [scene.spec().clearance, Some(CLEARANCE)] {
+            let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() })?;
+            let paths: Vec<(Scene, Vec<Point>)> = (0..u64::from(seeds)).filter_map(|seed| path(&scene, seed)).collect();
+            for jerk in [None, Some(40.0)] {
+                let results: Vec<Result<Judged, String>> =
+                    paths.par_iter().map(|(scene, path)| judged(scene, path, jerk, steps)).collect();
+                report(file, clearance, jerk, &results);
             }
         }
     }
     Ok(())
 }
 
-fn one(file: &str, clearance: Option<f64>, seed: u64) -> Result<(), Error> {
-    let scene = cdpr_files::load_scene(std::path::Path::new(file))?;
-    let spec = SceneSpec { clearance: clearance.or(scene.spec().clearance), ..scene.spec().clone() };
-    let scene = Scene::new(spec)?;
-    let options = PlanOptions { seed, ..PlanOptions::default() };
-    let planned = plan(&scene, &options, &())?;
-    let scene = planned.turned.unwrap_or(scene);
-    if planned.result.waypoints.len() < 2 {
-        println!("{file}: no path with clearance {clearance:?}");
-        return Ok(());
+fn path(scene: &Scene, seed: u64) -> Option<(Scene, Vec<Point>)> {
+    let planned = plan(scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).ok()?;
+    let scene = planned.turned.unwrap_or_else(|| scene.clone());
+    (planned.result.waypoints.len() > 1).then_some((scene, planned.result.waypoints))
+}
+
+struct Judged {
+    worst: Worst,
+    duration: f64,
+    with_stops: f64,
+    passings: [usize; 3],
+    milliseconds: [f64; 2],
+    tensions: bool,
+}
+
+fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Result<Judged, String> {
+    let limits = MotionSpec {
+        speed: Some(1.0),
+        acceleration: Some(2.0),
+        jerk,
+        cable_speed: Some(1.0),
+        cable_acceleration: Some(4.0),
+        blend: Some(CLEARANCE),
+        wrench_margin: None,
+    };
+    let text = |error: Error| error.to_string();
+    let start = Instant::now();
+    let found = Trajectory::new(scene, path, &limits, &Watch::NONE).map_err(text)?;
+    let whole = start.elapsed();
+    let (curve, corners, winches) = (found.curve().clone(), found.corners().to_vec(), found.winches().clone());
+    let start = Instant::now();
+    Trajectory::along(curve, corners, *found.limits(), winches, &Watch::NONE).map_err(text)?;
+    let timing = start.elapsed();
+    let stops = MotionSpec { blend: Some(0.0), ..limits };
+    let with_stops = Trajectory::new(scene, path, &stops, &Watch::NONE).map_err(text)?.duration();
+    let count = |passing| found.corners().iter().filter(|c| c.passing == passing).count();
+    Ok(Judged {
+        worst: worst(scene, path, &found, steps),
+        duration: found.duration(),
+        with_stops,
+        passings: [Passing::Rounded, Passing::Outward, Passing::Stop].map(count),
+        milliseconds: [whole, timing].map(|time| 1e3 * time.as_secs_f64()),
+        tensions: found.winches().tension_limits().is_some(),
+    })
+}
+
+fn report(file: &str, clearance: Option<f64>, jerk: Option<f64>, results: &[Result<Judged, String>]) {
+    println!("{file}, clearance {clearance:?}, jerk {jerk:?}: {} paths", results.len());
+    for error in results.iter().filter_map(|result| result.as_ref().err()) {
+        println!("  {error}");
     }
-    for jerk in if std::env::var("REPEAT").is_ok() { vec![None] } else { vec![None, Some(40.0)] } {
-        let limits = MotionSpec {
-            speed: Some(1.0),
-            acceleration: Some(2.0),
-            jerk,
-            cable_speed: Some(1.0),
-            cable_acceleration: Some(4.0),
-            blend: clearance.or(Some(0.03)),
-            wrench_margin: None,
-        };
-        let start = Instant::now();
-        match Trajectory::new(&scene, &planned.result.waypoints, &limits, &Watch::NONE) {
-            Err(error) => println!("{file} seed {seed} clearance {clearance:?}: {error}"),
-            Ok(found) => {
-                let ms = 1e3 * start.elapsed().as_secs_f64();
-                let (curve, corners) = (found.curve().clone(), found.corners().to_vec());
-                let (limits, winches) = (*found.limits(), found.winches().clone());
-                let start = Instant::now();
-                for _ in 0..std::env::var("REPEAT").map_or(1, |n| n.parse().unwrap()) {
-                    Trajectory::along(curve.clone(), corners.clone(), limits, winches.clone(), &Watch::NONE)?;
-                }
-                let timing_ms = 1e3 * start.elapsed().as_secs_f64();
-                let count = |passing| found.corners().iter().filter(|c| c.passing == passing).count();
-                println!(
-                    "{file} seed {seed} clearance {clearance:?} jerk {jerk:?}: {:.4} s for {:.3} m, corners {} rounded {} outward {} stops, {ms:.1} ms, of which timing {timing_ms:.1}",
-                    found.duration(),
-                    found.curve().length(),
-                    count(Passing::Rounded),
-                    count(Passing::Outward),
-                    count(Passing::Stop),
-                );
-            }
-        }
+    let found: Vec<&Judged> = results.iter().filter_map(|result| result.as_ref().ok()).collect();
+    if found.is_empty() {
+        return;
     }
-    Ok(())
+    let mean = |of: &dyn Fn(&Judged) -> f64| found.iter().map(|f| of(f)).sum::<f64>() / found.len() as f64;
+    let (duration, with_stops) = (mean(&|f| f.duration), mean(&|f| f.with_stops));
+    let passed = |k: usize| found.iter().map(|f| f.passings[k]).sum::<usize>();
+    println!(
+        "  {duration:.4} s, {with_stops:.4} s with a stop at each corner ({:.1} % more); corners: {} rounded, {} outward, {} stops{}",
+        100.0 * (with_stops / duration - 1.0),
+        passed(0),
+        passed(1),
+        passed(2),
+        if found[0].tensions { "" } else { "; tensions not limited" }
+    );
+    println!(
+        "  computed in {:.1} ms, of which timing {:.1}",
+        mean(&|f| f.milliseconds[0]),
+        mean(&|f| f.milliseconds[1])
+    );
+    let worst = found.iter().fold(Worst::NOTHING, |worst, f| worst.or(f.worst));
+    println!("  {} {worst:?}", if worst.is_sound() { "sound:" } else { "NOT SOUND:" });
 }

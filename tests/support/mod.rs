@@ -4,6 +4,7 @@
 
 pub mod cases;
 pub mod meshes;
+pub mod motions;
 pub mod scenes;
 
 use std::path::Path;

@@ -1,0 +1,106 @@
+//! What timed motions do at many instants, judged without the code that planned them.
+
+use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::Scene;
+use cdpr_core::plan::engine_for;
+use cdpr_core::trajectory::{Passing, Trajectory};
+use cdpr_core::wrench::TensionQp;
+
+/// The largest excess over each limit, as a share of it, and what else may be wrong with a motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Worst {
+    /// Speed, acceleration, jerk, cable speed and cable acceleration.
+    pub limits: [f64; 5],
+    /// Tension outside its limits, N.
+    pub tension: f64,
+    /// Distance from the path beyond the allowed deviation, m.
+    pub deviation: f64,
+    /// Depth of a collision of the chord between two instants, beyond what it may cut off a bend, m.
+    pub depth: f64,
+    /// Distance of the ends from those of the path, m.
+    pub ends: f64,
+}
+
+impl Worst {
+    pub const NOTHING: Worst =
+        Worst { limits: [f64::NEG_INFINITY; 5], tension: 0.0, deviation: f64::NEG_INFINITY, depth: 0.0, ends: 0.0 };
+
+    pub fn or(self, other: Worst) -> Worst {
+        Worst {
+            limits: std::array::from_fn(|k| self.limits[k].max(other.limits[k])),
+            tension: self.tension.max(other.tension),
+            deviation: self.deviation.max(other.deviation),
+            depth: self.depth.max(other.depth),
+            ends: self.ends.max(other.ends),
+        }
+    }
+
+    /// Whether all limits are kept up to rounding, and nothing is hit.
+    pub fn is_sound(&self) -> bool {
+        self.limits.iter().all(|excess| *excess <= 1e-9)
+            && self.tension <= 0.0
+            && self.deviation <= 1e-9
+            && self.depth <= 1e-9
+            && self.ends <= 1e-9
+    }
+}
+
+/// A motion at this many equal steps, and at its stops.
+pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> Worst {
+    let bare = scene.without_clearance().unwrap();
+    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
+    let stops = motion.corners().iter().filter(|corner| corner.passing == Passing::Stop);
+    let mut times: Vec<f64> = (0..=steps).map(|k| motion.duration() * f64::from(k) / f64::from(steps)).collect();
+    times.extend(stops.map(|corner| motion.timing().when(corner.at)));
+    times.sort_by(f64::total_cmp);
+    let (mut solver, mut worst) = (TensionQp::default(), Worst::NOTHING);
+    let mut before = (0.0, motion.at(0.0));
+    worst.ends = (before.1.position - path[0]).norm();
+    for time in times {
+        let sample = motion.sample(&mut solver, time).unwrap();
+        let now = sample.motion;
+        let limits = motion.limits();
+        let excess = |value: f64, limit: Option<f64>| limit.map_or(f64::NEG_INFINITY, |limit| value / limit - 1.0);
+        let most = |of: fn(&cdpr_core::trajectory::Winding) -> f64| sample.windings.iter().map(of).fold(0.0, f64::max);
+        let found = [
+            excess(now.velocity.norm(), limits.speed),
+            excess(now.acceleration.norm(), limits.acceleration),
+            excess(now.jerk.norm(), limits.jerk),
+            excess(most(|winding| winding.speed.abs()), limits.cable_speed),
+            excess(most(|winding| winding.acceleration.abs()), limits.cable_acceleration),
+        ];
+        let bounds = motion.winches().tension_limits().unwrap_or(&[]);
+        let outside = sample.tensions.iter().flatten().zip(bounds).map(|(t, [lo, hi])| (lo - t).max(t - hi));
+        let step = time - before.0;
+        let sag = before.1.acceleration.norm().max(now.acceleration.norm()) * 1.5 * step * step / 8.0;
+        worst = worst.or(Worst {
+            limits: found,
+            tension: outside.fold(0.0, f64::max),
+            deviation: distance(&now.position, path) - limits.blend,
+            depth: depth(&engines, &before.1.position, &now.position) - sag,
+            ends: 0.0,
+        });
+        before = (time, now);
+    }
+    worst.ends = worst.ends.max((before.1.position - path[path.len() - 1]).norm());
+    worst
+}
+
+/// How deep a motion collides by either engine, m; infinite if something else is wrong with it.
+fn depth(engines: &[Box<dyn Checker>; 2], from: &Point, to: &Point) -> f64 {
+    let depths = engines.iter().filter(|engine| !engine.motion_valid(from, to)).flat_map(|engine| {
+        engine.violations(from, to).into_iter().map(|violation| violation.gap.map_or(f64::INFINITY, |gap| -gap))
+    });
+    depths.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Distance of a point from a path, m.
+fn distance(point: &Point, path: &[Point]) -> f64 {
+    let from = |pair: &[Point]| {
+        let step: Vector = pair[1] - pair[0];
+        let share = ((point - pair[0]).dot(&step) / step.norm_squared()).clamp(0.0, 1.0);
+        (point - (pair[0] + step * share)).norm()
+    };
+    path.windows(2).map(from).fold(f64::INFINITY, f64::min)
+}
