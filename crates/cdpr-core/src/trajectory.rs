@@ -175,9 +175,10 @@ impl Trajectory {
     /// Which limit determines the motion when: it is used to more than 99.9 %.
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
-        if let Ok(tensions) = tension_shares(&self.curve, &self.timing, &self.winches) {
-            for (share, tension) in shares.iter_mut().zip(tensions).filter(|(share, tension)| *tension > share.0) {
-                *share = (tension, Some(Bound::Tension));
+        let tensions = tension_shares(&self.curve, &self.timing, &self.winches).unwrap_or_default();
+        for (k, (share, tension)) in shares.iter_mut().zip(tensions).enumerate() {
+            if tension >= BINDING && tension > share.0 {
+                *share = (tension, self.scarcest_tension(self.timing.phases()[k].time).map(Bound::Tension));
             }
         }
         let mut list: Vec<Limiting> = Vec::new();
@@ -190,6 +191,14 @@ impl Trajectory {
             }
         }
         list
+    }
+
+    /// The cable whose tension is nearest to one of its limits at an instant, as a share of its range.
+    fn scarcest_tension(&self, time: f64) -> Option<usize> {
+        let tensions = self.sample(&mut TensionQp::default(), time).ok()?.tensions?;
+        let room = |(tension, [least, most]): (&f64, &[f64; 2])| (tension - least).min(most - tension) / (most - least);
+        let rooms: Vec<f64> = tensions.iter().zip(self.winches.tension_limits()?).map(room).collect();
+        (0..rooms.len()).min_by(|a, b| rooms[*a].total_cmp(&rooms[*b]))
     }
 }
 

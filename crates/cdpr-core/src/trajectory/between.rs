@@ -26,8 +26,8 @@ pub enum Bound {
     CableSpeed(usize),
     /// Acceleration of this cable.
     CableAcceleration(usize),
-    /// The tensions of the cables.
-    Tension,
+    /// The tensions of the cables; this one is nearest to a limit.
+    Tension(usize),
 }
 
 /// Position, velocity, acceleration and jerk of the platform at an instant.

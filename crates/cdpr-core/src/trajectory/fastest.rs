@@ -7,6 +7,8 @@
 //! Source: H. Pham and Q.-C. Pham, "A new approach to time-optimal path parameterization based on reachability analysis",
 //! IEEE Transactions on Robotics 34(3), 2018, doi:10.1109/TRO.2018.2819195.
 
+use std::ops::Range;
+
 use super::curve::Curve;
 use super::rows::{Interval, Rows};
 use super::timing::{Phase, Timing};
@@ -15,14 +17,16 @@ use crate::numerics::TIMING_INTERVALS;
 /// Least number of intervals on a line and on a bend.
 const LEAST_INTERVALS: [usize; 2] = [8, 24];
 
-/// The parameters of a curve at which limits are evaluated. Joints of pieces are among them.
-pub fn grid(curve: &Curve) -> Vec<f64> {
-    let mut grid = vec![0.0];
-    for (k, piece) in curve.pieces().iter().enumerate() {
+/// The parameters of some pieces of a curve at which limits are evaluated, each with its piece. Joints are among them.
+pub fn grid(curve: &Curve, pieces: Range<usize>) -> Vec<(usize, f64)> {
+    let mut grid = vec![(pieces.start, curve.starts()[pieces.start])];
+    for k in pieces {
+        let piece = &curve.pieces()[k];
         let share = (piece.length / curve.end() * TIMING_INTERVALS as f64).round() as usize;
         let count = share.max(LEAST_INTERVALS[usize::from(!piece.is_line())]);
         let [from, to] = [curve.starts()[k], curve.starts()[k + 1]];
-        grid.extend((1..=count).map(|i| if i == count { to } else { from + (to - from) * i as f64 / count as f64 }));
+        let at = |i: usize| if i == count { to } else { from + (to - from) * i as f64 / count as f64 };
+        grid.extend((1..=count).map(|i| (k, at(i))));
     }
     grid
 }

@@ -1,5 +1,7 @@
 //! The timing along a curve with stops, under all limits at every instant.
 
+use std::ops::Range;
+
 use super::between::{shares, tension_shares, without_tensions};
 use super::corners::{Corner, Passing};
 use super::curve::{Curve, Jet};
@@ -13,16 +15,40 @@ use crate::geometry::Point;
 use crate::numerics::{TIMING_EXCESS, TIMING_ROUNDS};
 use crate::watch::Watch;
 
-/// A curve, its stops, and the limits on a grid of its parameters.
+/// A curve between its stops, and the limits on grids of its parameters.
 #[derive(Clone)]
 pub struct Schedule<'a> {
     curve: &'a Curve,
     limits: &'a Limits,
     winches: &'a Winches,
+    stretches: Vec<Stretch>,
+}
+
+/// The curve between two rests.
+#[derive(Clone)]
+struct Stretch {
     grid: Vec<f64>,
     rows: Vec<Rows>,
-    /// Indices of the grid at which the platform is at rest: start, stops, end.
-    rests: Vec<usize>,
+}
+
+impl Stretch {
+    /// The limits on the grid of some pieces of a curve.
+    fn new(
+        curve: &Curve,
+        pieces: Range<usize>,
+        limits: &Limits,
+        winches: &Winches,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let places = grid(curve, pieces);
+        let jets: Vec<Jet> = places.iter().map(|(piece, s)| curve.on_piece(*piece, *s)).collect();
+        let mut rows = Vec::with_capacity(jets.len());
+        for some in jets.chunks(BETWEEN_CHECKS) {
+            watch.check()?;
+            rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
+        }
+        Ok(Stretch { grid: places.into_iter().map(|(_, s)| s).collect(), rows })
+    }
 }
 
 impl<'a> Schedule<'a> {
@@ -37,17 +63,13 @@ impl<'a> Schedule<'a> {
         winches: &'a Winches,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let grid = grid(curve);
-        let jets: Vec<Jet> = grid.iter().map(|s| curve.at(*s)).collect();
-        let mut rows = Vec::with_capacity(grid.len());
-        for some in jets.chunks(BETWEEN_CHECKS) {
-            watch.check()?;
-            rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
-        }
         let stops = corners.iter().filter(|corner| corner.passing == Passing::Stop);
-        let index = |corner: &Corner| grid.partition_point(|s| *s < corner.at);
-        let rests = std::iter::once(0).chain(stops.map(index)).chain([grid.len() - 1]).collect();
-        Ok(Schedule { curve, limits, winches, grid, rows, rests })
+        let mut rests = vec![0];
+        rests.extend(stops.map(|corner| curve.piece_at(corner.at)).filter(|piece| *piece > 0));
+        rests.push(curve.pieces().len());
+        let stretch = |pair: &[usize]| Stretch::new(curve, pair[0]..pair[1], limits, winches, watch);
+        let stretches = rests.windows(2).filter(|pair| pair[0] < pair[1]).map(stretch).collect::<Result<_, _>>()?;
+        Ok(Schedule { curve, limits, winches, stretches })
     }
 
     /// The timing: planned on the grid, checked between its parameters, and planned again with tighter limits where one is
@@ -95,7 +117,7 @@ impl<'a> Schedule<'a> {
 
     /// The fastest timing, smoothed over a window of time, s, and the shares of limits that each of its phases uses.
     fn planned(&self, window: f64) -> Result<(Timing, Vec<f64>), Error> {
-        let timing = smoothed(&self.stretches()?, window);
+        let timing = smoothed(&self.fastest()?, window);
         let mut shares = self.kinematic_shares(&timing);
         if window > 0.0 {
             let tensions = tension_shares(self.curve, &timing, self.winches).map_err(|at| not_held(&at))?;
@@ -109,24 +131,33 @@ impl<'a> Schedule<'a> {
     }
 
     /// The fastest timing of each stretch between two rests.
-    fn stretches(&self) -> Result<Vec<Timing>, Error> {
-        let stretch = |pair: &[usize]| {
-            let range = pair[0]..=pair[1];
-            let stuck = |s| not_moved(&self.curve.at(s).position);
-            fastest(&self.grid[range.clone()], &self.rows[range]).map_err(stuck)
-        };
-        self.rests.windows(2).filter(|pair| pair[0] < pair[1]).map(stretch).collect()
+    fn fastest(&self) -> Result<Vec<Timing>, Error> {
+        let stuck = |s| not_moved(&self.curve.at(s).position);
+        self.stretches.iter().map(|stretch| fastest(&stretch.grid, &stretch.rows).map_err(stuck)).collect()
     }
 
     /// Divides the limits on the grid by the shares that exceed them within half a window.
     fn tighten(&mut self, timing: &Timing, shares: &[f64], window: f64) {
+        let exceeded: Vec<([f64; 2], f64)> = (shares.iter().enumerate())
+            .filter(|(_, share)| **share > 1.0)
+            .map(|(k, share)| {
+                let [start, end] = [timing.phases()[k].time - 0.5 * window, timing.end_of(k) + 0.5 * window];
+                ([start, end].map(|time| timing.at(time).s), *share)
+            })
+            .collect();
+        self.stretches.iter_mut().for_each(|stretch| stretch.tighten(&exceeded));
+    }
+}
+
+impl Stretch {
+    /// Divides the limits between pairs of parameters by factors.
+    fn tighten(&mut self, exceeded: &[([f64; 2], f64)]) {
+        let (first, last) = (self.grid[0], self.grid[self.grid.len() - 1]);
         let mut factors = vec![1.0_f64; self.grid.len()];
-        for (k, share) in shares.iter().enumerate().filter(|(_, share)| **share > 1.0) {
-            let [start, end] = [timing.phases()[k].time - 0.5 * window, timing.end_of(k) + 0.5 * window];
-            let ends = [start, end].map(|time| timing.at(time).s);
-            let first = self.grid.partition_point(|s| *s <= ends[0]).saturating_sub(1);
-            let last = self.grid.partition_point(|s| *s < ends[1]).min(self.grid.len() - 1);
-            factors[first..=last].iter_mut().for_each(|factor| *factor = factor.max(*share));
+        for ([from, to], factor) in exceeded.iter().filter(|([from, to], _)| *to > first && *from < last) {
+            let from = self.grid.partition_point(|s| s <= from).saturating_sub(1);
+            let to = self.grid.partition_point(|s| s < to).min(self.grid.len() - 1);
+            factors[from..=to].iter_mut().for_each(|most| *most = most.max(*factor));
         }
         self.rows.iter_mut().zip(factors).for_each(|(rows, factor)| rows.tighten(factor));
     }

@@ -121,7 +121,7 @@ fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
         Bound::Jerk => (LimitKind::Jerk, None),
         Bound::CableSpeed(cable) => (LimitKind::CableSpeed, Some(cable)),
         Bound::CableAcceleration(cable) => (LimitKind::CableAcceleration, Some(cable)),
-        Bound::Tension => (LimitKind::Tension, None),
+        Bound::Tension(cable) => (LimitKind::Tension, Some(cable)),
     };
     let named = |found: crate::trajectory::Limiting| {
         let (limit, cable) = kind(found.bound);
