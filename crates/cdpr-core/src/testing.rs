@@ -118,6 +118,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         cable_speeds: by_cable(&|line, v| -line.normalize().dot(v)),
         times,
         tensions: None,
+        cable_accelerations: None,
         curve: None,
         timing: None,
     }
