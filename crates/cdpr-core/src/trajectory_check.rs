@@ -254,7 +254,8 @@ fn spread(accelerations: &[Vector], k: usize) -> f64 {
 }
 
 fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
-    let share = rules.winches.tension_share(state.position, state.acceleration);
+    let found = rules.winches.tension_shares(&[(*state.position, *state.acceleration)]);
+    let share = found.ok().and_then(|shares| shares.first().map(|found| found.share));
     if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
         return;
     }
