@@ -14,6 +14,9 @@ use cdpr_tests::motions::worst;
 use nalgebra::Vector6;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+use crate::anytime::random_scenes;
 
 const FREE: MotionSpec = MotionSpec {
     speed: Some(1.0),
@@ -231,4 +234,39 @@ fn facets_by_the_kernel_limit_demands_as_those_of_the_definition() {
             assert!((a - b).abs() <= 1e-7 * (1.0 + b.abs()), "{name}: {a} {b}");
         }
     }
+}
+
+/// A motion along a planned path of a random scene under random limits; `None` if there is no path.
+fn random_motion(seed: u64) -> Option<(Scene, Vec<Point>, Trajectory)> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let scenes = random_scenes(3);
+    let scene = scenes.draw(seed).unwrap();
+    let clearance = [None, Some(10_f64.powf(rng.random_range(-3.0..-1.5)))][rng.random_range(0..2)];
+    let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() }).unwrap();
+    let planned = plan(&scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).unwrap().result;
+    let mut maybe = |low: f64, high: f64| rng.random_bool(0.7).then(|| 10_f64.powf(rng.random_range(low..high)));
+    let limits = MotionSpec {
+        speed: maybe(-2.0, 1.5),
+        cable_speed: maybe(-2.0, 1.5),
+        cable_acceleration: maybe(-1.0, 2.0),
+        blend: maybe(-5.0, -0.7),
+        wrench_margin: None,
+        acceleration: Some(10_f64.powf(rng.random_range(-1.0..2.0))),
+        jerk: rng.random_bool(0.5).then(|| 10_f64.powf(rng.random_range(0.0..4.0))),
+    };
+    (planned.waypoints.len() > 1).then(|| {
+        let found = Trajectory::new(&scene, &planned.waypoints, &limits, &Watch::NONE);
+        let found = found.unwrap_or_else(|error| panic!("seed {seed}, {limits:?}: {error}"));
+        (scene, planned.waypoints, found)
+    })
+}
+
+#[test]
+fn motions_under_random_limits_in_random_scenes_are_sound() {
+    let count = std::env::var("RANDOM_MOTIONS").map_or(24, |count| count.parse().unwrap());
+    (0..count).into_par_iter().for_each(|seed| {
+        let Some((scene, path, found)) = random_motion(seed) else { return };
+        let worst = worst(&scene, &path, &found, 1000);
+        assert!(worst.is_sound(), "seed {seed}, {:?}: {worst:?}", found.limits());
+    });
 }

@@ -4,7 +4,7 @@ use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
 use cdpr_core::plan::engine_for;
-use cdpr_core::trajectory::{Passing, Trajectory};
+use cdpr_core::trajectory::Trajectory;
 use cdpr_core::wrench::TensionQp;
 
 /// The largest excess over each limit, as a share of it, and what else may be wrong with a motion.
@@ -46,13 +46,18 @@ impl Worst {
     }
 }
 
-/// A motion at this many equal steps, and at its stops.
+/// A motion at this many equal steps, and at instants within each bend and at the ends of each line.
 pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> Worst {
     let bare = scene.without_clearance().unwrap();
     let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
-    let stops = motion.corners().iter().filter(|corner| corner.passing == Passing::Stop);
+    let (curve, timing) = (motion.curve(), motion.timing());
+    let within = |k: usize| {
+        let parts = if curve.pieces()[k].is_line() { 1 } else { PARTS };
+        let [from, to] = [curve.starts()[k], curve.starts()[k + 1]];
+        (0..=parts).map(move |part| from + (to - from) * f64::from(part) / f64::from(parts))
+    };
     let mut times: Vec<f64> = (0..=steps).map(|k| motion.duration() * f64::from(k) / f64::from(steps)).collect();
-    times.extend(stops.map(|corner| motion.timing().when(corner.at)));
+    times.extend((0..curve.pieces().len()).flat_map(within).map(|s| timing.when(s)));
     times.sort_by(f64::total_cmp);
     let (mut solver, mut worst) = (TensionQp::default(), Worst::NOTHING);
     let mut before = (0.0, motion.at(0.0));
@@ -72,8 +77,10 @@ pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> 
         ];
         let bounds = motion.winches().tension_limits().unwrap_or(&[]);
         let outside = sample.tensions.iter().flatten().zip(bounds).map(|(t, [lo, hi])| (lo - t).max(t - hi));
-        let step = time - before.0;
-        let sag = before.1.acceleration.norm().max(now.acceleration.norm()) * 1.5 * step * step / 8.0;
+        // A chord may cut off as much of a bend as its curvature explains.
+        let [from, to] = [before.0, time].map(|time| timing.at(time).s);
+        let curvature = curve.pieces()[curve.piece_at(0.5 * (from + to))].derivative_bounds[1];
+        let sag = curvature * (to - from).powi(2) / 8.0;
         worst = worst.or(Worst {
             limits: found,
             tension: outside.fold(0.0, f64::max),
@@ -86,6 +93,9 @@ pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> 
     worst.ends = worst.ends.max((before.1.position - path[path.len() - 1]).norm());
     worst
 }
+
+/// Parts of each bend.
+const PARTS: u32 = 32;
 
 /// How deep a motion collides by either engine, m; infinite if something else is wrong with it.
 fn depth(engines: &[Box<dyn Checker>; 2], from: &Point, to: &Point) -> f64 {
