@@ -17,13 +17,17 @@ use crate::numerics::TIMING_INTERVALS;
 /// Least number of intervals on a line and on a bend.
 const LEAST_INTERVALS: [usize; 2] = [8, 24];
 
+/// Least number of intervals between two stops.
+const LEAST_OF_STRETCH: f64 = 100.0;
+
 /// The parameters of some pieces of a curve at which limits are evaluated, each with its piece. Joints are among them.
 pub fn grid(curve: &Curve, pieces: Range<usize>) -> Vec<(usize, f64)> {
     let mut grid = vec![(pieces.start, curve.starts()[pieces.start])];
+    let stretch = curve.starts()[pieces.end] - curve.starts()[pieces.start];
+    let per_metre = (TIMING_INTERVALS as f64 / curve.end()).max(LEAST_OF_STRETCH / stretch);
     for k in pieces {
         let piece = &curve.pieces()[k];
-        let share = (piece.length / curve.end() * TIMING_INTERVALS as f64).round() as usize;
-        let count = share.max(LEAST_INTERVALS[usize::from(!piece.is_line())]);
+        let count = ((piece.length * per_metre).round() as usize).max(LEAST_INTERVALS[usize::from(!piece.is_line())]);
         let [from, to] = [curve.starts()[k], curve.starts()[k + 1]];
         let at = |i: usize| if i == count { to } else { from + (to - from) * i as f64 / count as f64 };
         grid.extend((1..=count).map(|i| (k, at(i))));
