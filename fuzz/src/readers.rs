@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
 use cdpr_core::geometry::Point;
+use cdpr_core::trajectory_check::{TrajectoryRules, check_trajectory};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Error, Scene, testing};
@@ -24,12 +25,14 @@ pub struct Reader {
 }
 
 /// Every reader.
-pub const READERS: [Reader; 17] = [
+pub const READERS: [Reader; 19] = [
     Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
     Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
     Reader { name: "robot_toml", read: robot },
     Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
     Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
+    Reader { name: "trajectory_json", read: |bytes| trajectory("motion.json", bytes) },
+    Reader { name: "trajectory_csv", read: |bytes| trajectory("motion.csv", bytes) },
     Reader { name: "experiment_toml", read: experiment },
     Reader { name: "caspr_cables", read: |bytes| caspr(bytes, &seed("caspr_bodies/cogiro.xml")) },
     Reader { name: "caspr_bodies", read: |bytes| caspr(&seed("caspr_cables/cogiro.xml"), bytes) },
@@ -138,6 +141,24 @@ fn path(name: &str, bytes: &[u8]) {
         cdpr_files::save_path(&again, &cdpr_files::PathFile::of(&HARD1.0, &loaded.waypoints))
             .expect("a path can be written");
         assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
+    }
+}
+
+/// Checks the trajectory in a scene; JSON is written in all formats as well.
+fn trajectory(name: &str, bytes: &[u8]) {
+    static HARD1: LazyLock<Scene> = LazyLock::new(testing::hard1);
+    let folder = Folder::new().with(name, bytes);
+    let Some(loaded) = accepted(cdpr_files::load_trajectory(&folder.path(name))) else { return };
+    for name in ["again.json", "again.csv", "again.yaml"] {
+        let Some(file) = &loaded.file else { break };
+        accepted(cdpr_files::save_trajectory(&folder.path(name), file));
+    }
+    if loaded.motion.times.len() > MOST_WAYPOINTS {
+        return;
+    }
+    if let Some((scene, motion, _)) = accepted(cdpr_files::scene_of_loaded(&HARD1, &loaded, false)) {
+        let report = accepted(check_trajectory(&scene, &motion, &TrajectoryRules::default(), &Watch::NONE));
+        serde_json::to_string(&report).expect("a report can be written");
     }
 }
 
