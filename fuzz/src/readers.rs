@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
 use cdpr_core::geometry::Point;
+use cdpr_core::trajectory_check::{TrajectoryRules, check_trajectory};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Error, Scene, testing};
@@ -24,13 +25,14 @@ pub struct Reader {
 }
 
 /// Every reader.
-pub const READERS: [Reader; 18] = [
+pub const READERS: [Reader; 19] = [
     Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
     Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
     Reader { name: "robot_toml", read: robot },
     Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
     Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
-    Reader { name: "trajectory_json", read: trajectory },
+    Reader { name: "trajectory_json", read: |bytes| trajectory("motion.json", bytes) },
+    Reader { name: "trajectory_csv", read: |bytes| trajectory("motion.csv", bytes) },
     Reader { name: "experiment_toml", read: experiment },
     Reader { name: "caspr_cables", read: |bytes| caspr(bytes, &seed("caspr_bodies/cogiro.xml")) },
     Reader { name: "caspr_bodies", read: |bytes| caspr(&seed("caspr_cables/cogiro.xml"), bytes) },
@@ -143,16 +145,26 @@ fn path(name: &str, bytes: &[u8]) {
     }
 }
 
-fn trajectory(bytes: &[u8]) {
-    let folder = Folder::new().with("motion.json", bytes);
-    let Some(Some(text)) = accepted(cdpr_files::read_trajectory(&folder.path("motion.json"))) else { return };
-    let Some(file) = accepted(cdpr_files::trajectory_from_text(&text)) else { return };
-    let (scene, engine) = &*HARD1;
-    if file.times.len() > MOST_WAYPOINTS || accepted(cdpr_files::scene_of_trajectory(scene, &file, false)).is_none() {
+/// Checks the trajectory in a scene; JSON is shown, and written in all formats, as well.
+fn trajectory(name: &str, bytes: &[u8]) {
+    let folder = Folder::new().with(name, bytes);
+    let Some(loaded) = accepted(cdpr_files::load_trajectory(&folder.path(name))) else { return };
+    for name in ["again.json", "again.csv", "again.yaml"] {
+        let Some(file) = &loaded.file else { break };
+        accepted(cdpr_files::save_trajectory(&folder.path(name), file));
+    }
+    if loaded.motion.times.len() > MOST_WAYPOINTS {
         return;
     }
-    let violations = file.violations(engine, &Watch::NONE).expect("nothing stops it");
-    cdpr_view::trajectory_page_within(scene, &file, &violations, &Watch::NONE).expect("nothing stops it");
+    let (hard1, engine) = &*HARD1;
+    if let Some((scene, motion, _)) = accepted(cdpr_files::scene_of_loaded(hard1, &loaded, false)) {
+        if let Some(file) = &loaded.file {
+            let violations = file.violations(engine, &Watch::NONE).expect("nothing stops it");
+            cdpr_view::trajectory_page_within(&scene, file, &violations, &Watch::NONE).expect("nothing stops it");
+        }
+        let report = accepted(check_trajectory(&scene, &motion, &TrajectoryRules::default(), &Watch::NONE));
+        serde_json::to_string(&report).expect("a report can be written");
+    }
 }
 
 fn experiment(bytes: &[u8]) {

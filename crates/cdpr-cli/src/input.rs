@@ -5,11 +5,13 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
+use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{LoadedPath, Loader, PathFile, is_trajectory, read_trajectory, scene_of_path};
+use cdpr_files::{LoadedPath, LoadedTrajectory, Loader, PathFile, is_trajectory, read_trajectory, scene_of_path};
+use cdpr_files::{load_if_trajectory, loaded_if_trajectory, scene_of_loaded};
 use cdpr_files::{scene_of_trajectory, trajectory_from_text, waypoints_from_text};
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
@@ -139,6 +141,41 @@ fn trajectory(scene: &Scene, text: &str, Strict { strict }: Strict, out: &Consol
     let (scene, warning) = scene_of_trajectory(scene, &file, strict)?;
     warning.iter().for_each(|warning| out.warning(warning));
     Ok(Motion::Trajectory(Box::new((scene, file))))
+}
+
+/// A path or the samples of a trajectory, with the scene at its orientation.
+pub enum Given {
+    /// A path without times.
+    Path(Box<(Scene, LoadedPath)>),
+    /// A trajectory from any source.
+    Trajectory(Box<(Scene, Recorded)>),
+}
+
+/// A path or a trajectory from any source, JSON or CSV. Warns if it was made for another scene.
+pub fn path_or_trajectory(args: &PathArgs, out: &Console) -> Result<Given, Error> {
+    if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
+        return Err(only_one());
+    }
+    let scene = scene(&args.scene, out)?;
+    let recorded = |loaded: LoadedTrajectory| {
+        let open = scene.orientation_is_open() && loaded.orientation.is_none();
+        let hint = open.then(|| "use --orientation NAME".to_string());
+        let found = scene_of_loaded(&scene, &loaded, args.strict.strict);
+        let (scene, motion, warning) = found.map_err(|e: Error| e.with_hints(hint.as_slice()))?;
+        warning.iter().for_each(|warning| out.warning(warning));
+        Ok(Given::Trajectory(Box::new((scene, motion))))
+    };
+    let of_path = |found| Given::Path(Box::new(found));
+    if let Some(stream) = stream_of(&args.path)? {
+        return stream.parse(|text| match loaded_if_trajectory(text)? {
+            Some(loaded) => recorded(loaded),
+            None => path_from_text(&scene, text, args.strict, out).map(of_path),
+        });
+    }
+    match load_if_trajectory(&args.path)? {
+        Some(loaded) => recorded(loaded).map_err(|e| e.in_file(&args.path)),
+        None => path(&scene, &args.scene, &args.path, args.strict, out).map(of_path),
+    }
 }
 
 /// An experiment.

@@ -40,6 +40,13 @@ pub enum FaultKind {
     WrenchMargin,
 }
 
+impl FaultKind {
+    /// Whether all culprits make one fault, which names the worst: a position that is wrong affects all cables.
+    fn is_one_of_many(self) -> bool {
+        matches!(self, FaultKind::CableLength | FaultKind::CableRate)
+    }
+}
+
 /// A fault of a motion, during a time without interruption.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fault {
@@ -91,7 +98,7 @@ impl Faults {
     /// Adds an instant; `message` is asked for only if this is the worst one so far.
     pub fn add(&mut self, instant: &Instant, message: impl FnOnce() -> String) {
         let culprits: Vec<String> = instant.culprits.iter().map(ToString::to_string).collect();
-        let key = (instant.kind, culprits);
+        let key = (instant.kind, if instant.kind.is_one_of_many() { Vec::new() } else { culprits.clone() });
         if let Some((index, last, worst)) =
             self.latest.get_mut(&key).filter(|(_, last, _)| instant.step.abs_diff(*last) <= 1)
         {
@@ -100,7 +107,7 @@ impl Faults {
             if instant.excess > *worst {
                 *worst = instant.excess;
                 (fault.time, fault.found, fault.limit) = (instant.time, instant.found, instant.limit);
-                fault.message = message();
+                (fault.message, fault.culprits) = (message(), culprits);
             }
             return;
         }
@@ -110,7 +117,7 @@ impl Faults {
             from: time,
             to: time,
             kind: instant.kind,
-            culprits: key.1.clone(),
+            culprits,
             found: instant.found.filter(|number| number.is_finite()),
             limit: instant.limit,
             message: message(),
