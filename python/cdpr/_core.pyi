@@ -12,6 +12,7 @@ __all__ = [
     "MAX_COORDINATE",
     "Scene",
     "Statics",
+    "Trajectory",
     "WrenchMap",
     "__version__",
     "check_robot",
@@ -34,6 +35,7 @@ MAX_COORDINATE: float
 _Point = tuple[float, float, float]
 _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
+_States = tuple[_Floats, _Floats, _Floats, _Floats | None, _Floats | None, _Floats | None]
 _Set = tuple[int, _Point, float, _Floats, NDArray[np.int64]]
 
 @final
@@ -130,6 +132,20 @@ class Statics:
     def force_set(self, position: _Point) -> _Set: ...
     def moment_set(self, position: _Point) -> _Set: ...
     def tensions(self, positions: _Floats, reference: list[float] | None, threads: int | None) -> _Floats: ...
+
+@final
+class Trajectory:
+    @staticmethod
+    def of(scene: Scene, waypoints: _Floats, limits: str, rate: float) -> Trajectory: ...
+    @staticmethod
+    def load(path: str, scene: Scene | None, strict: bool) -> tuple[Trajectory, str | None]: ...
+    @staticmethod
+    def from_json(file: str, scene: str | None) -> Trajectory: ...
+    def to_json(self) -> tuple[str, str | None]: ...
+    def save(self, path: str) -> None: ...
+    def facts(self) -> str: ...
+    def samples(self) -> tuple[_Floats, _States]: ...
+    def at(self, times: _Floats) -> _States: ...
 
 @final
 class WrenchMap:
