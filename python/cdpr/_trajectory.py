@@ -196,7 +196,7 @@ class Trajectory(ByValue):
     tension_limits: Floats | None
     corners: tuple[Corner, ...]
     limiting: tuple[Limiting, ...]
-    note: str | None
+    note: str | None = field(compare=False)
     _core: _core.Trajectory = field(compare=False)
 
     def at(self, time: ArrayLike) -> MotionState:

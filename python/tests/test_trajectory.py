@@ -134,7 +134,7 @@ def test_tensions_balance_weight_and_inertia(cases):
 def test_without_tension_limits_it_says_why(cases):
     _, motion = cases["platform"]
     assert motion.tensions is None and motion.tension_limits is None and motion.at(0.1).tensions is None
-    assert motion.note == "tensions are not limited: no tensions resist turning about z"
+    assert motion.note.startswith("tensions are not limited: rank 5 of 6, underconstrained: no tensions resist turning")
 
 
 def test_the_state_at_a_time_is_that_of_the_sample(case):
@@ -234,7 +234,7 @@ def test_the_orientation_is_that_of_the_path():
 
 def test_a_path_of_another_scene_is_noticed(hard1):
     path = cdpr.plan(hard1)
-    other = hard1.replace(clearance=1e-6)
+    other = hard1.replace(workspace=[[0, 0, 0], [2, 2, 2.5]])
     with pytest.warns(cdpr.AnotherSceneWarning):
         cdpr.trajectory(other, path, **BLENDED)
     with pytest.raises(cdpr.InputError, match="another scene"):
@@ -275,7 +275,8 @@ def test_a_file_without_the_exact_form_has_only_samples(cases, tmp_path):
     del file["curve"], file["timing"]
     (tmp_path / "motion.json").write_text(json.dumps(file))
     bare = cdpr.load_trajectory(tmp_path / "motion.json", scene)
-    assert bare == motion
+    assert (bare.tensions is None) == (motion.tensions is None) and (bare.positions == motion.positions).all()
+    assert bare.limiting == motion.limiting and bare.note == motion.note
     with pytest.raises(cdpr.InputError, match="curve: found none"):
         bare.at(0.5)
 
@@ -360,7 +361,7 @@ def test_what_makes_no_sense_is_refused(empty, path, given, message):
 def test_other_nonsense_is_refused(empty, hard1):
     with pytest.raises(cdpr.InputError, match="waypoints: found no tensions within the limits that hold the platform"):
         scene = scene_of("cogiro").replace(wrench=None)
-        cdpr.trajectory(scene, [[0, 0, 2.0], [0, 0, 2.2]], acceleration=1.0, wrench_margin=1e5)
+        cdpr.trajectory(scene.without(*scene.obstacles), [[0, 0, 2.0], [0, 0, 2.2]], acceleration=1.0, wrench_margin=1e5)
     with pytest.raises(cdpr.InputError, match="path: found 0 waypoints"):
         cdpr.trajectory(hard1, cdpr.plan(hard1, max_samples=0), **PLATFORM)
     with pytest.raises(cdpr.InputError, match=r"waypoints\[0\]: found a segment that is not free .*pillar"):

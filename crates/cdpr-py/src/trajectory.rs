@@ -25,15 +25,9 @@ const FEW_INSTANTS: usize = 20;
 #[pyclass(frozen, module = "cdpr._core")]
 pub struct Trajectory {
     file: TrajectoryFile,
-    /// The scene that it was made for, if known; it is needed for cables between samples.
-    scene: Option<CoreScene>,
-    exact: Option<Exact>,
-}
-
-struct Exact {
-    curve: Curve,
-    timing: Timing,
-    winches: Option<Winches>,
+    /// The scene that it was made for, if known, and its cables, which are needed between samples.
+    scene: Option<(CoreScene, Winches)>,
+    exact: Option<(Curve, Timing)>,
 }
 
 #[pymethods]
@@ -54,9 +48,8 @@ impl Trajectory {
             let watch = Watch::on(stop);
             let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
             let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
-            let (curve, timing) = (motion.curve().clone(), motion.timing().clone());
-            let exact = Exact { curve, timing, winches: Some(motion.winches().clone()) };
-            Ok(Trajectory { file, scene: Some(scene.clone()), exact: Some(exact) })
+            let exact = (motion.curve().clone(), motion.timing().clone());
+            Ok(Trajectory { file, scene: Some((scene.clone(), motion.winches().clone())), exact: Some(exact) })
         })
     }
 
@@ -91,7 +84,7 @@ impl Trajectory {
 
     /// The file and the scene, if known, as JSON.
     fn to_json(&self, py: Python<'_>) -> (String, Option<String>) {
-        py.detach(|| (serialized(&self.file), self.scene.as_ref().map(|scene| serialized(scene.spec()))))
+        py.detach(|| (serialized(&self.file), self.scene.as_ref().map(|(scene, _)| serialized(scene.spec()))))
     }
 
     /// Writes a file in the format given by the extension.
@@ -102,9 +95,8 @@ impl Trajectory {
     /// Everything but samples, curve and timing, as JSON; `note` says why tensions are not limited.
     fn facts(&self) -> String {
         let file = &self.file;
-        let winches = self.exact.as_ref().and_then(|exact| exact.winches.as_ref());
-        let unknown = || file.tensions.is_none().then(|| "tensions are not limited".to_string());
-        let note = winches.map_or_else(unknown, |winches| winches.note().map(str::to_string));
+        let unknown = file.tensions.is_none().then_some("tensions are not limited");
+        let note = self.winches().map_or(unknown, Winches::note);
         let facts = json!({
             "duration": file.duration,
             "length": file.length,
@@ -142,9 +134,9 @@ impl Trajectory {
         let exact = answered(|| self.exact.as_ref().ok_or_else(missing))?;
         let times = times.as_slice()?;
         let columns = if times.len() <= FEW_INSTANTS {
-            answered(|| Columns::at(exact, times, &Watch::NONE))
+            answered(|| Columns::at(exact, self.winches(), times, &Watch::NONE))
         } else {
-            interruptible(py, |stop| Columns::at(exact, times, &Watch::on(stop)))
+            interruptible(py, |stop| Columns::at(exact, self.winches(), times, &Watch::on(stop)))
         }?;
         columns.arrays(py, times.len(), self.file.cables.len())
     }
@@ -153,14 +145,12 @@ impl Trajectory {
 impl Trajectory {
     fn from_file(file: TrajectoryFile, scene: Option<CoreScene>) -> Result<Self, Error> {
         let winches = scene.as_ref().map(|scene| winches(scene, &file)).transpose()?;
-        let exact = match (&file.curve, &file.timing) {
-            (Some(_), Some(_)) => {
-                let (curve, timing) = file.exact()?;
-                Some(Exact { curve, timing, winches })
-            }
-            _ => None,
-        };
-        Ok(Trajectory { file, scene, exact })
+        let exact = (file.curve.is_some() && file.timing.is_some()).then(|| file.exact()).transpose()?;
+        Ok(Trajectory { file, scene: scene.zip(winches), exact })
+    }
+
+    fn winches(&self) -> Option<&Winches> {
+        self.scene.as_ref().map(|(_, winches)| winches)
     }
 }
 
@@ -204,12 +194,16 @@ struct Columns {
 }
 
 impl Columns {
-    fn at(exact: &Exact, times: &[f64], watch: &Watch) -> Result<Self, Error> {
-        let Exact { curve, timing, winches } = exact;
-        let limited = winches.as_ref().filter(|winches| winches.tension_limits().is_some());
+    fn at(
+        (curve, timing): &(Curve, Timing),
+        winches: Option<&Winches>,
+        times: &[f64],
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let limited = winches.filter(|winches| winches.tension_limits().is_some());
         let mut columns = Columns {
             platform: Default::default(),
-            cables: winches.as_ref().map(|_| Default::default()),
+            cables: winches.map(|_| Default::default()),
             tensions: limited.map(|_| Vec::new()),
         };
         let mut solver = TensionQp::default();

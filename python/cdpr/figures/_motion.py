@@ -15,9 +15,9 @@ from .._trajectory import Trajectory
 from ..exceptions import InputError
 from ._style import BLACK, COLUMN, CYCLE, GREY, LIGHT, styled
 
-_CHART, _ROW, _REST = 1.05, 0.16, 0.9  # heights of a chart, of a row of the strip, and of the rest, inches
-_SHOWN_TO = 2.0  # limits up to so many times the largest value are in the picture; the others are named at its edge
-_ROOM = 0.08  # above and below the curves, as a share of their range
+_CHART, _ROW, _REST = 1.0, 0.17, 1.3  # heights of a chart, of a row of the strip, and of the rest, inches
+_SHOWN_TO = 2.0  # limits up to so many times the largest value are drawn
+_ROOM = 0.06  # below the curves, and twice above them, as a share of their range
 _DASHES = ("-", (0, (4, 1, 1, 1)))  # of the cables; the second once the colours are used up
 _KINDS = {
     "speed": "speed",
@@ -25,7 +25,7 @@ _KINDS = {
     "jerk": "jerk",
     "cable_speed": "cable speed",
     "cable_acceleration": "cable acceleration",
-    "tension": "tensions",
+    "tension": "tension",
 }
 
 
@@ -33,9 +33,9 @@ _KINDS = {
 def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> tuple[Axes, ...]:
     """Draw a timed motion: speed, acceleration, cable speeds and tensions over time, and which limit binds when.
 
-    Limits are dashed; one that is far above the curve is named at the edge of the chart. Thin vertical lines are the
-    corners of the path, with the indices of their waypoints. Below, a bar shows when a limit binds, in the colour of the
-    cable, if it is that of a cable.
+    Limits are named above each chart; those that are not far away are drawn as dashed lines. Thin vertical lines are the
+    corners of the path, with the indices of their waypoints. Below, a bar shows when a limit binds; that of a single cable
+    has its colour.
 
     Parameters
     ----------
@@ -59,30 +59,29 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2, blend=0.03)
     >>> charts = cdpr.figures.trajectory(motion)
-    >>> [chart.get_ylabel() for chart in charts]
+    >>> [chart.get_title("left") for chart in charts]
     ['speed (m/s)', 'acceleration (m/s²)', 'cable speeds (m/s)', 'limited by']
     """
     motion = instance("trajectory", trajectory, Trajectory)
     axes = _panels(motion) if ax is None else _given_axes(ax, _count(motion))
     speed, acceleration, cables, *tensions, strip = axes
-    for chart, rows, key, label in (
-        (speed, motion.velocities, "speed", "speed (m/s)"),
-        (acceleration, motion.accelerations, "acceleration", "acceleration (m/s²)"),
+    limits = motion.limits
+    for chart, rows, key, unit in (
+        (speed, motion.velocities, "speed", "m/s"),
+        (acceleration, motion.accelerations, "acceleration", "m/s²"),
     ):
         values = np.linalg.norm(rows, axis=1)
         chart.plot(motion.times, values, color=BLACK, gid=key, zorder=3)
-        most = motion.limits.get(key)
-        _framed(chart, label, values, [] if most is None else [(most, f"limit {most:g} {label[label.index('(') + 1 : -1]}")])
+        _framed(chart, f"{key} ({unit})", values, _limit(limits.get(key), unit), [limits[key]] if key in limits else [])
     _of_cables(cables, motion, motion.cable_speeds)
-    most = motion.limits.get("cable_speed")
-    _framed(
-        *(cables, "cable speeds (m/s)", motion.cable_speeds),
-        [] if most is None else [(most, f"limit {most:g} m/s"), (-most, "")],
-    )
+    most = limits.get("cable_speed")
+    _framed(cables, "cable speeds (m/s)", motion.cable_speeds, _limit(most, "m/s"), [] if most is None else [most, -most])
     for chart in tensions:
-        assert motion.tensions is not None
+        assert motion.tensions is not None and motion.tension_limits is not None
+        low, high = motion.tension_limits.T
         _of_cables(chart, motion, motion.tensions)
-        _framed(chart, "tensions (N)", motion.tensions, _tension_limits(motion))
+        words = f"limits {_range(low)} and {_range(high)} N"
+        _framed(chart, "tensions (N)", motion.tensions, words, np.unique(motion.tension_limits).tolist())
     _strip(strip, motion)
     for chart in axes:
         for corner in motion.corners:
@@ -90,16 +89,15 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
         chart.set_xlim(0, motion.duration)
         chart.set_axisbelow(True)
     for corner in motion.corners:
-        place = (corner.time, 1.0)
         speed.annotate(
-            *(str(corner.waypoint), place), xycoords=speed.get_xaxis_transform(), xytext=(0, 2), textcoords="offset points",
-            ha="center", color=GREY, fontsize=6, gid="waypoint",
+            *(str(corner.waypoint), (corner.time, 1.0)), xycoords=speed.get_xaxis_transform(), xytext=(1.5, -0.5),
+            textcoords="offset points", ha="left", va="top", color=GREY, fontsize=6, gid="waypoint",
         )  # fmt: skip
     strip.set_xlabel("time (s)")
     if ax is None:
         handles, names = cables.get_legend_handles_labels()
-        speed.figure.legend(handles, names, loc="outside upper center", ncols=min(4, len(names)), handlelength=1.4, columnspacing=1.2)
-        speed.figure.align_ylabels(axes)  # type: ignore[union-attr]
+        legend = {"loc": "outside upper center", "ncols": min(4, len(names)), "handlelength": 1.4, "columnspacing": 1.2}
+        speed.figure.legend(handles, names, **legend)  # type: ignore[union-attr]
     return axes
 
 
@@ -130,47 +128,30 @@ def _of_cables(chart: Axes, motion: Trajectory, rows: Floats) -> None:
         chart.plot(motion.times, column, linewidth=1.0, label=name, gid=name, zorder=3, **_look(k))  # type: ignore[arg-type]
 
 
-def _tension_limits(motion: Trajectory) -> list[tuple[float, str]]:
-    """The minimum and maximum tensions, each with the cables that it is for, if not for all."""
-    found = []
-    assert motion.tension_limits is not None
-    for word, column in zip(("min", "max"), motion.tension_limits.T, strict=True):
-        for value in np.unique(column):
-            cables = [name for name, limit in zip(motion.cables, column, strict=True) if limit == value]
-            some = cables[0] if len(cables) == 1 else f"{len(cables)} cables"
-            found.append((float(value), f"{word} {value:g} N" + ("" if len(cables) == len(column) else f", {some}")))
-    return found
+def _limit(most: float | None, unit: str) -> str:
+    return "" if most is None else f"limit {most:g} {unit}"
 
 
-def _framed(chart: Axes, label: str, values: Floats, limits: list[tuple[float, str]]) -> None:
-    """Label a chart and draw its limits."""
+def _range(values: Floats) -> str:
+    low, high = values.min(), values.max()
+    return f"{low:g}" if low == high else f"{low:g} to {high:g}"
+
+
+def _framed(chart: Axes, title: str, values: Floats, words: str, limits: list[float]) -> None:
+    """Name a chart and its limits, and draw those that are not far away."""
     low, high = min(0.0, float(values.min())), float(values.max())
     far = _SHOWN_TO * max(high, -low)
-    shown = [value for value, _ in limits if abs(value) <= far]
+    shown = [value for value in limits if abs(value) <= far]
     low, high = min([low, *shown]), max([high, *shown])
     room = _ROOM * (high - low or 1.0)
-    chart.set(ylabel=label, ylim=(low - (room if low < 0 else 0), high + room))
+    chart.set_ylim(low - (room if low < 0 else 0), high + 2 * room)
+    chart.set_title(title, loc="left", pad=3)
+    if words:
+        out_of_sight = " (above)" if len(shown) < len(limits) else " (dashed)"
+        chart.set_title(words + out_of_sight, loc="right", pad=3, color=GREY, fontsize=7)
     chart.grid(axis="y")
-    beyond = [words for value, words in limits if abs(value) > far and words]
-    for value, words in limits:
-        if abs(value) > far:
-            continue
+    for value in shown:
         chart.axhline(value, color=GREY, linewidth=0.8, linestyle="--", zorder=2, gid="limit")
-        _named(chart, words, value, above=value < 0.5 * (low + high))
-    if beyond:
-        chart.annotate(
-            *(", ".join(beyond) + " ↑", (1, 1)), xycoords="axes fraction", xytext=(-2, -1), textcoords="offset points",
-            ha="right", va="top", color=GREY, fontsize=6, gid="beyond",
-        )  # fmt: skip
-
-
-def _named(chart: Axes, words: str, value: float, *, above: bool) -> None:
-    """Write the name of a limit beside its line, where the curves usually are not."""
-    chart.annotate(
-        *(words, (1, value)), xycoords=chart.get_yaxis_transform(), xytext=(-2, 1.5 if above else -1.5), gid="limit",
-        textcoords="offset points", ha="right", va="bottom" if above else "top", color=GREY, fontsize=6, zorder=4,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
-    )  # fmt: skip
 
 
 def _kinds(motion: Trajectory) -> list[str]:
@@ -185,7 +166,8 @@ def _strip(chart: Axes, motion: Trajectory) -> None:
         row = kinds.index(entry.limit)
         color = GREY if entry.cable is None else _look(motion.cables.index(entry.cable))["color"]
         chart.broken_barh([(entry.start, entry.end - entry.start)], (row - 0.32, 0.64), color=color, gid=entry.limit, zorder=3)
-    chart.set(ylabel="limited by", ylim=(max(1, len(kinds)) - 0.5, -0.5))
+    chart.set_title("limited by", loc="left", pad=3)
+    chart.set_ylim(max(1, len(kinds)) - 0.5, -0.5)
     chart.set_yticks(range(len(kinds)), [_KINDS[kind] for kind in kinds])
     chart.tick_params(axis="y", length=0)
     for above, _ in pairwise(range(len(kinds))):
