@@ -5,7 +5,8 @@
 
 Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; TOPP-RA then gets the curve of
 that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u = s'' and
-x = s'^2, at N grid points. Stretches between stops are solved one after the other. TOPP-RA's discretization is
+x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of the N points, at
+least 100. TOPP-RA's discretization is
 "interpolation": the rows of both ends of an interval hold. Two limits differ:
 
 - The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first two
@@ -49,6 +50,7 @@ CASES: dict[str, tuple[str, dict[str, float]]] = {
     "cogiro, tensions and platform": ("cogiro", {"acceleration": 8.0, "blend": 0.2}),
     "cogiro, all": ("cogiro", {"speed": 2.0, "acceleration": 4.0, "cable_speed": 1.5, "blend": 0.2}),
 }
+LEAST = 100  # intervals of a stretch
 WITHIN = 20  # instants in each interval
 INSTANTS = 20_000
 AT_ONCE = 1000  # grid points whose facets are computed at once
@@ -92,7 +94,7 @@ class Curve(AbstractGeometricPath):  # type: ignore[misc]
         return self.starts, self(self.starts)
 
     def grid(self, count: int) -> Floats:
-        """About so many intervals, with all joints of pieces."""
+        """About so many intervals of equal length, at least eight on each piece; joints of pieces are among the points."""
         shares = np.maximum(8, np.round(count * np.diff(self.starts) / self.starts[-1])).astype(int)
         parts = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(self.starts, self.starts[1:], shares, strict=False)]
         return np.append(np.concatenate(parts), self.starts[-1])
@@ -298,7 +300,10 @@ def compare(name: str, grids: list[int], tangents: int) -> None:
     print(f"| {name} | cdpr | {len(file['timing'])} | {motion.duration:.6f} | | {seconds:.2f} | {own_excess(motion):.1e} |")
     limits = Limits(scene, motion, tangents)
     for count in grids:
-        parts = np.array([solved(curve, limits, count) for curve in stretches(file)])
+        curves = list(stretches(file))
+        whole = sum(curve.starts[-1] for curve in curves)
+        counts = [max(LEAST, round(count * curve.starts[-1] / whole)) for curve in curves]
+        parts = np.array([solved(curve, limits, number) for curve, number in zip(curves, counts, strict=True)])
         duration, made, done = parts[:, :3].sum(axis=0)
         change = 100 * (motion.duration / duration - 1)
         print(f"| | TOPP-RA | {count} | {duration:.6f} | {change:+.3f} % | {made:.2f} + {done:.2f} | {parts[:, 3].max():.1e} |", flush=True)

@@ -197,7 +197,7 @@ class Trajectory(ByValue):
     corners: tuple[Corner, ...]
     limiting: tuple[Limiting, ...]
     note: str | None = field(compare=False)
-    _core: _core.Trajectory = field(compare=False)
+    _motion: _core.Trajectory = field(compare=False)
 
     def at(self, time: ArrayLike) -> MotionState:
         """Compute the state at any time exactly, not from the samples.
@@ -228,7 +228,7 @@ class Trajectory(ByValue):
         times = as_numbers("time", time)
         if not np.isfinite(times).all():
             raise InputError(f"time: found {times[~np.isfinite(times)].flat[0]}, expected finite times")
-        found = self._core.at(times.reshape(-1))
+        found = self._motion.at(times.reshape(-1))
         columns = [None if rows is None else shaped(rows, times.shape) for rows in found]
         position, velocity, acceleration, lengths, speeds, tensions = columns
         assert position is not None and velocity is not None and acceleration is not None
@@ -248,7 +248,7 @@ class Trajectory(ByValue):
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
         """
-        self._core.save(file_name(file, "file"))
+        self._motion.save(file_name(file, "file"))
 
     def to_pandas(self) -> Any:
         """Return the samples as a table; requires pandas.
@@ -302,7 +302,7 @@ class Trajectory(ByValue):
             tension_limits=None if limits is None else np.array(limits, dtype=np.float64),
             corners=tuple(Corner(**entry) for entry in facts.pop("corners")),
             limiting=tuple(Limiting(entry["from"], entry["to"], entry["limit"], entry["cable"]) for entry in entries),
-            _core=core,
+            _motion=core,
             **facts,
         )
 
@@ -312,7 +312,7 @@ class Trajectory(ByValue):
 
     def __reduce__(self) -> tuple[Any, tuple[str, str | None]]:
         """Pickle by value."""
-        return Trajectory._from_json, self._core.to_json()
+        return Trajectory._from_json, self._motion.to_json()
 
     def __repr__(self) -> str:
         """Show duration, length and size."""

@@ -96,8 +96,10 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     strip.set_xlabel("time (s)")
     if ax is None:
         handles, names = cables.get_legend_handles_labels()
-        legend = {"loc": "outside upper center", "ncols": min(4, len(names)), "handlelength": 1.4, "columnspacing": 1.2}
-        speed.figure.legend(handles, names, **legend)  # type: ignore[union-attr]
+        columns = min(4, len(names))
+        speed.figure.legend(
+            handles, names, loc="outside upper center", ncols=columns, handlelength=1.4, columnspacing=1.2
+        )
     return axes
 
 
