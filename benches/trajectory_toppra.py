@@ -5,9 +5,8 @@
 
 Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; TOPP-RA then gets the curve of
 that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u = s'' and
-x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of the N points, at
-least 100. TOPP-RA's discretization is
-"interpolation": the rows of both ends of an interval hold. Two limits differ:
+x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of the N points, at least
+100. TOPP-RA's discretization is "interpolation": the rows of both ends of an interval hold. Two limits differ:
 
 - The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first two
   derivatives, from outside: TOPP-RA may exceed the limit by 1/cos(pi/tangents) - 1 (0.002 % for 512 tangents), so its

@@ -174,8 +174,8 @@ class Trajectory(ByValue):
     Trajectory(1.500 s, 1.0000 m, 151 samples)
     >>> motion.positions.shape, motion.cable_lengths.shape
     ((151, 3), (151, 8))
-    >>> motion.note
-    'tensions are not limited: no tensions resist turning about z'
+    >>> motion.tensions is None, motion.note[:24]
+    (True, 'tensions are not limited')
     """
 
     duration: float

@@ -8,6 +8,7 @@ import warnings
 import numpy as np
 import pytest
 from conftest import TESTDATA
+from test_planning import assert_ctrl_c_is_answered_at_once
 
 import cdpr
 
@@ -370,3 +371,12 @@ def test_other_nonsense_is_refused(empty, hard1):
     for time, message in [(float("nan"), "time: found nan"), ("1", "time: found the text '1'"), ([0, np.inf], "time: found inf")]:
         with pytest.raises(cdpr.InputError, match=message):
             motion.at(time)
+
+
+def test_ctrl_c_is_answered_at_once():
+    scene = scene_of("cogiro")
+    path = cdpr.plan(scene)
+    motion = cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2)
+    times = np.linspace(0, motion.duration, 3_000_000)
+    assert_ctrl_c_is_answered_at_once(lambda: motion.at(times), threads=1)
+    assert_ctrl_c_is_answered_at_once(lambda: cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2, rate=3e5), threads=1)

@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use serde_json::json;
 
 use crate::convert::{points, serialized, triples};
-use crate::errors::{answered, interruptible};
+use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
 
 /// Number of instants up to which a thread is not worthwhile.
@@ -61,15 +61,15 @@ impl Trajectory {
         scene: Option<&Scene>,
         strict: bool,
     ) -> PyResult<(Trajectory, Option<String>)> {
-        let read = || {
+        let scene = scene.map(|scene| scene.0.clone());
+        abandonable(py, move || {
             let file = load(&path)?;
-            let of_scene = scene.map(|scene| cdpr_files::scene_of_trajectory(&scene.0, &file, strict)).transpose();
-            let (turned, warning) = of_scene.map_err(|error| error.in_file(&path))?.unzip();
+            let turned = scene.map(|scene| cdpr_files::scene_of_trajectory(&scene, &file, strict)).transpose();
+            let (turned, warning) = turned.map_err(|error| error.in_file(&path))?.unzip();
             let warning = warning.flatten();
             let scene = turned.filter(|_| warning.is_none());
             Ok((Trajectory::from_file(file, scene).map_err(|error| error.in_file(&path))?, warning))
-        };
-        py.detach(|| answered(read))
+        })
     }
 
     /// What [`Trajectory::to_json`] returned.
