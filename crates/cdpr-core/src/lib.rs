@@ -7,7 +7,7 @@
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
 //! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`forbidden`],
-//! [`lower_bound`], [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
+//! [`lower_bound`], [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`], [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
 //! for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and paths.
 
 pub mod batch;
@@ -34,6 +34,7 @@ pub mod regions;
 pub mod survey;
 pub mod testing;
 pub mod trajectory;
+pub mod trajectory_check;
 pub mod trajectory_file;
 pub mod watch;
 pub mod words;

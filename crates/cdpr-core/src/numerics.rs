@@ -457,3 +457,38 @@ pub const TIMING_ROUNDS: usize = 10;
 
 /// Largest number of samples of a trajectory; more are probably due to a wrong unit.
 pub const MOST_SAMPLES: f64 = 1e7;
+
+/// Share by which a recorded motion may exceed a limit: rounding errors of whoever planned it.
+pub const RECORDED_EXCESS: f64 = 1e-6;
+
+/// Positions of a recorded motion may be rounded by this much, m. Rates computed from them may exceed limits accordingly.
+pub const RECORDED_ROUNDING: f64 = 1e-6;
+
+/// Largest difference of a recorded cable length from that of the robot, and of a sample from the exact form of its motion, m;
+/// the same for rates, relative to 1 plus the rate.
+pub const RECORDED_LENGTH: f64 = 1e-6;
+
+/// Largest difference of a recorded cable speed from that of the robot, m/s, relative to 1 plus the speed of the platform.
+pub const RECORDED_RATE: f64 = 1e-4;
+
+/// Mean recorded accelerations may differ from the change of the velocity by this multiple of the largest one: a short bend
+/// between two samples needs an acceleration that no sample shows. Wrong units and missing values differ by more.
+pub const RECORDED_ACCELERATION: f64 = 3.0;
+
+/// Share of a tension limit by which a recorded tension may exceed it.
+pub const RECORDED_TENSION: f64 = 1e-6;
+
+/// Largest imbalance of recorded tensions, as a share of 1 N plus the norm of the wrench to be balanced.
+pub const RECORDED_BALANCE: f64 = 1e-3;
+
+/// Share of its range by which a tension may exceed its limits if accelerations are derived from positions.
+pub const RECORDED_RESERVE: f64 = 1e-2;
+
+/// Instants between two samples at which a motion in exact form is checked.
+pub const INSTANTS_BETWEEN: usize = 10;
+
+/// Times closer than this may be on different sides of a jump of the acceleration, s.
+pub const SAME_TIME: f64 = 1e-9;
+
+/// Share of the slack of tensions by which a recorded motion may use up the required wrench margin.
+pub const RECORDED_SHARE: f64 = 1e-2;

@@ -4,7 +4,12 @@
 //! platform of 0.15 × 0.15 × 0.05 m; start (0.3, 1, 0.3), goal (1.7, 1, 1.7) (the paper, Table 1; the paper prints
 //! neither its cable layout nor the obstacles).
 
-use crate::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+use crate::geometry::{Point, Vector};
+use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+use crate::path_file::PathFile;
+use crate::trajectory_file::{
+    LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits,
+};
 
 /// The paper's robot.
 pub fn paper_robot() -> RobotSpec {
@@ -77,6 +82,54 @@ pub fn walled(ceiling: f64) -> SceneSpec {
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, ceiling] },
         query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 0.3]), orientation: None }),
         ..paper_scene("walled", vec![block("wall", [0.1, 2.0, 0.9], [1.0, 1.0, 0.45])])
+    }
+}
+
+/// A motion of 2 s along a straight line, in this many steps: constant acceleration, then the same to brake.
+pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> TrajectoryFile {
+    let path = PathFile::of(scene, &[from, to]);
+    let cables = scene.robot().cables();
+    let times: Vec<f64> = (0..=steps).map(|k| 2.0 * k as f64 / steps as f64).collect();
+    let states: Vec<[Vector; 3]> = times.iter().map(|t| state(from, to, *t)).collect();
+    let rows = |part: usize| states.iter().map(|state| state[part].into()).collect();
+    let by_cable = |of: &dyn Fn(&Vector, &Vector) -> f64| {
+        let line = |cable: &Cable, p: &Vector| cable.outlet.coords - p - scene.orientation() * cable.attachment.coords;
+        states.iter().map(|[p, v, _]| cables.iter().map(|cable| of(&line(cable, p), v)).collect()).collect()
+    };
+    TrajectoryFile {
+        format: TRAJECTORY_FORMAT.to_string(),
+        version: TRAJECTORY_VERSION,
+        scene: path.scene.expect("every path of a scene has it"),
+        orientation: path.orientation.expect("every path of a scene has it"),
+        orientation_name: scene.orientation_name().map(str::to_string),
+        duration: 2.0,
+        length: (to - from).norm(),
+        rate: steps as f64 / 2.0,
+        limits: TrajectoryLimits { acceleration: Some((to - from).norm()), ..TrajectoryLimits::default() },
+        tension_limits: None,
+        waypoints: path.waypoints,
+        corners: Vec::new(),
+        limiting: vec![Limiting { from: 0.0, to: 2.0, limit: LimitKind::Acceleration, cable: None }],
+        cables: cables.iter().map(|cable| cable.name.clone()).collect(),
+        positions: rows(0),
+        velocities: rows(1),
+        accelerations: rows(2),
+        cable_lengths: by_cable(&|line, _| line.norm()),
+        cable_speeds: by_cable(&|line, v| -line.normalize().dot(v)),
+        times,
+        tensions: None,
+        cable_accelerations: None,
+        curve: None,
+        timing: None,
+    }
+}
+
+/// Position, velocity and acceleration of this motion at a time.
+fn state(from: Point, to: Point, time: f64) -> [Vector; 3] {
+    let (way, left) = (to - from, 2.0 - time);
+    match time <= 1.0 {
+        true => [from.coords + way * (time * time / 2.0), way * time, way],
+        false => [to.coords - way * (left * left / 2.0), way * left, -way],
     }
 }
 

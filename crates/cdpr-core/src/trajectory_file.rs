@@ -63,6 +63,9 @@ pub struct TrajectoryFile {
     pub cable_speeds: Vec<Vec<f64>>,
     /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// Acceleration of each cable at each time, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// The curve in exact form.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<Value>,

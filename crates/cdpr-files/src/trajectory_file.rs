@@ -1,15 +1,20 @@
-//! Trajectory files: the JSON of a timed trajectory, read and checked.
+//! Trajectory files: the JSON of a timed trajectory, read and checked; tables of samples; messages for ROS 2.
+
+mod message;
+mod table;
 
 use std::path::Path;
 
 use serde::Deserialize;
 
+use super::output::write_atomically;
 use super::path_file::scene_for;
-use super::text::{self, Notation};
+use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::model::{OrientationSource, body};
 use cdpr_core::numerics::MOST_TRAJECTORY_BYTES;
+use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// Beginning and end of the samples may differ from 0 and the duration by this share of the duration, due to rounding.
@@ -88,6 +93,165 @@ pub fn scene_of_trajectory(
         return Err(Error::invalid("cables", problem));
     }
     Ok(found)
+}
+
+/// Formats in which a trajectory is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Written {
+    Json,
+    Csv,
+    Yaml,
+}
+
+fn format_of(path: &Path) -> Result<Written, Error> {
+    match extension(path).as_deref() {
+        Some("json") => Ok(Written::Json),
+        Some("csv") => Ok(Written::Csv),
+        Some("yaml" | "yml") => Ok(Written::Yaml),
+        _ => Err(other_extension(path, ".json, .csv or .yaml")),
+    }
+}
+
+/// Checks that a trajectory can be written under this name, before any work is done.
+///
+/// # Errors
+/// An extension that is none of .json, .csv, .yaml and .yml.
+pub fn check_trajectory_name(path: &Path) -> Result<(), Error> {
+    format_of(path).map(drop)
+}
+
+/// Writes a trajectory in the format given by the extension: JSON; the samples as CSV, `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`
+/// and the columns of the cables; or a ROS 2 message `trajectory_msgs/msg/JointTrajectory` of the cables as YAML.
+///
+/// # Errors
+/// Another extension, or a file that cannot be written; nothing half-written is left.
+///
+/// # Example
+/// ```
+/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_files::{load_trajectory, save_trajectory};
+/// # let folder = tempfile::tempdir().unwrap();
+/// # let path = folder.path().join("motion.csv");
+/// let motion = testing::moving(&testing::empty(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
+/// save_trajectory(&path, &motion)?;
+/// assert_eq!(load_trajectory(&path)?.motion.times, motion.times);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn save_trajectory(path: &Path, file: &TrajectoryFile) -> Result<(), Error> {
+    let text = match format_of(path)? {
+        Written::Json => trajectory_json(file),
+        Written::Csv => table::table(file),
+        Written::Yaml => message::message(path, file)?,
+    };
+    write_atomically(path, text.as_bytes())
+}
+
+/// A trajectory as JSON text, without line breaks.
+pub fn trajectory_json(file: &TrajectoryFile) -> String {
+    serde_json::to_string(file).expect("its numbers are finite") + "\n"
+}
+
+/// A trajectory that has been read and checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedTrajectory {
+    /// Its samples; cables in the order of `cables`.
+    pub motion: Recorded,
+    /// Names of the cables that it knows.
+    pub cables: Vec<String>,
+    /// Its orientation, a unit quaternion w x y z, if it is given.
+    pub orientation: Option<[f64; 4]>,
+    /// The whole contents of the file, if it is JSON.
+    pub file: Option<TrajectoryFile>,
+}
+
+/// Loads a trajectory from JSON, or from CSV of any source with at least the columns t, x, y, z. Further columns are those
+/// that [`save_trajectory`] writes.
+///
+/// # Errors
+/// Names the file, the key or the line and column, what was found and what was expected.
+pub fn load_trajectory(path: &Path) -> Result<LoadedTrajectory, Error> {
+    let expected = match extension(path).as_deref() {
+        Some(extension @ ("json" | "csv")) => extension == "json",
+        _ => return Err(other_extension(path, ".json or .csv")),
+    };
+    let text = text::read_at_most(path, MOST_TRAJECTORY_BYTES)?;
+    loaded_trajectory(&text, expected).map_err(|e| e.in_file(path))
+}
+
+/// As [`load_trajectory`], if the file is a trajectory and not a path.
+///
+/// # Errors
+/// As [`load_trajectory`].
+pub fn load_if_trajectory(path: &Path) -> Result<Option<LoadedTrajectory>, Error> {
+    if !matches!(extension(path).as_deref(), Some("json" | "csv")) {
+        return Ok(None);
+    }
+    let text = text::read_at_most(path, MOST_TRAJECTORY_BYTES)?;
+    loaded_if_trajectory(&text).map_err(|e| e.in_file(path))
+}
+
+/// A trajectory from text, if it is one: JSON that says so, or CSV with times.
+///
+/// # Errors
+/// As [`load_trajectory`].
+pub fn loaded_if_trajectory(text: &str) -> Result<Option<LoadedTrajectory>, Error> {
+    match (is_trajectory(text), table::is_table(text)) {
+        (true, _) => loaded_trajectory(text, true).map(Some),
+        (_, true) => loaded_trajectory(text, false).map(Some),
+        _ => Ok(None),
+    }
+}
+
+fn loaded_trajectory(text: &str, json: bool) -> Result<LoadedTrajectory, Error> {
+    if json {
+        let file = trajectory_from_text(text)?;
+        let (motion, cables) = (Recorded::of(&file)?, file.cables.clone());
+        return Ok(LoadedTrajectory { motion, cables, orientation: Some(file.orientation), file: Some(file) });
+    }
+    let table::Table { motion, orientation, cables } = table::read_table(text)?;
+    Ok(LoadedTrajectory { motion, cables, orientation, file: None })
+}
+
+/// The scene at the orientation of a trajectory, the trajectory with its cables in the order of the robot, and a warning if it
+/// was made for another scene.
+///
+/// # Errors
+/// As [`scene_of_trajectory`].
+pub fn scene_of_loaded(
+    scene: &Scene,
+    loaded: &LoadedTrajectory,
+    strict: bool,
+) -> Result<(Scene, Recorded, Option<String>), Error> {
+    if let Some(file) = &loaded.file {
+        let (scene, warning) = scene_of_trajectory(scene, file, strict)?;
+        return Ok((scene, loaded.motion.clone(), warning));
+    }
+    let orientation = loaded.orientation.map(OrientationSource::from);
+    let (scene, warning) = scene_for(scene, orientation, None, None, strict)?;
+    let motion = in_order(&loaded.motion, &loaded.cables, &scene.robot().cable_names())?;
+    Ok((scene, motion, warning))
+}
+
+/// The same samples with the cables in another order.
+fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Recorded, Error> {
+    if found.is_empty() {
+        return Ok(motion.clone());
+    }
+    let order: Option<Vec<usize>> = expected.iter().map(|name| found.iter().position(|other| other == name)).collect();
+    let order = order.filter(|order| order.len() == found.len()).ok_or_else(|| {
+        let problem = format!("found {}, expected those of the robot: {}", found.join(", "), expected.join(", "));
+        Error::invalid("cables", problem)
+    })?;
+    let sorted = |rows: &Option<Vec<Vec<f64>>>| {
+        let row = |row: &Vec<f64>| order.iter().map(|&k| row[k]).collect();
+        rows.as_ref().map(|rows| rows.iter().map(row).collect())
+    };
+    Ok(Recorded {
+        cable_lengths: sorted(&motion.cable_lengths),
+        cable_speeds: sorted(&motion.cable_speeds),
+        tensions: sorted(&motion.tensions),
+        ..motion.clone()
+    })
 }
 
 fn at_least_zero(place: &str, value: f64) -> Result<(), Error> {
@@ -170,7 +334,10 @@ fn samples(file: &TrajectoryFile) -> Result<(), Error> {
     for (key, rows) in [("cable_lengths", &file.cable_lengths), ("cable_speeds", &file.cable_speeds)] {
         by_cable(file, key, rows)?;
     }
-    file.tensions.as_ref().map_or(Ok(()), |rows| by_cable(file, "tensions", rows))
+    for (key, rows) in [("tensions", &file.tensions), ("cable_accelerations", &file.cable_accelerations)] {
+        rows.as_ref().map_or(Ok(()), |rows| by_cable(file, key, rows))?;
+    }
+    Ok(())
 }
 
 fn points(key: &str, rows: &[[f64; 3]]) -> Result<(), Error> {
@@ -252,7 +419,7 @@ mod tests {
 
     #[test]
     fn a_missing_key_is_named() {
-        let optional = ["orientation_name", "tension_limits", "tensions", "curve", "timing"];
+        let optional = ["orientation_name", "tension_limits", "tensions", "cable_accelerations", "curve", "timing"];
         for key in upward().as_object().unwrap().keys().filter(|key| !optional.contains(&key.as_str())) {
             assert_eq!(said(&format!("/{key}"), Value::Null), format!("missing field `{key}`"));
         }
@@ -288,6 +455,42 @@ mod tests {
         let corner = json!([{ "waypoint": 2, "kind": "stop", "deviation": 0.0, "time": 1.0 }]);
         assert_eq!(said("/corners", corner), "corners[0].waypoint: found 2, expected less than 2");
         assert!(said("/limiting/0/limit", json!("force")).starts_with("limiting[0].limit: unknown variant `force`"));
+    }
+
+    #[test]
+    fn the_extension_selects_the_format() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
+        for name in ["a.json", "a.csv", "a.yaml", "a.YML"] {
+            save_trajectory(&folder.path().join(name), &file).unwrap();
+        }
+        let load = |name: &str| load_trajectory(&folder.path().join(name));
+        assert_eq!(load("a.json").unwrap().file.unwrap(), file);
+        assert_eq!(load("a.json").unwrap().motion, load("a.csv").unwrap().motion);
+        let refused = load("a.yaml").unwrap_err().to_string();
+        assert!(refused.ends_with("a.yaml: found the extension .yaml, expected .json or .csv"), "{refused}");
+        let refused = save_trajectory(&folder.path().join("a.txt"), &file).unwrap_err().to_string();
+        assert!(refused.ends_with("a.txt: found the extension .txt, expected .json, .csv or .yaml"), "{refused}");
+        assert!(!folder.path().join("a.txt").exists());
+        assert_eq!(loaded_if_trajectory("x,y,z\n1,2,3\n").unwrap(), None);
+        assert!(loaded_if_trajectory("t,x,y,z\n1,2,3\n").is_err());
+    }
+
+    #[test]
+    fn cables_of_a_table_are_put_in_the_order_of_the_robot() {
+        let mut file = moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
+        let expected = Recorded::of(&file).unwrap();
+        file.cables.reverse();
+        for rows in [&mut file.cable_lengths, &mut file.cable_speeds] {
+            rows.iter_mut().for_each(|row| row.reverse());
+        }
+        let loaded = loaded_if_trajectory(&table::table(&file)).unwrap().unwrap();
+        assert_eq!(scene_of_loaded(&hard1(), &loaded, true).unwrap().1, expected);
+        let unknown = LoadedTrajectory { cables: vec!["winch".to_string()], ..loaded.clone() };
+        let told = scene_of_loaded(&hard1(), &unknown, true).unwrap_err().to_string();
+        assert!(told.starts_with("cables: found winch, expected those of the robot: cable 0,"), "{told}");
+        let tilted = LoadedTrajectory { orientation: Some([0.5, 0.0, 0.0, 0.0]), ..loaded };
+        assert!(scene_of_loaded(&hard1(), &tilted, true).unwrap_err().to_string().starts_with("orientation: "));
     }
 
     #[test]

@@ -62,6 +62,7 @@ impl TrajectoryFile {
             cable_lengths: each(|winding| winding.length),
             cable_speeds: each(|winding| winding.speed),
             tensions: samples.iter().map(|Sample { tensions, .. }| tensions.clone()).collect(),
+            cable_accelerations: Some(each(|winding| winding.acceleration)),
             curve: Some(exact_curve(trajectory.curve())),
             timing: Some(exact_timing(trajectory.timing())),
             times,

@@ -1,0 +1,448 @@
+//! Checks a timed motion from any source against a scene and its limits.
+//!
+//! Limits are checked at the samples, and for the mean rates between them, which the motion really reaches; so every fault that
+//! is reported is one, but between two samples a rate may be higher by what its derivative allows. If the exact form of the
+//! motion is known and the samples are on it, ten instants between two samples are checked as well. Rates that are not given
+//! are derived from differences ([`Recorded`]), which never overstates them. Bodies must not overlap on the straight
+//! lines between samples; clearances are measured and not required, since a trajectory uses them up where it rounds corners. An
+//! overlap no deeper than the motion may deviate from the straight line is none.
+
+mod faults;
+mod forces;
+mod recorded;
+mod rules;
+
+use serde::Serialize;
+
+pub use faults::{Fault, FaultKind};
+pub use recorded::Recorded;
+pub use rules::Largest;
+
+use crate::collision::path_check::{PathClearance, nearest};
+use crate::collision::{Checker, Engine, Interference};
+use crate::error::Error;
+use crate::geometry::{Vector, path_length};
+use crate::model::Scene;
+use crate::model::spec::MotionSpec;
+use crate::numerics::{INSTANTS_BETWEEN, RECORDED_ROUNDING, RECORDED_SHARE};
+use crate::plan::engine_within;
+use crate::trajectory::{Curve, Limits, Motion, Timing, Winches};
+use crate::watch::Watch;
+use crate::wrench::TensionQp;
+use faults::{Faults, Instant};
+use forces::{Forces, State};
+use rules::{Rates, Rules, around};
+
+/// The result of checking a timed motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TrajectoryReport {
+    /// Whether there are no faults.
+    pub valid: bool,
+    /// Time from the first to the last sample, s.
+    pub duration: f64,
+    /// Length of the straight lines between samples, m.
+    pub length: f64,
+    /// Number of samples.
+    pub samples: usize,
+    /// Whether instants between the samples were checked in exact form.
+    pub exact: bool,
+    /// How much faster than at the samples the platform may be between them, m/s; `None` if those instants were checked.
+    pub unseen_speed: Option<f64>,
+    /// The largest rates.
+    pub largest: Largest,
+    /// The closest approach, if anything can come close.
+    pub nearest: Option<NearestInTime>,
+    /// What is wrong, in order of time.
+    pub faults: Vec<Fault>,
+    /// What could not be checked, and why.
+    pub notes: Vec<String>,
+}
+
+/// The closest approach of a timed motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NearestInTime {
+    /// s.
+    pub time: f64,
+    /// Gap, m; negative where bodies overlap.
+    pub value: f64,
+    /// The names of the bodies.
+    pub culprits: Vec<String>,
+}
+
+/// Checks a motion at the orientation of a scene under its limits, replaced by those of `given` that are set.
+///
+/// # Errors
+/// Limits that contradict each other or the robot; numbers too large to compute with; [`Error::interrupted`],
+/// [`Error::out_of_time`].
+///
+/// # Example
+/// ```
+/// use cdpr_core::geometry::Point;
+/// use cdpr_core::{model::spec::MotionSpec, testing, trajectory_check::{Recorded, check_trajectory}, watch::Watch};
+/// let moving = testing::moving(&testing::hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 20);
+/// let (motion, slow) = (Recorded::of(&moving)?, MotionSpec { speed: Some(0.8), ..MotionSpec::default() });
+/// let report = check_trajectory(&testing::hard1(), &motion, &slow, &Watch::NONE)?;
+/// assert_eq!(report.faults[0].message, "speed 1 m/s, limit 0.8 m/s");
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn check_trajectory(
+    scene: &Scene,
+    motion: &Recorded,
+    given: &MotionSpec,
+    watch: &Watch,
+) -> Result<TrajectoryReport, Error> {
+    let limits = Limits::of(scene, given)?;
+    let winches = Winches::of(scene, &limits, &motion.positions[0])?;
+    let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
+    let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());
+    check_columns(&rules, motion, &mut faults, watch)?;
+    notes.extend(check_forces(scene, motion, &rules, &mut faults, watch)?);
+    let exact = motion.exact.as_ref().filter(|_| !faults.any(FaultKind::NotExact));
+    let fine = exact.map(|exact| between(&rules, motion, exact, &mut largest, &mut faults, watch)).transpose()?;
+    if fine.is_none() {
+        check_limits(&rules, motion, &mut largest, &mut faults, watch)?;
+    }
+    let bare = scene.without_clearance()?;
+    let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
+    let shown = fine.as_ref().unwrap_or(motion);
+    conditions(&*engine, shown, &mut faults, watch)?;
+    let nearest = nearest(engine.conditions(), &shown.positions, watch)?.min_clearance;
+    let times = &motion.times;
+    let faults = faults.sorted();
+    Ok(TrajectoryReport {
+        valid: faults.is_empty(),
+        duration: times[times.len() - 1] - times[0],
+        length: path_length(&shown.positions),
+        samples: times.len(),
+        exact: fine.is_some(),
+        unseen_speed: if fine.is_some() { None } else { Some(unseen_speed(motion)) },
+        largest,
+        nearest: nearest.map(|found| in_time(shown, &found)),
+        faults,
+        notes,
+    })
+}
+
+fn in_time(motion: &Recorded, PathClearance { value, segment, at, culprits, .. }: &PathClearance) -> NearestInTime {
+    let time = motion.times[*segment] + at * motion.step(*segment);
+    NearestInTime { time, value: *value, culprits: culprits.clone() }
+}
+
+/// Whether the columns of all samples fit each other, the robot, and the exact form.
+fn check_columns(rules: &Rules, motion: &Recorded, faults: &mut Faults, watch: &Watch) -> Result<(), Error> {
+    let velocities = motion.velocities();
+    let most = motion.accelerations().iter().map(Vector::norm).fold(0.0, f64::max);
+    for (k, time) in motion.times.iter().enumerate() {
+        watch.check()?;
+        rules.cables(motion, k, faults);
+        if let Some((curve, timing)) = &motion.exact {
+            rules.exact(motion, k, around(*time).map(|time| exact_at(curve, timing, time)), faults);
+        }
+        if k + 1 < motion.times.len() {
+            rules.fits(motion, &velocities, k, most, faults);
+        }
+    }
+    Ok(())
+}
+
+/// Limits at all samples, and between them as far as samples show it.
+fn check_limits(
+    rules: &Rules,
+    motion: &Recorded,
+    largest: &mut Largest,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(), Error> {
+    let (velocities, accelerations) = (motion.velocities(), motion.accelerations());
+    for (k, (velocity, acceleration)) in velocities.iter().zip(&*accelerations).enumerate() {
+        watch.check()?;
+        let (time, position, rounding) = (motion.times[k], &motion.positions[k], derived_rounding(motion, k));
+        let rates = Rates { step: k, time, position, velocity, acceleration, jerk: None, rounding };
+        rules.at(&rates, largest, faults);
+        if k + 1 < motion.times.len() {
+            rules.means(motion, k, faults);
+        }
+    }
+    Ok(())
+}
+
+/// What rounding of positions may add to a velocity and an acceleration that are derived from those around a sample.
+fn derived_rounding(motion: &Recorded, k: usize) -> [f64; 2] {
+    let last = motion.times.len() - 2;
+    let step = motion.step(k.min(last)).min(motion.step(k.saturating_sub(1).min(last)));
+    let rounding = RECORDED_ROUNDING / step;
+    match (&motion.velocities, &motion.accelerations) {
+        (Some(_), Some(_)) => [0.0; 2],
+        (Some(_), None) => [0.0, rounding],
+        (None, Some(_)) => [rounding, 0.0],
+        (None, None) => [rounding, 2.0 * rounding / step],
+    }
+}
+
+fn exact_at(curve: &Curve, timing: &Timing, time: f64) -> Motion {
+    let phase = timing.at(time);
+    Motion::on(curve, curve.piece_at(phase.s), &phase)
+}
+
+/// Limits between samples in exact form, and the motion at all these instants.
+fn between(
+    rules: &Rules,
+    motion: &Recorded,
+    (curve, timing): &(Curve, Timing),
+    largest: &mut Largest,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<Recorded, Error> {
+    let (mut fine, mut rates) = (Recorded::default(), [Vec::new(), Vec::new()]);
+    for k in 0..motion.times.len() {
+        watch.check()?;
+        let instants = if k + 1 < motion.times.len() { INSTANTS_BETWEEN + 1 } else { 1 };
+        for part in 0..instants {
+            let step = if part == 0 { 0.0 } else { motion.step(k) * part as f64 / instants as f64 };
+            let time = motion.times[k] + step;
+            let Motion { position, velocity, acceleration, jerk } = exact_at(curve, timing, time);
+            let [v, a, j] = [&velocity, &acceleration, &jerk];
+            let (position, jerk, rounding) = (&position, Some(j), [0.0; 2]);
+            let rates_now = Rates { step: k, time, position, velocity: v, acceleration: a, jerk, rounding };
+            rules.at(&rates_now, largest, faults);
+            fine.times.push(time);
+            fine.positions.push(*position);
+            rates[0].push(velocity);
+            rates[1].push(acceleration);
+        }
+    }
+    let [velocities, accelerations] = rates;
+    Ok(Recorded { velocities: Some(velocities), accelerations: Some(accelerations), ..fine })
+}
+
+/// Tensions at all samples, and notes on what could not be checked.
+fn check_forces(
+    scene: &Scene,
+    motion: &Recorded,
+    rules: &Rules,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<Vec<String>, Error> {
+    let (forces, accelerations, mut solver) = (Forces::of(scene), motion.accelerations(), TensionQp::default());
+    let limited = rules.winches.tension_limits().is_some();
+    for (k, acceleration) in accelerations.iter().enumerate() {
+        watch.check()?;
+        let (time, position) = (motion.times[k], &motion.positions[k]);
+        let uncertain = if motion.accelerations.is_some() { 0.0 } else { spread(&accelerations, k) };
+        let state = State { step: k, time, position, acceleration, uncertain };
+        match &motion.tensions {
+            Some(tensions) => forces.check(&state, &tensions[k], faults),
+            None if limited => forces.exist(&state, &mut solver, faults)?,
+            None => {}
+        }
+        if rules.limits.wrench_margin > 0.0 {
+            margin(rules, &state, faults);
+        }
+    }
+    Ok(match (&motion.tensions, forces.unknown()) {
+        (Some(_), Some(why)) => vec![format!("the balance of the tensions is not checked: {why}")],
+        (None, _) => rules.winches.note().map(str::to_string).into_iter().collect(),
+        _ => Vec::new(),
+    })
+}
+
+/// How far a derived acceleration may be from the true one: how much it differs from its neighbours, and a twentieth.
+fn spread(accelerations: &[Vector], k: usize) -> f64 {
+    let near = &accelerations[k.saturating_sub(1)..(k + 2).min(accelerations.len())];
+    let differs = near.iter().map(|other| (other - accelerations[k]).norm()).fold(0.0, f64::max);
+    differs + 0.05 * accelerations[k].norm()
+}
+
+fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
+    let share = rules.winches.tension_share(state.position, state.acceleration);
+    if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
+        return;
+    }
+    let margin = rules.limits.wrench_margin;
+    let (step, time, limit) = (state.step, state.time, Some(margin));
+    let excess = share.unwrap_or(f64::INFINITY);
+    let kind = FaultKind::WrenchMargin;
+    faults.add(&Instant { step, time, kind, culprits: &[], found: None, limit, excess }, || {
+        format!("less than the wrench margin of {} N is left", faults::number(margin))
+    });
+}
+
+/// Broken conditions on the straight lines between samples.
+fn conditions(engine: &dyn Checker, motion: &Recorded, faults: &mut Faults, watch: &Watch) -> Result<(), Error> {
+    let accelerations = motion.accelerations();
+    for (k, pair) in motion.positions.windows(2).enumerate() {
+        watch.check()?;
+        if engine.motion_valid(&pair[0], &pair[1]) {
+            continue; // many times faster than checking every condition separately
+        }
+        let sag = motion.sag(k, &accelerations);
+        for violation in engine.violations(&pair[0], &pair[1]) {
+            if violation.margin.is_some_and(|margin| margin >= -sag) {
+                continue;
+            }
+            let culprits: Vec<&str> = violation.culprits.iter().map(String::as_str).collect();
+            let time = motion.times[k] + violation.at * motion.step(k);
+            let (found, limit) = (violation.gap, violation.required);
+            let excess = violation.margin.map_or(0.0, |margin| -margin);
+            let kind = FaultKind::Condition;
+            faults.add(&Instant { step: k, time, kind, culprits: &culprits, found, limit, excess }, || {
+                violation.sentence()
+            });
+        }
+    }
+    Ok(())
+}
+
+/// How much faster than at both samples the platform may be between them: what the sampled accelerations allow in half the time.
+fn unseen_speed(motion: &Recorded) -> f64 {
+    let accelerations = motion.accelerations();
+    let most = |k: usize| accelerations[k].norm().max(accelerations[k + 1].norm());
+    (0..motion.times.len() - 1).map(|k| 0.5 * motion.step(k) * most(k)).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::model::{BodySpec, RobotSource, SceneSpec};
+    use crate::plan::{PlanOptions, Query, plan};
+    use crate::testing::{hard1, paper_robot, paper_scene, scene};
+    use crate::trajectory::Trajectory;
+    use crate::trajectory_file::TrajectoryFile;
+
+    const SLOW: MotionSpec = MotionSpec {
+        speed: Some(1.0),
+        acceleration: Some(3.0),
+        jerk: None,
+        cable_speed: None,
+        cable_acceleration: None,
+        blend: Some(0.02),
+        wrench_margin: None,
+    };
+
+    fn along(scene: &Scene, path: &[Point], rate: f64) -> Recorded {
+        let trajectory = Trajectory::new(scene, path, &SLOW, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(scene, path, &trajectory, rate, &Watch::NONE).unwrap();
+        Recorded::of(&file).unwrap()
+    }
+
+    /// A trajectory around the pillar.
+    fn around_pillar(rate: f64) -> Recorded {
+        let scene = hard1();
+        let path = plan(Query::of(&scene), &PlanOptions::default(), &()).unwrap().result.waypoints;
+        along(&scene, &path, rate)
+    }
+
+    /// The paper's robot with a point mass, which leaves no motion free.
+    fn held() -> Scene {
+        let mut robot = paper_robot();
+        robot.cables.iter_mut().for_each(|cable| cable.attachment = [0.0; 3]);
+        robot.platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];
+        scene(SceneSpec { robot: RobotSource::Inline(robot), ..paper_scene("held", Vec::new()) })
+    }
+
+    /// A trajectory whose tensions are limited.
+    fn with_tensions() -> Recorded {
+        let motion = along(&held(), &[Point::new(0.6, 0.8, 0.7), Point::new(1.3, 1.1, 0.9)], 100.0);
+        Recorded { exact: None, ..motion }
+    }
+
+    fn faults(motion: &Recorded, limits: &MotionSpec) -> Vec<Fault> {
+        check_trajectory(&hard1(), motion, limits, &Watch::NONE).unwrap().faults
+    }
+
+    /// Without the exact form, as in a CSV file.
+    fn sampled(rate: f64) -> Recorded {
+        Recorded { exact: None, ..around_pillar(rate) }
+    }
+
+    #[test]
+    fn planned_trajectories_are_valid_with_and_without_columns() {
+        for rate in [1000.0, 100.0, 30.0] {
+            let exact = around_pillar(rate);
+            let report = check_trajectory(&hard1(), &exact, &SLOW, &Watch::NONE).unwrap();
+            assert_eq!((report.faults, report.exact), (Vec::new(), true));
+            assert!(report.largest.speed <= 1.0 + 1e-9 && report.largest.acceleration > 2.9);
+            let sampled = Recorded { exact: None, ..exact };
+            assert_eq!(faults(&sampled, &SLOW), []);
+            let Recorded { times, positions, velocities, .. } = sampled;
+            let bare = Recorded { times, positions, velocities, ..Recorded::default() };
+            assert_eq!(faults(&bare, &SLOW), []);
+            assert_eq!(faults(&Recorded { velocities: None, ..bare }, &SLOW), []);
+        }
+    }
+
+    #[test]
+    fn tighter_limits_are_exceeded_at_a_time_that_is_named() {
+        let found = faults(&sampled(100.0), &MotionSpec { speed: Some(0.9), ..SLOW });
+        assert_eq!(found[0].kind, FaultKind::Speed);
+        assert!(found[0].message.starts_with("speed 0.99999") && found[0].message.ends_with(" m/s, limit 0.9 m/s"));
+        assert!(found[0].from > 0.29 && found[0].from < 0.32, "{}", found[0].from);
+        let found = faults(&around_pillar(100.0), &MotionSpec { cable_acceleration: Some(1.0), ..SLOW });
+        assert!(found.iter().any(|fault| fault.kind == FaultKind::CableAcceleration && !fault.culprits.is_empty()));
+    }
+
+    #[test]
+    fn velocities_that_are_a_tenth_too_large_do_not_fit() {
+        let mut motion = sampled(100.0);
+        motion.velocities.iter_mut().flatten().for_each(|v| *v *= 1.1);
+        let found = faults(&motion, &MotionSpec { speed: None, ..SLOW });
+        assert!(found.iter().any(|fault| fault.kind == FaultKind::Velocity), "{found:?}");
+        let mut motion = around_pillar(100.0);
+        motion.velocities.iter_mut().flatten().for_each(|v| *v *= 1.1);
+        assert!(faults(&motion, &SLOW).iter().any(|fault| fault.kind == FaultKind::NotExact));
+    }
+
+    #[test]
+    fn accelerations_in_another_unit_do_not_fit() {
+        let mut motion = Recorded { tensions: None, ..sampled(100.0) };
+        motion.accelerations.iter_mut().flatten().for_each(|a| *a /= 9.81);
+        assert!(faults(&motion, &SLOW).iter().any(|fault| fault.kind == FaultKind::Inconsistent));
+    }
+
+    #[test]
+    fn a_sample_moved_into_an_obstacle_is_found() {
+        // Upward beside the pillar, whose face is at x = 0.85; the platform is 0.15 m wide.
+        let (from, to) = (Point::new(0.7745, 1.0, 0.3), Point::new(0.7745, 1.0, 1.3));
+        let file = crate::testing::moving(&hard1(), from, to, 200);
+        let mut motion = Recorded::of(&file).unwrap();
+        let spec = MotionSpec::default();
+        motion.tensions = None;
+        let collides = |found: &[Fault]| found.iter().any(|fault| fault.culprits == ["platform", "pillar"]);
+        let before = faults(&motion, &spec);
+        assert!(!collides(&before), "{before:?}");
+        motion.positions[100].x += 1e-3;
+        let found = faults(&motion, &spec);
+        assert!(collides(&found), "{found:?}");
+        let fault = found.iter().find(|fault| fault.culprits == ["platform", "pillar"]).unwrap();
+        assert!((fault.from - 1.0).abs() < 0.011 && fault.message.starts_with("the platform meets pillar, 0.5"));
+        assert!(found.iter().any(|fault| fault.kind == FaultKind::CableLength && fault.time == 1.0));
+    }
+
+    #[test]
+    fn tensions_keep_their_limits_and_the_balance() {
+        let faults = |motion: &Recorded| check_trajectory(&held(), motion, &SLOW, &Watch::NONE).unwrap().faults;
+        assert_eq!(faults(&with_tensions()), []);
+        let mut motion = with_tensions();
+        motion.tensions.as_mut().unwrap()[50][3] = 9.0;
+        let found = faults(&motion);
+        let of = |kind| found.iter().find(|fault| fault.kind == kind).unwrap();
+        assert_eq!((of(FaultKind::Tension).time, of(FaultKind::Balance).time), (0.5, 0.5));
+        assert_eq!(of(FaultKind::Tension).message, "tension of cable 3 9 N, limits 10 N and 1000 N");
+        let mut motion = with_tensions();
+        motion.accelerations.iter_mut().flatten().for_each(|a| *a *= 0.0);
+        assert!(faults(&motion).iter().any(|fault| fault.kind == FaultKind::Balance));
+    }
+
+    #[test]
+    fn without_columns_tensions_must_exist() {
+        let positions = [1.0, 1.1, 1.0].map(|z| Point::new(0.6, 0.8, z)).to_vec();
+        let jump = Recorded { times: vec![0.0, 0.01, 0.02], positions, ..Recorded::default() };
+        let report = check_trajectory(&held(), &jump, &MotionSpec::default(), &Watch::NONE).unwrap();
+        assert!(report.faults.iter().any(|fault| fault.kind == FaultKind::NoTensions), "{report:?}");
+        let Recorded { times, positions, .. } = with_tensions();
+        let bare = Recorded { times, positions, ..Recorded::default() };
+        let report = check_trajectory(&held(), &bare, &SLOW, &Watch::NONE).unwrap();
+        assert_eq!((report.faults, report.notes), (Vec::new(), Vec::new()));
+    }
+}

@@ -1,0 +1,161 @@
+//! What is wrong with a motion, and when.
+
+use std::collections::HashMap;
+
+use serde::Serialize;
+
+/// Kinds of faults.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FaultKind {
+    /// The platform is faster than its limit.
+    Speed,
+    /// The acceleration of the platform exceeds its limit.
+    Acceleration,
+    /// The jerk of the platform exceeds its limit.
+    Jerk,
+    /// A cable is wound or unwound faster than its limit.
+    CableSpeed,
+    /// The acceleration of a cable exceeds its limit.
+    CableAcceleration,
+    /// A condition of the scene is broken, such as a collision.
+    Condition,
+    /// The velocities do not fit the positions.
+    Velocity,
+    /// The accelerations do not fit the velocities.
+    Inconsistent,
+    /// The samples differ from the exact form of the motion.
+    NotExact,
+    /// The length of a cable is not that of the robot at this position.
+    CableLength,
+    /// The speed of a cable does not fit the motion of the platform.
+    CableRate,
+    /// A tension is outside its limits.
+    Tension,
+    /// The tensions do not balance weight, load and inertia.
+    Balance,
+    /// No tensions within the limits balance weight, load and inertia.
+    NoTensions,
+    /// Less than the required wrench margin is left.
+    WrenchMargin,
+}
+
+/// A fault of a motion, during a time without interruption.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fault {
+    /// When it is worst, s.
+    pub time: f64,
+    /// When it is first found, s.
+    pub from: f64,
+    /// When it is last found, s.
+    pub to: f64,
+    /// Its kind.
+    pub kind: FaultKind,
+    /// The names of those involved, such as a cable and an obstacle.
+    pub culprits: Vec<String>,
+    /// What was found, in SI units, if it is a number.
+    pub found: Option<f64>,
+    /// What was expected at most, in SI units, if it is a number.
+    pub limit: Option<f64>,
+    /// Both in words, without the time.
+    pub message: String,
+}
+
+/// One instant of a fault.
+pub struct Instant<'a> {
+    /// Index of the instant; neighbouring ones make one fault.
+    pub step: usize,
+    /// s.
+    pub time: f64,
+    /// Kind.
+    pub kind: FaultKind,
+    /// The names of those involved.
+    pub culprits: &'a [&'a str],
+    /// What was found and what was expected at most.
+    pub found: Option<f64>,
+    /// See `found`.
+    pub limit: Option<f64>,
+    /// How bad it is, compared to other instants of the same fault.
+    pub excess: f64,
+}
+
+/// Collects faults and joins those of neighbouring instants.
+#[derive(Default)]
+pub struct Faults {
+    list: Vec<Fault>,
+    /// For each kind and culprits the index of the latest fault, its last step, and how bad it is.
+    latest: HashMap<(FaultKind, Vec<String>), (usize, usize, f64)>,
+}
+
+impl Faults {
+    /// Adds an instant; `message` is asked for only if this is the worst one so far.
+    pub fn add(&mut self, instant: &Instant, message: impl FnOnce() -> String) {
+        let culprits: Vec<String> = instant.culprits.iter().map(ToString::to_string).collect();
+        let key = (instant.kind, culprits);
+        if let Some((index, last, worst)) =
+            self.latest.get_mut(&key).filter(|(_, last, _)| instant.step.abs_diff(*last) <= 1)
+        {
+            let fault = &mut self.list[*index];
+            (*last, fault.to) = (instant.step, fault.to.max(instant.time));
+            if instant.excess > *worst {
+                *worst = instant.excess;
+                (fault.time, fault.found, fault.limit) = (instant.time, instant.found, instant.limit);
+                fault.message = message();
+            }
+            return;
+        }
+        let time = instant.time;
+        self.list.push(Fault {
+            time,
+            from: time,
+            to: time,
+            kind: instant.kind,
+            culprits: key.1.clone(),
+            found: instant.found.filter(|number| number.is_finite()),
+            limit: instant.limit,
+            message: message(),
+        });
+        self.latest.insert(key, (self.list.len() - 1, instant.step, instant.excess));
+    }
+
+    /// Whether there are any of a kind.
+    pub fn any(&self, kind: FaultKind) -> bool {
+        self.list.iter().any(|fault| fault.kind == kind)
+    }
+
+    /// All faults in order of time.
+    pub fn sorted(mut self) -> Vec<Fault> {
+        self.list.sort_by(|a, b| a.from.total_cmp(&b.from));
+        self.list
+    }
+}
+
+/// A number with up to six decimals.
+pub fn number(value: f64) -> String {
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn instant(step: usize, excess: f64) -> Instant<'static> {
+        let (found, limit) = (Some(1.0 + excess), Some(1.0));
+        Instant { step, time: step as f64, kind: FaultKind::Speed, culprits: &[], found, limit, excess }
+    }
+
+    #[test]
+    fn neighbouring_instants_are_one_fault_that_names_the_worst() {
+        let mut faults = Faults::default();
+        for (step, excess) in [(3, 0.1), (4, 0.3), (5, 0.2), (9, 0.1)] {
+            faults.add(&instant(step, excess), || format!("{excess}"));
+        }
+        assert!(faults.any(FaultKind::Speed) && !faults.any(FaultKind::Jerk));
+        let faults = faults.sorted();
+        assert_eq!(faults.len(), 2);
+        assert_eq!((faults[0].from, faults[0].time, faults[0].to), (3.0, 4.0, 5.0));
+        assert_eq!((faults[0].found, faults[0].message.as_str()), (Some(1.3), "0.3"));
+        assert_eq!(number(1.31), "1.31");
+    }
+}

@@ -1,0 +1,290 @@
+//! Trajectories as CSV: `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`, then `length:`, `speed:` and `tension:` with the name of a
+//! cable; s, m, m/s, m/s², N. Only t, x, y and z must be present when a file is read. Headers begin with letters and
+//! numbers are no text, so no cell begins like a formula of a spreadsheet.
+
+use std::collections::HashMap;
+
+use cdpr_core::error::{Error, printable};
+use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::body;
+use cdpr_core::trajectory_check::Recorded;
+use cdpr_core::trajectory_file::TrajectoryFile;
+use csv::StringRecord;
+
+/// Columns other than those of cables.
+const PLATFORM: [&str; 14] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "ax", "ay", "az"];
+/// Columns that are present together or not at all; the first one must be present.
+const TOGETHER: [&[&str]; 4] =
+    [&["t", "x", "y", "z"], &["qw", "qx", "qy", "qz"], &["vx", "vy", "vz"], &["ax", "ay", "az"]];
+/// Beginnings of the columns of cables.
+const BY_CABLE: [&str; 3] = ["length:", "speed:", "tension:"];
+/// Largest difference of the components of unit quaternions that are the same orientation.
+const SAME_ORIENTATION: f64 = 1e-6;
+
+/// A trajectory as CSV text.
+pub fn table(file: &TrajectoryFile) -> String {
+    let rows_by_cable = [Some(&file.cable_lengths), Some(&file.cable_speeds), file.tensions.as_ref()];
+    let named = BY_CABLE.iter().zip(&rows_by_cable).filter(|(_, rows)| rows.is_some());
+    let names = named.flat_map(|(what, _)| file.cables.iter().map(move |cable| format!("{what}{cable}")));
+    let header: Vec<String> = PLATFORM.iter().map(ToString::to_string).chain(names).collect();
+    let record = |k: usize| {
+        let platform =
+            [&file.positions[k][..], &file.orientation, &file.velocities[k], &file.accelerations[k]].concat();
+        let cables = rows_by_cable.iter().flatten().flat_map(|rows| rows[k].iter().copied());
+        [file.times[k]].into_iter().chain(platform).chain(cables).map(|x| x.to_string()).collect::<Vec<_>>()
+    };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in std::iter::once(header).chain((0..file.times.len()).map(record)) {
+        writer.write_record(row).expect("memory takes rows of one length");
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers and names are text")
+}
+
+/// The contents of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The samples; cables in the order of `cables`.
+    pub motion: Recorded,
+    /// The orientation of all rows, if it is given.
+    pub orientation: Option<[f64; 4]>,
+    /// Names of the cables that have columns.
+    pub cables: Vec<String>,
+}
+
+/// Whether this is CSV with times and positions.
+pub fn is_table(text: &str) -> bool {
+    let header = text.lines().next().unwrap_or_default();
+    let names: Vec<&str> = header.split(',').map(|name| name.trim().trim_matches('"')).collect();
+    TOGETHER[0].iter().all(|name| names.contains(name))
+}
+
+/// Reads a table.
+///
+/// # Errors
+/// Names the line and the column, what was found and what was expected.
+pub fn read_table(text: &str) -> Result<Table, Error> {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let columns = Columns::of(reader.headers().map_err(csv_problem)?)?;
+    let mut rows = Vec::new();
+    for row in reader.records() {
+        let row = row.map_err(csv_problem)?;
+        let line = row.position().map_or(0, csv::Position::line);
+        let numbers = columns.numbers(&row, line)?;
+        rows.push((line, numbers));
+    }
+    columns.table(&rows)
+}
+
+/// A row of numbers and its line.
+type Row = (u64, Vec<f64>);
+
+/// The columns of a table.
+struct Columns {
+    names: Vec<String>,
+    /// The index of each column.
+    index: HashMap<String, usize>,
+    /// Names of the cables that have columns.
+    cables: Vec<String>,
+}
+
+impl Columns {
+    fn of(header: &StringRecord) -> Result<Self, Error> {
+        let names: Vec<String> = header.iter().map(str::to_string).collect();
+        let mut index = HashMap::new();
+        let problem = |problem: String| Err(Error::invalid("header", problem));
+        for (k, name) in names.iter().enumerate() {
+            if !PLATFORM.contains(&name.as_str()) && cable_of(name).is_none() {
+                let expected = format!("expected {}, or length:, speed: or tension: and a cable", PLATFORM.join(", "));
+                return problem(format!("found the column \"{}\", {expected}", printable(name)));
+            }
+            if index.insert(name.clone(), k).is_some() {
+                return problem(format!("found the column \"{}\" twice, expected it once", printable(name)));
+            }
+        }
+        for (k, group) in TOGETHER.into_iter().enumerate() {
+            let missing: Vec<&str> = group.iter().copied().filter(|name| !index.contains_key(*name)).collect();
+            if !missing.is_empty() && (k == 0 || missing.len() < group.len()) {
+                return problem(format!(
+                    "found no column {}, expected {} together",
+                    missing.join(", "),
+                    group.join(", ")
+                ));
+            }
+        }
+        let mut cables: Vec<String> = Vec::new();
+        for cable in names.iter().filter_map(|name| cable_of(name)) {
+            if !cables.iter().any(|known| known == cable) {
+                cables.push(cable.to_string());
+            }
+        }
+        let columns = Columns { names, index, cables };
+        for what in BY_CABLE {
+            let has = |cable: &&String| columns.index.contains_key(&format!("{what}{cable}"));
+            let (with, without): (Vec<&String>, Vec<&String>) = columns.cables.iter().partition(has);
+            if let (Some(with), Some(without)) = (with.first(), without.first()) {
+                let [with, without] = [with, without].map(|name| printable(name));
+                return problem(format!("found {what}{with} but not {what}{without}, expected all cables or none"));
+            }
+        }
+        Ok(columns)
+    }
+
+    fn numbers(&self, row: &StringRecord, line: u64) -> Result<Vec<f64>, Error> {
+        if row.len() != self.names.len() {
+            let (found, expected) = (row.len(), self.names.len());
+            return Err(Error::invalid(format!("line {line}"), format!("found {found} values, expected {expected}")));
+        }
+        let number = |(text, name): (&str, &String)| match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => {
+                let problem = format!("found \"{}\", expected a number with a decimal point", printable(text));
+                Err(Error::invalid(at(line, name), problem))
+            }
+        };
+        row.iter().zip(&self.names).map(number).collect()
+    }
+
+    /// The numbers of some columns, if they are present.
+    fn group<const N: usize>(&self, names: [&str; N], rows: &[Row]) -> Option<Vec<[f64; N]>> {
+        let mut indices = [0; N];
+        for (index, name) in indices.iter_mut().zip(names) {
+            *index = *self.index.get(name)?;
+        }
+        Some(rows.iter().map(|(_, row)| indices.map(|index| row[index])).collect())
+    }
+
+    /// The numbers of all cables, if they are present.
+    fn by_cable(&self, what: &str, rows: &[Row]) -> Option<Vec<Vec<f64>>> {
+        let index = |cable: &String| self.index.get(&format!("{what}{cable}")).copied();
+        let indices: Vec<usize> = self.cables.iter().map(index).collect::<Option<_>>()?;
+        let values = |(_, row): &Row| indices.iter().map(|&index| row[index]).collect();
+        (!indices.is_empty()).then(|| rows.iter().map(values).collect())
+    }
+
+    fn table(&self, rows: &[Row]) -> Result<Table, Error> {
+        if rows.len() < 2 {
+            let found = if rows.is_empty() { "no samples" } else { "1 sample" };
+            return Err(Error::invalid("", format!("found {found}, expected at least two")));
+        }
+        let times: Vec<f64> = self.group(["t"], rows).into_iter().flatten().map(|[t]| t).collect();
+        if let Some(k) = (1..times.len()).find(|&k| times[k] <= times[k - 1]) {
+            let problem = format!("found {} s after {} s, expected times that increase", times[k], times[k - 1]);
+            return Err(Error::invalid(at(rows[k].0, "t"), problem));
+        }
+        let position = |((line, _), point): (&Row, [f64; 3])| body::point(&format!("line {line}"), point);
+        let points = self.group(["x", "y", "z"], rows).unwrap_or_default();
+        let positions: Vec<Point> = rows.iter().zip(points).map(position).collect::<Result<_, _>>()?;
+        let vectors = |names| Some(self.group(names, rows)?.into_iter().map(Vector::from).collect());
+        let motion = Recorded {
+            times,
+            positions,
+            velocities: vectors(["vx", "vy", "vz"]),
+            accelerations: vectors(["ax", "ay", "az"]),
+            cable_lengths: self.by_cable("length:", rows),
+            cable_speeds: self.by_cable("speed:", rows),
+            tensions: self.by_cable("tension:", rows),
+            exact: None,
+        };
+        Ok(Table { motion, orientation: self.orientation(rows)?, cables: self.cables.clone() })
+    }
+
+    /// The orientation of all rows; a quaternion and its negative are the same.
+    fn orientation(&self, rows: &[Row]) -> Result<Option<[f64; 4]>, Error> {
+        let Some(turns) = self.group(["qw", "qx", "qy", "qz"], rows) else { return Ok(None) };
+        let far =
+            |a: &[f64; 4], sign: f64| a.iter().zip(&turns[0]).any(|(a, b)| !((a - sign * b).abs() <= SAME_ORIENTATION));
+        match turns.iter().position(|turn| far(turn, 1.0) && far(turn, -1.0)) {
+            None => Ok(Some(turns[0])),
+            Some(k) => {
+                let problem =
+                    format!("found {:?} after {:?}, expected one orientation in all rows", turns[k], turns[0]);
+                Err(Error::invalid(format!("line {}, columns qw to qz", rows[k].0), problem))
+            }
+        }
+    }
+}
+
+fn at(line: u64, column: &str) -> String {
+    format!("line {line}, column {}", printable(column))
+}
+
+/// The cable of a column.
+fn cable_of(column: &str) -> Option<&str> {
+    BY_CABLE.iter().find_map(|what| column.strip_prefix(what)).filter(|cable| !cable.is_empty())
+}
+
+fn csv_problem(error: csv::Error) -> Error {
+    let line = error.position().map_or(String::new(), |p| format!("line {}", p.line()));
+    Error::invalid(line, error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cdpr_core::testing::{hard1, moving};
+
+    fn upward() -> TrajectoryFile {
+        moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4)
+    }
+
+    #[test]
+    fn a_table_is_read_as_it_was_written() {
+        let mut file = upward();
+        file.cables[2] = "a, \"b\"\n=1".to_string();
+        file.times[1] += 1e-17 + f64::EPSILON;
+        for tensions in [None, Some(vec![vec![0.1 + 0.2; 8]; 5])] {
+            file.tensions = tensions;
+            let text = table(&file);
+            assert!(text.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,length:cable 0,") && is_table(&text));
+            let Table { motion, orientation, cables } = read_table(&text).unwrap();
+            assert_eq!(motion, Recorded::of(&file).unwrap());
+            assert_eq!((orientation, &cables), (Some(file.orientation), &file.cables));
+        }
+    }
+
+    #[test]
+    fn columns_may_be_few_and_in_any_order() {
+        let found = read_table("z, y ,t,x\n3,2,0,1\n3.5,2,0.1,1\n").unwrap();
+        assert_eq!((found.motion.positions[1], found.motion.times[1]), (Point::new(1.0, 2.0, 3.5), 0.1));
+        assert_eq!((found.orientation, found.cables.len(), found.motion.velocities), (None, 0, None));
+        let flipped = "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,0,1,0,0\n1,0,0,0,0,-1,0,0\n";
+        assert_eq!(read_table(flipped).unwrap().orientation, Some([0.0, 1.0, 0.0, 0.0]));
+        assert!(!is_table("x,y,z\n1,2,3\n") && !is_table("") && is_table("\"t\",x,y,z"));
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_its_line_and_column() {
+        let wrong = [
+            ("t,x,y\n0,0,0\n", "header: found no column z, expected t, x, y, z together"),
+            ("t;x;y;z\n0;0;0;0\n", "header: found the column \"t;x;y;z\", expected t, x, y, z,"),
+            ("t,x,y,z,t\n", "header: found the column \"t\" twice, expected it once"),
+            ("t,x,y,z,vx\n", "header: found no column vy, vz, expected vx, vy, vz together"),
+            ("t,x,y,z,roll\n", "header: found the column \"roll\", expected t, x,"),
+            ("t,x,y,z,length:\n", "header: found the column \"length:\", expected"),
+            (
+                "t,x,y,z,length:a,length:b,speed:b\n",
+                "header: found speed:b but not speed:a, expected all cables or none",
+            ),
+            ("t,x,y,z\n", "found no samples, expected at least two"),
+            ("t,x,y,z\n0,0,0,0\n", "found 1 sample, expected at least two"),
+            ("t,x,y,z\n0,0,0,0\n1,0,0\n", "line 3: found 3 values, expected 4"),
+            ("t,x,y,z\n0,0,0,0\n1,nan,0,0\n", "line 3, column x: found \"nan\", expected a number"),
+            ("t,x,y,z\n0,0,0,inf\n1,0,0,0\n", "line 2, column z: found \"inf\", expected a number"),
+            ("t,x,y,z\n0,0,,0\n1,0,0,0\n", "line 2, column y: found \"\", expected a number"),
+            ("t,x,y,z\n0,0,1e9,0\n1,0,0,0\n", "line 2: found 1000000000 m, expected coordinates up to 1e6 m"),
+            (
+                "t,x,y,z\n0,0,0,0\n2,0,0,0\n1,0,0,0\n",
+                "line 4, column t: found 1 s after 2 s, expected times that increase",
+            ),
+            ("t,x,y,z\n0,0,0,0\n0,0,0,0\n", "line 3, column t: found 0 s after 0 s, expected times that increase"),
+            (
+                "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,1,0,0\n",
+                "line 3, columns qw to qz: found [0.0, 1.0, 0.0, 0.0] after [1.0, 0.0, 0.0, 0.0], expected one orientation",
+            ),
+        ];
+        for (text, expected) in wrong {
+            let said = read_table(text).unwrap_err().to_string();
+            assert!(said.starts_with(expected), "{said}\nexpected {expected}");
+        }
+    }
+}
