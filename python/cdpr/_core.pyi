@@ -35,7 +35,8 @@ MAX_COORDINATE: float
 _Point = tuple[float, float, float]
 _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
-_States = tuple[_Floats, _Floats, _Floats, _Floats | None, _Floats | None, _Floats | None]
+_Maybe = _Floats | None
+_States = tuple[_Floats, _Floats, _Floats, _Maybe, _Maybe, _Maybe, _Maybe]
 _Set = tuple[int, _Point, float, _Floats, NDArray[np.int64]]
 
 @final

@@ -91,8 +91,9 @@ class MotionState(ByValue):
         S.
     position, velocity, acceleration : ndarray (..., 3)
         Of the platform's origin, world, m, m/s, m/s².
-    cable_lengths, cable_speeds : ndarray (..., m) or None
-        Length of each cable, m, and how fast it grows, m/s; None for a loaded file without its scene.
+    cable_lengths, cable_speeds, cable_accelerations : ndarray (..., m) or None
+        Length of each cable, m, how fast it grows, m/s, and the rate of that, m/s²; None for a loaded file without its
+        scene.
     tensions : ndarray (..., m) or None
         Of each cable, N; None if they are not limited, and for a loaded file without its scene.
 
@@ -113,6 +114,7 @@ class MotionState(ByValue):
     acceleration: Floats
     cable_lengths: Floats | None
     cable_speeds: Floats | None
+    cable_accelerations: Floats | None
     tensions: Floats | None
 
     def __repr__(self) -> str:
@@ -143,6 +145,8 @@ class Trajectory(ByValue):
         Of the platform's origin, world, m, m/s, m/s².
     cable_lengths, cable_speeds : ndarray (n, m)
         Length of each cable, m, and how fast it grows, m/s.
+    cable_accelerations : ndarray (n, m) or None
+        The rate of that, m/s²; None for a loaded file that does not have it.
     tensions : ndarray (n, m) or None
         Of each cable, N: nearest to the middle of the limits; None if tensions are not limited.
     cables : tuple of str
@@ -187,6 +191,7 @@ class Trajectory(ByValue):
     accelerations: Floats
     cable_lengths: Floats
     cable_speeds: Floats
+    cable_accelerations: Floats | None
     tensions: Floats | None
     cables: tuple[str, ...]
     orientation: Floats
@@ -230,9 +235,9 @@ class Trajectory(ByValue):
             raise InputError(f"time: found {times[~np.isfinite(times)].flat[0]}, expected finite times")
         found = self._motion.at(times.reshape(-1))
         columns = [None if rows is None else shaped(rows, times.shape) for rows in found]
-        position, velocity, acceleration, lengths, speeds, tensions = columns
+        position, velocity, acceleration, *of_cables = columns
         assert position is not None and velocity is not None and acceleration is not None
-        return MotionState(times[()], position, velocity, acceleration, lengths, speeds, tensions)
+        return MotionState(times[()], position, velocity, acceleration, *of_cables)
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write a file.
@@ -240,8 +245,8 @@ class Trajectory(ByValue):
         Parameters
         ----------
         file : path
-            The extension selects the format: .json holds everything and can be loaded again; .csv holds the samples, with
-            the columns of `to_pandas`; .yaml is a trajectory of ROS 2, with the lengths of the cables as joints.
+            The extension selects the format: .json holds everything; .csv holds the samples, with the columns of
+            `to_pandas`; .yaml is a message of ROS 2, ``trajectory_msgs/msg/JointTrajectory``, whose joints are the cables.
 
         Raises
         ------
@@ -284,7 +289,7 @@ class Trajectory(ByValue):
     @classmethod
     def _of(cls, core: _core.Trajectory) -> Trajectory:
         facts: dict[str, Any] = json.loads(core.facts())
-        times, (positions, velocities, accelerations, lengths, speeds, tensions) = core.samples()
+        times, (positions, velocities, accelerations, lengths, speeds, rates, tensions) = core.samples()
         assert lengths is not None and speeds is not None
         limits = facts.pop("tension_limits")
         entries = facts.pop("limiting")
@@ -295,6 +300,7 @@ class Trajectory(ByValue):
             accelerations=accelerations,
             cable_lengths=lengths,
             cable_speeds=speeds,
+            cable_accelerations=rates,
             tensions=tensions,
             cables=tuple(facts.pop("cables")),
             orientation=np.array(facts.pop("orientation"), dtype=np.float64),
@@ -404,10 +410,12 @@ def load_trajectory(
     Parameters
     ----------
     file : path
-        .json, as written by `Trajectory.save` or ``cdpr trajectory``.
+        .json, as written by `Trajectory.save` or ``cdpr trajectory``; or .csv of any source, with at least the columns
+        ``t``, ``x``, ``y``, ``z``. From .csv there are only samples: no limits, and `Trajectory.at` raises an error.
     scene : Scene, optional
-        The scene that it was made for: `Trajectory.at` then also gives lengths, speeds and tensions of the cables. If it
-        was made for another scene, an `AnotherSceneWarning` is issued.
+        The scene that it was made for: `Trajectory.at` then also gives lengths, speeds and tensions of the cables, and
+        columns of cables that a .csv file does not have are computed. If it was made for another scene, an
+        `AnotherSceneWarning` is issued.
     strict : bool
         Raise an error for such a file instead.
 
@@ -420,8 +428,8 @@ def load_trajectory(
     FileError
         It cannot be read, or its name has another extension.
     InputError
-        Bad contents; a trajectory at an orientation that the scene does not have, or of another robot; with ``strict``, a
-        trajectory of another scene.
+        Bad contents; a trajectory at an orientation that the scene does not have, or of another robot; a .csv file without
+        orientation or cables, and no scene; with ``strict``, a trajectory of another scene.
 
     Examples
     --------

@@ -5,12 +5,18 @@ import json
 import pickle
 import warnings
 
+import matplotlib
+
+matplotlib.use("Agg")
 import numpy as np
+import pandas
 import pytest
 from conftest import TESTDATA
+from matplotlib import pyplot
 from test_planning import assert_ctrl_c_is_answered_at_once
 
 import cdpr
+import cdpr.figures
 
 PLATFORM = {"speed": 1.0, "acceleration": 2.0}
 BLENDED = PLATFORM | {"blend": 0.03}
@@ -82,6 +88,8 @@ def test_velocities_and_accelerations_are_derivatives_of_positions(case):
     assert np.abs(acceleration - now.acceleration)[smooth].max() < 1e-2
     rates = (after.cable_lengths - before.cable_lengths) / (2 * step)
     assert np.abs(rates - now.cable_speeds)[smooth].max() < 1e-7
+    rates = (after.cable_speeds - before.cable_speeds) / (2 * step)
+    assert np.abs(rates - now.cable_accelerations)[smooth].max() < 1e-2
 
 
 def test_cable_lengths_are_those_of_the_robot(case):
@@ -144,6 +152,7 @@ def test_the_state_at_a_time_is_that_of_the_sample(case):
     columns = {
         "position": motion.positions, "velocity": motion.velocities, "acceleration": motion.accelerations,
         "cable_lengths": motion.cable_lengths, "cable_speeds": motion.cable_speeds, "tensions": motion.tensions,
+        "cable_accelerations": motion.cable_accelerations,
     }  # fmt: skip
     for name, rows in columns.items():
         found = getattr(state, name)
@@ -280,6 +289,47 @@ def test_a_file_without_the_exact_form_has_only_samples(cases, tmp_path):
     assert bare.limiting == motion.limiting and bare.note == motion.note
     with pytest.raises(cdpr.InputError, match="curve: found none"):
         bare.at(0.5)
+
+
+def test_csv_files_hold_the_samples_in_the_columns_of_the_table(case, tmp_path):
+    scene, motion = case
+    motion.save(tmp_path / "motion.csv")
+    table = pandas.read_csv(tmp_path / "motion.csv")
+    assert list(table.columns) == list(motion.to_pandas().columns)
+    assert (table.to_numpy() == motion.to_pandas().to_numpy()).all()
+    again = cdpr.load_trajectory(tmp_path / "motion.csv", scene)
+    assert again.to_pandas().equals(motion.to_pandas()) and again.duration == motion.duration
+    assert again.limits == {"blend": 0.0} and again.corners == () and again.tension_limits is None
+    assert pickle.loads(pickle.dumps(again)) == again
+    bare = cdpr.load_trajectory(tmp_path / "motion.csv")
+    assert bare.to_pandas().equals(motion.to_pandas()) and bare.cable_accelerations is None
+    with pytest.raises(cdpr.InputError, match="curve: found none"):
+        again.at(0.5)
+    assert len(cdpr.figures.trajectory(again)) == (4 if motion.tensions is None else 5)
+    pyplot.close("all")
+    again.save(tmp_path / "again.json")
+    assert cdpr.load_trajectory(tmp_path / "again.json", scene) == again
+
+
+def test_csv_files_of_other_sources_need_only_times_and_positions(empty, tmp_path):
+    times = np.linspace(2, 3, 11)
+    rows = [f"{t},{0.5 + 0.5 * (t - 2) ** 2},1,1" for t in times]
+    (tmp_path / "motion.csv").write_text("t,x,y,z\n" + "\n".join(rows) + "\n")
+    motion = cdpr.load_trajectory(tmp_path / "motion.csv", empty)
+    assert motion.times == pytest.approx(times - 2) and motion.duration == pytest.approx(1.0)
+    assert motion.velocities[1:-1, 0] == pytest.approx(times[1:-1] - 2) and motion.accelerations[:, 0] == pytest.approx(1.0)
+    assert motion.cable_lengths == pytest.approx(empty.robot.cable_lengths(motion.positions))
+    with pytest.raises(cdpr.InputError, match="found no such columns, expected them or the scene"):
+        cdpr.load_trajectory(tmp_path / "motion.csv")
+
+
+def test_yaml_files_are_messages_whose_joints_are_the_cables(cases, tmp_path):
+    _, motion = cases["tensions"]
+    motion.save(tmp_path / "motion.yaml")
+    text = (tmp_path / "motion.yaml").read_text()
+    assert all(cable in text for cable in motion.cables) and text.count("time_from_start") == len(motion.times)
+    with pytest.raises(cdpr.FileError, match=r"motion\.yaml: found the extension \.yaml, expected \.json or \.csv"):
+        cdpr.load_trajectory(tmp_path / "motion.yaml")
 
 
 def test_files_of_other_scenes_and_other_files_are_noticed(cases, tmp_path, empty):

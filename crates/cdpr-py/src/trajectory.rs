@@ -2,19 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::geometry::{Point, Vector, path_length};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches};
-use cdpr_core::trajectory_file::{TrajectoryFile, TrajectoryLimits};
+use cdpr_core::path_file::SceneId;
+use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
+use cdpr_core::trajectory_check::Recorded;
+use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, Scene as CoreScene};
-use cdpr_files::{Loader, text, text::Notation};
+use cdpr_files::{LoadedTrajectory, Loader, text, text::Notation};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde_json::json;
 
-use crate::convert::{points, serialized, triples};
+use crate::convert::{points, quaternion, serialized, triples};
 use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
 
@@ -63,10 +65,7 @@ impl Trajectory {
     ) -> PyResult<(Trajectory, Option<String>)> {
         let scene = scene.map(|scene| scene.0.clone());
         abandonable(py, move || {
-            let file = load(&path)?;
-            let turned = scene.map(|scene| cdpr_files::scene_of_trajectory(&scene, &file, strict)).transpose();
-            let (turned, warning) = turned.map_err(|error| error.in_file(&path))?.unzip();
-            let warning = warning.flatten();
+            let (file, turned, warning) = load(&path, scene.as_ref(), strict).map_err(|error| error.in_file(&path))?;
             let scene = turned.filter(|_| warning.is_none());
             Ok((Trajectory::from_file(file, scene).map_err(|error| error.in_file(&path))?, warning))
         })
@@ -89,7 +88,7 @@ impl Trajectory {
 
     /// Writes a file in the format given by the extension.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        py.detach(|| answered(|| save(&path, &self.file)))
+        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file)))
     }
 
     /// Everything but samples, curve and timing, as JSON; `note` says why tensions are not limited.
@@ -120,14 +119,15 @@ impl Trajectory {
         let of_cables = |rows: &Vec<Vec<f64>>| rows.concat();
         let columns = Columns {
             platform: [&file.positions, &file.velocities, &file.accelerations].map(|rows| rows.as_flattened().to_vec()),
-            cables: Some([of_cables(&file.cable_lengths), of_cables(&file.cable_speeds)]),
+            cables: [Some(&file.cable_lengths), Some(&file.cable_speeds), file.cable_accelerations.as_ref()]
+                .map(|rows| rows.map(of_cables)),
             tensions: file.tensions.as_ref().map(of_cables),
         };
         Ok((PyArray1::from_slice(py, &file.times), columns.arrays(py, file.times.len(), file.cables.len())?))
     }
 
-    /// The states at some times: positions, velocities and accelerations, (n, 3); lengths and speeds of the cables, (n, m),
-    /// if the scene is known; tensions, (n, m), if they are limited and the scene is known.
+    /// The states at some times: positions, velocities and accelerations, (n, 3); lengths, speeds and accelerations of the
+    /// cables, (n, m), if the scene is known; tensions, (n, m), if they are limited and the scene is known.
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'_, f64>) -> PyResult<States<'py>> {
         let missing =
             || Error::invalid("curve", "found none in the file, expected the exact form that planning writes");
@@ -163,33 +163,83 @@ fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
     Winches::of(scene, &limits, &Point::from(file.waypoints[0]))
 }
 
-/// Writes a trajectory in the format given by the extension.
-// To be replaced by `cdpr_files::save_trajectory`, which also writes CSV and YAML.
-fn save(path: &Path, file: &TrajectoryFile) -> Result<(), Error> {
-    match text::extension(path).as_deref() {
-        Some("json") => cdpr_files::write_atomically(path, serialized(file).as_bytes()),
-        _ => Err(text::other_extension(path, ".json")),
-    }
+/// Loads a file, the scene at its orientation, and a warning if it was made for another scene.
+fn load(
+    path: &Path,
+    scene: Option<&CoreScene>,
+    strict: bool,
+) -> Result<(TrajectoryFile, Option<CoreScene>, Option<String>), Error> {
+    let loaded = cdpr_files::load_trajectory(path)?;
+    let Some(scene) = scene else {
+        let LoadedTrajectory { motion, cables, orientation, file } = loaded;
+        return Ok((file.map_or_else(|| of_table(&motion, cables, orientation, None), Ok)?, None, None));
+    };
+    let (turned, motion, warning) = cdpr_files::scene_of_loaded(scene, &loaded, strict)?;
+    let cables = turned.robot().cable_names().iter().map(ToString::to_string).collect();
+    let table = || of_table(&motion, cables, Some(quaternion(turned.orientation())), Some(&turned));
+    Ok((loaded.file.map_or_else(table, Ok)?, Some(turned), warning))
 }
 
-/// Reads a trajectory file.
-// To be replaced by `cdpr_files::load_trajectory`.
-fn load(path: &Path) -> Result<TrajectoryFile, Error> {
-    if text::extension(path).as_deref() != Some("json") {
-        return Err(text::other_extension(path, ".json"));
-    }
-    let found = cdpr_files::read_trajectory(path)?;
-    let other = || Error::invalid("format", "found another one, expected a trajectory").in_file(path);
-    cdpr_files::trajectory_from_text(&found.ok_or_else(other)?).map_err(|error| error.in_file(path))
+/// The samples of a table as a file without limits. Its path is that of the samples; its time begins with the first sample.
+/// Lengths and speeds of cables that the table does not have are those of the robot of the scene.
+fn of_table(
+    motion: &Recorded,
+    cables: Vec<String>,
+    orientation: Option<[f64; 4]>,
+    scene: Option<&CoreScene>,
+) -> Result<TrajectoryFile, Error> {
+    let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
+    let (velocities, accelerations) = (motion.velocities(), motion.accelerations());
+    let winches =
+        scene.map(|scene| Winches::of(scene, &Limits::of(scene, &MotionSpec::default())?, &motion.positions[0]));
+    let winches = winches.transpose()?;
+    let windings = |of: fn(&Winding) -> f64| {
+        let row = |winches: &Winches, k: usize| {
+            winches.windings(&motion.positions[k], &velocities[k], &accelerations[k]).map(|w| of(&w)).collect()
+        };
+        winches.as_ref().map(|winches| (0..motion.times.len()).map(|k| row(winches, k)).collect())
+    };
+    let columns =
+        |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
+    let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
+    let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
+    let rows = |vectors: &[Vector]| vectors.iter().map(|v| (*v).into()).collect();
+    Ok(TrajectoryFile {
+        format: TRAJECTORY_FORMAT.to_string(),
+        version: TRAJECTORY_VERSION,
+        scene: scene.map_or_else(|| SceneId { name: String::new(), fingerprint: String::new() }, SceneId::of),
+        orientation: orientation.ok_or_else(|| missing("qw"))?,
+        orientation_name: None,
+        duration: last - first,
+        length: path_length(&motion.positions),
+        rate: (motion.times.len() - 1) as f64 / (last - first),
+        limits: TrajectoryLimits::default(),
+        tension_limits: None,
+        waypoints: positions.clone(),
+        corners: Vec::new(),
+        limiting: Vec::new(),
+        times: motion.times.iter().map(|time| time - first).collect(),
+        velocities: rows(&velocities),
+        accelerations: rows(&accelerations),
+        cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
+        cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
+        tensions: motion.tensions.clone(),
+        cable_accelerations: windings(|winding| winding.acceleration),
+        curve: None,
+        timing: None,
+        cables,
+        positions,
+    })
 }
 
 type Rows<'py> = Bound<'py, PyArray2<f64>>;
-type States<'py> = (Rows<'py>, Rows<'py>, Rows<'py>, Option<Rows<'py>>, Option<Rows<'py>>, Option<Rows<'py>>);
+type Maybe<'py> = Option<Rows<'py>>;
+type States<'py> = (Rows<'py>, Rows<'py>, Rows<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>);
 
 /// States at some times, each quantity row by row.
 struct Columns {
     platform: [Vec<f64>; 3],
-    cables: Option<[Vec<f64>; 2]>,
+    cables: [Option<Vec<f64>>; 3],
     tensions: Option<Vec<f64>>,
 }
 
@@ -203,7 +253,7 @@ impl Columns {
         let limited = winches.filter(|winches| winches.tension_limits().is_some());
         let mut columns = Columns {
             platform: Default::default(),
-            cables: winches.map(|_| Default::default()),
+            cables: [(); 3].map(|()| winches.map(|_| Vec::new())),
             tensions: limited.map(|_| Vec::new()),
         };
         let mut solver = TensionQp::default();
@@ -214,10 +264,11 @@ impl Columns {
             for (column, row) in columns.platform.iter_mut().zip([position.coords, velocity, acceleration]) {
                 column.extend(Vector::iter(&row));
             }
-            if let (Some(winches), Some([lengths, speeds])) = (winches, &mut columns.cables) {
+            if let (Some(winches), [Some(lengths), Some(speeds), Some(rates)]) = (winches, &mut columns.cables) {
                 for winding in winches.windings(&position, &velocity, &acceleration) {
                     lengths.push(winding.length);
                     speeds.push(winding.speed);
+                    rates.push(winding.acceleration);
                 }
             }
             if let (Some(winches), Some(rows)) = (limited, &mut columns.tensions) {
@@ -231,13 +282,14 @@ impl Columns {
     fn arrays(self, py: Python<'_>, count: usize, cables: usize) -> PyResult<States<'_>> {
         let matrix = |numbers: Vec<f64>| PyArray1::from_vec(py, numbers).reshape([count, cables]);
         let [positions, velocities, accelerations] = self.platform;
-        let [lengths, speeds] = self.cables.map_or([None, None], |columns| columns.map(Some));
+        let [lengths, speeds, rates] = self.cables;
         Ok((
             triples(py, positions)?,
             triples(py, velocities)?,
             triples(py, accelerations)?,
             lengths.map(matrix).transpose()?,
             speeds.map(matrix).transpose()?,
+            rates.map(matrix).transpose()?,
             self.tensions.map(matrix).transpose()?,
         ))
     }

@@ -77,11 +77,11 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     most = limits.get("cable_speed")
     _framed(cables, "cable speeds (m/s)", motion.cable_speeds, _limit(most, "m/s"), [] if most is None else [most, -most])
     for chart in tensions:
-        assert motion.tensions is not None and motion.tension_limits is not None
-        low, high = motion.tension_limits.T
+        assert motion.tensions is not None
+        bounds = motion.tension_limits
         _of_cables(chart, motion, motion.tensions)
-        words = f"limits {_range(low)} and {_range(high)} N"
-        _framed(chart, "tensions (N)", motion.tensions, words, np.unique(motion.tension_limits).tolist())
+        words = "" if bounds is None else f"limits {_range(bounds[:, 0])} and {_range(bounds[:, 1])} N"
+        _framed(chart, "tensions (N)", motion.tensions, words, [] if bounds is None else np.unique(bounds).tolist())
     _strip(strip, motion)
     for chart in axes:
         for corner in motion.corners:
