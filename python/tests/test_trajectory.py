@@ -367,6 +367,33 @@ def test_tables_have_the_columns_of_the_file(case):
     assert (table[f"speed:{motion.cables[3]}"] == motion.cable_speeds[:, 3]).all()
 
 
+def strange(file):
+    """Files whose exact form says something else than planning writes."""
+    yield from ({"curve": curve} for curve in ([], {}, "a", [{}], [{"line": [[0, 0, 0], [0, 0, 0]]}], [{"bend": [[0, 0, 0]] * 6}], [[1]]))
+    yield from ({"timing": timing} for timing in ([], {}, "a", [[0.0]], [["a"] * 5]))
+    rows = np.array(file["timing"])
+    yield {"timing": rows[::-1].tolist()}
+    yield {"timing": (1e200 * rows).tolist()}
+    yield {"timing": (rows * [1, 1, 30, 900, 1]).tolist()}
+    yield {"curve": [{"line": [[-1e308, 0, 0], [1e308, 0, 0]]}]}
+    yield {"curve": [{"line": [[0, 0, 0], [1e-300, 0, 0]]}]}
+
+
+def test_files_that_say_strange_things_are_refused_or_answered(cases, tmp_path):
+    scene, motion = cases["tensions"]
+    motion.save(tmp_path / "motion.json")
+    file = json.loads((tmp_path / "motion.json").read_text())
+    refused = 0
+    for change in strange(file):
+        (tmp_path / "strange.json").write_text(json.dumps(file | change))
+        try:
+            found = cdpr.load_trajectory(tmp_path / "strange.json", scene)
+            found.at(np.linspace(0, found.duration, 30))
+        except cdpr.InputError:
+            refused += 1
+    assert refused >= 12
+
+
 def test_the_rate_changes_the_samples_only(hard1):
     path = cdpr.plan(hard1)
     few, many = (cdpr.trajectory(hard1, path, **BLENDED, rate=rate) for rate in (2.5, 1000))

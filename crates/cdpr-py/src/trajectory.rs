@@ -10,7 +10,7 @@ use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
-use cdpr_core::{Error, Scene as CoreScene};
+use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
 use cdpr_files::{LoadedTrajectory, Loader, text, text::Notation};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -30,6 +30,8 @@ pub struct Trajectory {
     /// The scene that it was made for, if known, and its cables, which are needed between samples.
     scene: Option<(CoreScene, Winches)>,
     exact: Option<(Curve, Timing)>,
+    /// Whether it was planned here, and not read from a file that may say anything.
+    planned: bool,
 }
 
 #[pymethods]
@@ -51,7 +53,12 @@ impl Trajectory {
             let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
             let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
             let exact = (motion.curve().clone(), motion.timing().clone());
-            Ok(Trajectory { file, scene: Some((scene.clone(), motion.winches().clone())), exact: Some(exact) })
+            Ok(Trajectory {
+                file,
+                scene: Some((scene.clone(), motion.winches().clone())),
+                exact: Some(exact),
+                planned: true,
+            })
         })
     }
 
@@ -133,10 +140,11 @@ impl Trajectory {
             || Error::invalid("curve", "found none in the file, expected the exact form that planning writes");
         let exact = answered(|| self.exact.as_ref().ok_or_else(missing))?;
         let times = times.as_slice()?;
-        let columns = if times.len() <= FEW_INSTANTS {
-            answered(|| Columns::at(exact, self.winches(), times, &Watch::NONE))
-        } else {
-            interruptible(py, |stop| Columns::at(exact, self.winches(), times, &Watch::on(stop)))
+        let states =
+            |watch: &Watch| Columns::at(exact, self.winches(), times, watch).map_err(|error| self.blamed(error));
+        let columns = match times.len() <= FEW_INSTANTS {
+            true => answered(|| states(&Watch::NONE)),
+            false => interruptible(py, |stop| states(&Watch::on(stop))),
         }?;
         columns.arrays(py, times.len(), self.file.cables.len())
     }
@@ -146,7 +154,17 @@ impl Trajectory {
     fn from_file(file: TrajectoryFile, scene: Option<CoreScene>) -> Result<Self, Error> {
         let winches = scene.as_ref().map(|scene| winches(scene, &file)).transpose()?;
         let exact = (file.curve.is_some() && file.timing.is_some()).then(|| file.exact()).transpose()?;
-        Ok(Trajectory { file, scene: scene.zip(winches), exact })
+        Ok(Trajectory { file, scene: scene.zip(winches), exact, planned: false })
+    }
+
+    /// What no tensions allow is a bug if it was planned here, and otherwise a fault of the file.
+    fn blamed(&self, error: Error) -> Error {
+        match error.class() {
+            ErrorClass::Internal if !self.planned => {
+                Error::invalid("timing", "found a motion for which no tensions are within the limits")
+            }
+            _ => error,
+        }
     }
 
     fn winches(&self) -> Option<&Winches> {
