@@ -1,6 +1,7 @@
 """Timed motions: checked against NumPy, as files and tables, and refused with a message."""
 
 import copy
+import dataclasses
 import json
 import pickle
 import warnings
@@ -258,6 +259,7 @@ def test_copies_are_equal_and_can_be_asked(case):
         warnings.simplefilter("error")
         for again in (pickle.loads(pickle.dumps(motion)), copy.copy(motion), copy.deepcopy(motion)):
             assert again == motion and again.at(times) == motion.at(times) and again.note == motion.note
+    assert dataclasses.asdict(motion)["duration"] == dataclasses.replace(motion).duration == motion.duration
     with pytest.raises(AttributeError):
         motion.duration = 5.0
     with pytest.raises(TypeError, match="unhashable"):

@@ -93,6 +93,11 @@ impl Trajectory {
         py.detach(|| (serialized(&self.file), self.scene.as_ref().map(|(scene, _)| serialized(scene.spec()))))
     }
 
+    /// The object itself, which never changes.
+    fn __deepcopy__<'py>(slf: &Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf.clone()
+    }
+
     /// Writes a file in the format given by the extension.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file)))
@@ -124,12 +129,12 @@ impl Trajectory {
     fn samples<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray1<f64>>, States<'py>)> {
         let file = &self.file;
         let of_cables = |rows: &Vec<Vec<f64>>| rows.concat();
-        let columns = Columns {
+        let columns = py.detach(|| Columns {
             platform: [&file.positions, &file.velocities, &file.accelerations].map(|rows| rows.as_flattened().to_vec()),
             cables: [Some(&file.cable_lengths), Some(&file.cable_speeds), file.cable_accelerations.as_ref()]
                 .map(|rows| rows.map(of_cables)),
             tensions: file.tensions.as_ref().map(of_cables),
-        };
+        });
         Ok((PyArray1::from_slice(py, &file.times), columns.arrays(py, file.times.len(), file.cables.len())?))
     }
 
