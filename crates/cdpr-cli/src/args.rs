@@ -3,6 +3,7 @@
 mod analysis;
 mod experiments;
 mod files;
+mod motion;
 mod planning;
 mod shared;
 mod values;
@@ -15,8 +16,9 @@ use clap::{Args, Parser, Subcommand};
 pub use analysis::{ShadowsArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
+pub use motion::TrajectoryArgs;
 pub use planning::{PlanArgs, PostArgs};
-pub use shared::{Format, PathArgs, SceneArgs, Strict};
+pub use shared::{CheckArgs, Format, PathArgs, SceneArgs, Strict};
 pub use values::Trials;
 
 use crate::output::{Talk, is_standard_output};
@@ -67,14 +69,23 @@ pub enum Command {
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
   cdpr plan hall.toml --budget-ms 100
   cdpr plan hall.toml --orientation tilted -o path.json
+  cdpr plan hall.toml --trajectory motion.csv --speed 1 --acceleration 2 --minimise time
   cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
-    Plan(PlanArgs),
-    /// Check a path: report every violation (the bodies involved, where, by how much) and the nearest approach.
+    Plan(Box<PlanArgs>),
+    /// Check a path or a trajectory: report every violation (the bodies involved, where or when, by how much) and the
+    /// nearest approach.
+    ///
+    /// A trajectory, from any source, must keep the limits of the scene's `[motion]` or those given here, at its samples
+    /// and, as far as the samples show it, between them; a trajectory of cdpr also at ten instants between two samples.
+    /// Velocities, accelerations and cable lengths must fit the positions. Tensions must keep the limits of the cables
+    /// and balance weight, load and inertia; without columns of tensions, such tensions must exist. Bodies must not
+    /// overlap; clearances are measured but not required.
     #[command(after_help = "Examples:
   cdpr check hall.toml path.json
+  cdpr check hall.toml motion.csv --speed 1 --acceleration 2
   cdpr plan hall.toml -o - | cdpr check hall.toml -")]
-    Check(PathArgs),
+    Check(CheckArgs),
     /// Describe a scene: sizes, ranks of the wrench matrix, special pairs of cables, and how much of the workspace is
     /// free.
     #[command(after_help = "Example:
@@ -86,6 +97,17 @@ pub enum Command {
   cdpr post hall.toml waypoints.csv --post taut -o taut.json
   cdpr post hall.toml path.json --step 0.02 --repeats 5 -o shorter.csv")]
     Post(PostArgs),
+    /// Time a path: the fastest motion along it that keeps all limits at every instant.
+    ///
+    /// The limits are those of the scene's `[motion]` and the options: speed, acceleration and jerk of the platform, speed
+    /// and acceleration of the cables, and the tension limits of the cables under weight, load and inertia. Corners are
+    /// rounded with at most the deviation `blend`, where that is free; otherwise the platform stops there.
+    #[command(after_help = "Examples:
+  cdpr trajectory hall.toml path.json -o motion.json --speed 1 --acceleration 2
+  cdpr trajectory hall.toml path.json -o motion.csv --rate 500 --blend 0.05
+  cdpr trajectory hall.toml path.json -o motion.yaml
+  ros2 topic pub --once /winches trajectory_msgs/msg/JointTrajectory \"$(cat motion.yaml)\"")]
+    Trajectory(TrajectoryArgs),
     /// Write a commented scene that can be planned at once: a small example, or one built around your own robot and
     /// meshes.
     ///
@@ -203,7 +225,8 @@ impl Command {
             path.as_deref().map(Target::Folder)
         }
         match self {
-            Command::Plan(args) => [file(&args.output), file(&args.html)].into_iter().flatten().collect(),
+            Command::Plan(args) => [&args.output, &args.html, &args.trajectory].into_iter().filter_map(file).collect(),
+            Command::Trajectory(args) => file(&args.output).into_iter().collect(),
             Command::Post(args) => file(&args.output).into_iter().collect(),
             Command::New(args) => file(&args.output).into_iter().collect(),
             Command::Import(args) => vec![Target::File(&args.output)],

@@ -13,5 +13,7 @@ pub mod post;
 pub mod report;
 pub mod schema;
 pub mod shadows;
+pub mod trajectory;
+pub mod trajectory_check;
 pub mod view;
 pub mod wrench;

@@ -5,10 +5,12 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
+use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{LoadedPath, Loader, PathFile, scene_of_path, waypoints_from_text};
+use cdpr_files::{LoadedPath, LoadedTrajectory, Loader, PathFile, scene_of_path, waypoints_from_text};
+use cdpr_files::{load_if_trajectory, loaded_if_trajectory, scene_of_loaded};
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
@@ -71,28 +73,73 @@ pub fn path(
     scene: &Scene,
     args: &SceneArgs,
     path: &Path,
-    Strict { strict }: Strict,
+    strict: Strict,
     out: &Console,
 ) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene) && is_standard_input(path) {
         return Err(only_one());
     }
-    let in_scene = |loaded: LoadedPath| {
-        let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
-        let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
-        let hint = open.then(|| "use --orientation NAME".to_string());
-        let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
-        let (scene, warning) = found?;
-        warning.iter().for_each(|warning| out.warning(warning));
-        Ok((scene, loaded))
-    };
     match stream_of(path)? {
-        Some(stream) => {
-            stream.parse(|text| waypoints_from_text(text, text.trim_start().starts_with('{')).and_then(in_scene))
-        }
+        Some(stream) => stream.parse(|text| path_from_text(scene, text, strict, out)),
         None => {
-            cdpr_files::load_waypoints(path).and_then(|loaded| in_scene(loaded).map_err(|e: Error| e.in_file(path)))
+            let loaded = cdpr_files::load_waypoints(path)?;
+            in_scene(scene, loaded, strict, out).map_err(|e| e.in_file(path))
         }
+    }
+}
+
+fn path_from_text(scene: &Scene, text: &str, strict: Strict, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+    let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
+    in_scene(scene, loaded, strict, out)
+}
+
+fn in_scene(
+    scene: &Scene,
+    loaded: LoadedPath,
+    Strict { strict }: Strict,
+    out: &Console,
+) -> Result<(Scene, LoadedPath), Error> {
+    let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
+    let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
+    let hint = open.then(|| "use --orientation NAME".to_string());
+    let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
+    let (scene, warning) = found?;
+    warning.iter().for_each(|warning| out.warning(warning));
+    Ok((scene, loaded))
+}
+
+/// A path or the samples of a trajectory, with the scene at its orientation.
+pub enum Given {
+    /// A path without times.
+    Path(Box<(Scene, LoadedPath)>),
+    /// A trajectory from any source.
+    Trajectory(Box<(Scene, Recorded)>),
+}
+
+/// A path or a trajectory from any source, JSON or CSV. Warns if it was made for another scene.
+pub fn path_or_trajectory(args: &PathArgs, out: &Console) -> Result<Given, Error> {
+    if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
+        return Err(only_one());
+    }
+    let scene = scene(&args.scene, out)?;
+    let recorded = |loaded: LoadedTrajectory| {
+        let open = scene.orientation_is_open() && loaded.orientation.is_none();
+        let hint = open.then(|| "use --orientation NAME".to_string());
+        let found = scene_of_loaded(&scene, &loaded, args.strict.strict);
+        let (scene, motion, warning) = found.map_err(|e: Error| e.with_hints(hint.as_slice()))?;
+        warning.iter().for_each(|warning| out.warning(warning));
+        Ok(Given::Trajectory(Box::new((scene, motion))))
+    };
+    let of_path = |found| Given::Path(Box::new(found));
+    if let Some(stream) = stream_of(&args.path)? {
+        return stream.parse(|text| match loaded_if_trajectory(text)? {
+            Some(loaded) => recorded(loaded),
+            None => path_from_text(&scene, text, args.strict, out).map(of_path),
+        });
+    }
+    match load_if_trajectory(&args.path)? {
+        Some(loaded) => recorded(loaded).map_err(|e| e.in_file(&args.path)),
+        None => path(&scene, &args.scene, &args.path, args.strict, out).map(of_path),
     }
 }
 

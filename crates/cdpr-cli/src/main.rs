@@ -87,6 +87,7 @@ fn run(command: Command, out: &Console) -> Result<Answer, Error> {
         Command::Check(args) => commands::check::run(&args, out),
         Command::Info(args) => commands::info::run(&args, out),
         Command::Post(args) => commands::post::run(&args, out),
+        Command::Trajectory(args) => commands::trajectory::run(&args, out),
         Command::New(args) => commands::new::run(&args, out),
         Command::Import(args) => commands::import::run(&args, out),
         Command::Schema(args) => commands::schema::run(&args, out),

@@ -104,6 +104,14 @@ impl Error {
         self
     }
 
+    /// The key path of bad input, if it is known.
+    pub fn place(&self) -> Option<&str> {
+        match &self.kind {
+            Kind::Invalid { place, .. } if !place.is_empty() => Some(place),
+            _ => None,
+        }
+    }
+
     /// The broad class of this error.
     pub fn class(&self) -> ErrorClass {
         match self.kind {

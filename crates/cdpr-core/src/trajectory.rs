@@ -7,6 +7,7 @@
 //! is removed by slowing down as a whole.
 
 pub mod between;
+mod choosing;
 pub mod corners;
 pub mod curve;
 pub mod fastest;
@@ -18,6 +19,7 @@ pub mod timing;
 pub mod winches;
 
 pub use between::{Bound, Motion};
+pub use choosing::{Kept, Minimise, kept_plan};
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
 pub use limits::Limits;

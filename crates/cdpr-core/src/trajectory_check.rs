@@ -69,7 +69,18 @@ pub struct NearestInTime {
     pub culprits: Vec<String>,
 }
 
-/// Checks a motion at the orientation of a scene under its limits, replaced by those of `given` that are set.
+/// How a motion is checked.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct TrajectoryRules {
+    /// Limits that replace those of the scene where they are set.
+    pub limits: MotionSpec,
+    /// The engine that finds collisions.
+    pub engine: Engine,
+    /// Rule for interference between cables.
+    pub interference: Interference,
+}
+
+/// Checks a motion at the orientation of a scene under its limits.
 ///
 /// # Errors
 /// Limits that contradict each other or the robot; numbers too large to compute with; [`Error::interrupted`],
@@ -78,20 +89,22 @@ pub struct NearestInTime {
 /// # Example
 /// ```
 /// use cdpr_core::geometry::Point;
-/// use cdpr_core::{model::spec::MotionSpec, testing, trajectory_check::{Recorded, check_trajectory}, watch::Watch};
+/// use cdpr_core::trajectory_check::{Recorded, TrajectoryRules, check_trajectory};
+/// use cdpr_core::{model::spec::MotionSpec, testing, watch::Watch};
 /// let moving = testing::moving(&testing::hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 20);
-/// let (motion, slow) = (Recorded::of(&moving)?, MotionSpec { speed: Some(0.8), ..MotionSpec::default() });
-/// let report = check_trajectory(&testing::hard1(), &motion, &slow, &Watch::NONE)?;
+/// let limits = MotionSpec { speed: Some(0.8), ..MotionSpec::default() };
+/// let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };
+/// let report = check_trajectory(&testing::hard1(), &Recorded::of(&moving)?, &rules, &Watch::NONE)?;
 /// assert_eq!(report.faults[0].message, "speed 1 m/s, limit 0.8 m/s");
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn check_trajectory(
     scene: &Scene,
     motion: &Recorded,
-    given: &MotionSpec,
+    given: &TrajectoryRules,
     watch: &Watch,
 ) -> Result<TrajectoryReport, Error> {
-    let limits = Limits::of(scene, given)?;
+    let limits = Limits::of(scene, &given.limits)?;
     let winches = Winches::of(scene, &limits, &motion.positions[0])?;
     let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
     let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());
@@ -103,7 +116,7 @@ pub fn check_trajectory(
         check_limits(&rules, motion, &mut largest, &mut faults, watch)?;
     }
     let bare = scene.without_clearance()?;
-    let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
+    let engine = engine_within(&bare, given.engine, given.interference, watch)?;
     let shown = fine.as_ref().unwrap_or(motion);
     conditions(&*engine, shown, &mut faults, watch)?;
     let nearest = nearest(engine.conditions(), &shown.positions, watch)?.min_clearance;
@@ -320,6 +333,11 @@ mod tests {
         wrench_margin: None,
     };
 
+    fn check(scene: &Scene, motion: &Recorded, limits: &MotionSpec) -> TrajectoryReport {
+        let rules = TrajectoryRules { limits: *limits, ..TrajectoryRules::default() };
+        check_trajectory(scene, motion, &rules, &Watch::NONE).unwrap()
+    }
+
     fn along(scene: &Scene, path: &[Point], rate: f64) -> Recorded {
         let trajectory = Trajectory::new(scene, path, &SLOW, &Watch::NONE).unwrap();
         let file = TrajectoryFile::of(scene, path, &trajectory, rate, &Watch::NONE).unwrap();
@@ -348,7 +366,7 @@ mod tests {
     }
 
     fn faults(motion: &Recorded, limits: &MotionSpec) -> Vec<Fault> {
-        check_trajectory(&hard1(), motion, limits, &Watch::NONE).unwrap().faults
+        check(&hard1(), motion, limits).faults
     }
 
     /// Without the exact form, as in a CSV file.
@@ -360,7 +378,7 @@ mod tests {
     fn planned_trajectories_are_valid_with_and_without_columns() {
         for rate in [1000.0, 100.0, 30.0] {
             let exact = around_pillar(rate);
-            let report = check_trajectory(&hard1(), &exact, &SLOW, &Watch::NONE).unwrap();
+            let report = check(&hard1(), &exact, &SLOW);
             assert_eq!((report.faults, report.exact), (Vec::new(), true));
             assert!(report.largest.speed <= 1.0 + 1e-9 && report.largest.acceleration > 2.9);
             let sampled = Recorded { exact: None, ..exact };
@@ -421,14 +439,14 @@ mod tests {
 
     #[test]
     fn tensions_keep_their_limits_and_the_balance() {
-        let faults = |motion: &Recorded| check_trajectory(&held(), motion, &SLOW, &Watch::NONE).unwrap().faults;
+        let faults = |motion: &Recorded| check(&held(), motion, &SLOW).faults;
         assert_eq!(faults(&with_tensions()), []);
         let mut motion = with_tensions();
         motion.tensions.as_mut().unwrap()[50][3] = 9.0;
         let found = faults(&motion);
         let of = |kind| found.iter().find(|fault| fault.kind == kind).unwrap();
         assert_eq!((of(FaultKind::Tension).time, of(FaultKind::Balance).time), (0.5, 0.5));
-        assert_eq!(of(FaultKind::Tension).message, "tension of cable 3 9 N, limits 10 N and 1000 N");
+        assert_eq!(of(FaultKind::Tension).message, "cable 3: tension 9 N, limits 10 N and 1000 N");
         let mut motion = with_tensions();
         motion.accelerations.iter_mut().flatten().for_each(|a| *a *= 0.0);
         assert!(faults(&motion).iter().any(|fault| fault.kind == FaultKind::Balance));
@@ -438,11 +456,11 @@ mod tests {
     fn without_columns_tensions_must_exist() {
         let positions = [1.0, 1.1, 1.0].map(|z| Point::new(0.6, 0.8, z)).to_vec();
         let jump = Recorded { times: vec![0.0, 0.01, 0.02], positions, ..Recorded::default() };
-        let report = check_trajectory(&held(), &jump, &MotionSpec::default(), &Watch::NONE).unwrap();
+        let report = check(&held(), &jump, &MotionSpec::default());
         assert!(report.faults.iter().any(|fault| fault.kind == FaultKind::NoTensions), "{report:?}");
         let Recorded { times, positions, .. } = with_tensions();
         let bare = Recorded { times, positions, ..Recorded::default() };
-        let report = check_trajectory(&held(), &bare, &SLOW, &Watch::NONE).unwrap();
+        let report = check(&held(), &bare, &SLOW);
         assert_eq!((report.faults, report.notes), (Vec::new(), Vec::new()));
     }
 }

@@ -5,11 +5,14 @@ use std::time::Duration;
 
 use cdpr_core::geometry::Point;
 use cdpr_core::model::body;
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+use cdpr_core::trajectory::Minimise;
 use cdpr_core::{Choice, Error, Scene};
 use clap::{Args, ValueHint};
 
+use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
 use super::values::{budget, choice, positive, something};
 
@@ -54,6 +57,14 @@ pub struct PlanArgs {
     /// Write a page that shows the result here.
     #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
     pub html: Option<PathBuf>,
+    /// Also time the path, as `trajectory` does, and write the trajectory here (.json, .csv or .yaml).
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub trajectory: Option<PathBuf>,
+    /// With --trajectory, what to minimise; for `time`, each path has the time of --budget-ms.
+    #[arg(long, value_parser = choice::<Minimise>(), requires = "trajectory", default_value = Minimise::default().name())]
+    pub minimise: Minimise,
+    #[command(flatten)]
+    pub timing: TimingArgs,
 }
 
 /// Options of the planner; options that the selected planner does not have are errors.
@@ -150,6 +161,22 @@ impl PlanArgs {
             given.as_deref().map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
         };
         Ok(Query { start: end("--start", &self.start)?, goal: end("--goal", &self.goal)?, ..Query::of(scene) })
+    }
+}
+
+impl PlanArgs {
+    /// Limits of motions and `--rate` are for `--trajectory`.
+    ///
+    /// # Errors
+    /// Limits without a trajectory.
+    pub fn limits_need_a_trajectory(&self) -> Result<(), Error> {
+        if self.trajectory.is_some() || self.timing.limits.spec() == MotionSpec::default() {
+            return Ok(());
+        }
+        Err(Error::invalid(
+            "--trajectory",
+            "found none, but limits of a motion; expected a file to write the motion to",
+        ))
     }
 }
 

@@ -6,6 +6,7 @@ use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::{Choice, model::OrientationSource};
 use clap::{Args, ValueEnum, ValueHint};
 
+use super::motion::LimitArgs;
 use super::values::{choice, orientation};
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
@@ -36,14 +37,23 @@ pub struct SceneArgs {
 pub struct PathArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z. For `check` also a proof that there is no path,
-    /// as written by `plan --proof`.
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z. For `check` also a trajectory, JSON as written
+    /// by `trajectory` or CSV with at least the columns t,x,y,z, or a proof that there is no path, as written by `plan
+    /// --proof`.
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: PathBuf,
     #[command(flatten)]
     pub strict: Strict,
     #[command(flatten)]
     pub checker: CheckerArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    #[command(flatten)]
+    pub path: PathArgs,
+    #[command(flatten)]
+    pub limits: LimitArgs,
 }
 
 /// How to treat a path that was planned for another scene.

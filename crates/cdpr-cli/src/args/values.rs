@@ -66,3 +66,12 @@ pub fn positive(text: &str) -> Result<f64, String> {
         Err(_) => Err("expected a number".to_string()),
     }
 }
+
+/// A number that is not negative, such as a margin.
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if (0.0..=1e9).contains(&number) => Ok(number),
+        Ok(number) => Err(format!("found {number}, expected a number from 0 to 1e9")),
+        Err(_) => Err("expected a number".to_string()),
+    }
+}

@@ -1,35 +1,49 @@
 //! `cdpr check`
 
 use cdpr_certify::Summary;
-use cdpr_core::Error;
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason};
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{CheckReport, check, engine_within};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
+use cdpr_core::{Error, Scene};
+use cdpr_files::LoadedPath;
 
+use super::trajectory_check;
 use crate::Answer;
-use crate::args::{Format, PathArgs};
-use crate::input;
+use crate::args::{CheckArgs, Format, PathArgs};
+use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, scene_line, short, thousandths};
 use crate::progress::with_sign_of_life;
 
-pub fn run(args: &PathArgs, out: &Console) -> Result<Answer, Error> {
+pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
+    let CheckArgs { path: args, limits } = args;
     if let Some(text) = cdpr_files::text::read_certificate(&args.path)? {
         return check_proof(args, &text, out);
     }
-    let (scene, path) = input::scene_and_path(args, out)?;
+    match input::path_or_trajectory(args, out)? {
+        Given::Path(found) if limits.spec() == MotionSpec::default() => check_waypoints(args, &found.0, &found.1, out),
+        Given::Path(_) => {
+            let problem = "found a path without times, expected a trajectory: limits are given";
+            Err(Error::invalid("", problem).in_file(&args.path))
+        }
+        Given::Trajectory(found) => trajectory_check::run(args, limits.spec(), &found.0, &found.1, out),
+    }
+}
+
+fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Console) -> Result<Answer, Error> {
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
-    let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
+    let engine = engine_within(scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
     out.notes(engine.conditions());
-    let found = check(&scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
+    let found = check(scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
-            out.result(&scene_line(&scene));
+            out.result(&scene_line(scene));
             out.verdict(&verdict(report, path.waypoints.len()));
             report.violations.iter().for_each(|v| out.result(&violation_line(v)));
             nearest_lines(&report.nearest).iter().for_each(|line| out.result(line));

@@ -6,13 +6,15 @@ use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::watch::Interrupt;
+use cdpr_core::trajectory::kept_plan;
+use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::small_length;
 use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::page;
 
 use super::post::{check_path_name, save_path};
+use super::trajectory::{Timed, check_trajectory_name, save_trajectory};
 use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
@@ -24,9 +26,12 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    let files = [args.output.as_deref(), args.html.as_deref(), args.proof.as_deref()];
+    check_trajectory_name(args.trajectory.as_deref())?;
+    args.limits_need_a_trajectory()?;
+    let files = [&args.output, &args.html, &args.proof, &args.trajectory].map(|file| file.as_deref());
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
-        let problem = "found - for more than one of -o, --html and --proof; only one of them can be standard output";
+        let problem = "found - for more than one of -o, --html, --proof and --trajectory; only one of them can be \
+                       standard output";
         return Err(Error::invalid("", problem));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
@@ -39,13 +44,14 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
         let planned = plan(query, &options, &Reporter { stop, out })?;
+        let (planned, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
         let Planned { turned, engine, result } = &planned;
         let scene = turned.as_ref().unwrap_or(&scene);
         let appraise = |engine: &dyn Checker| appraise(scene, engine, result, bounded, &watch);
         let appraisal = engine.as_deref().map(appraise).transpose()?.unwrap_or_default();
-        Ok((planned, appraisal))
+        Ok((planned, timed, appraisal))
     };
-    let (Planned { turned, engine, result: found }, appraisal) =
+    let (Planned { turned, engine, result: found }, timed, appraisal) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     let ends = query.ends().map_err(in_scene)?;
     let scene = turned.unwrap_or(scene);
@@ -53,7 +59,11 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     match args.scene.format {
-        Format::Json => out.result(&format!("{:#}", serde_json::json!(file))),
+        Format::Json => {
+            let mut json = serde_json::json!(file);
+            timed.iter().for_each(|timed| json["trajectory"] = timed.json());
+            out.result(&format!("{json:#}"));
+        }
         Format::Text => {
             out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
@@ -61,10 +71,17 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
+            timed.iter().for_each(|timed| timed.print(out));
         }
     }
     if let Some(path) = &args.output {
         save_path(path, &file, out)?;
+    }
+    if let Some(path) = &args.trajectory {
+        match &timed {
+            Some(timed) => save_trajectory(path, &timed.file, out)?,
+            None => out.say(&format!("{} was not written: there is no path", path.display())),
+        }
     }
     if let Some(path) = &args.proof {
         match &found.no_path {
@@ -80,6 +97,26 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     say_next(args, &scene, &found, out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
+/// replaces it.
+fn timed(
+    args: &PlanArgs,
+    scene: &Scene,
+    mut planned: Planned,
+    watch: &Watch,
+) -> Result<(Planned, Option<Timed>), Error> {
+    if args.trajectory.is_none() || planned.result.status != Status::Solved {
+        return Ok((planned, None));
+    }
+    let scene = planned.turned.as_ref().unwrap_or(scene);
+    let ends = args.query(scene)?.ends()?;
+    let (options, limits) = (args.options()?, args.timing.limits.spec());
+    let kept = kept_plan(scene, ends, planned.result, (&options, args.minimise), &limits, watch)?;
+    let timed = Timed::kept(scene, &kept, args.minimise, args.timing.rate, watch)?;
+    planned.result = kept.result;
+    Ok((planned, Some(timed)))
 }
 
 /// Prints every better path, and stops the search on request.
@@ -199,6 +236,7 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
         (Status::Solved, Some(path)) if !is_stream(path) => {
             out.say(&format!("next: cdpr check {scene} {}{turned}", path.display()))
         }
+        (Status::Solved, None) if args.trajectory.as_ref().is_some_and(|path| !is_stream(path)) => {}
         (Status::Solved, None) if args.scene.format == Format::Text => {
             out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
         }

@@ -282,6 +282,15 @@ impl Scene {
         Ok(Scene { orientation: self.orientation, ..Scene::new(spec)? })
     }
 
+    /// The same scene with another required clearance, m; those of `[clearances]` remain.
+    ///
+    /// # Errors
+    /// A clearance that is negative or too large.
+    pub fn with_clearance(&self, clearance: f64) -> Result<Scene, Error> {
+        let spec = SceneSpec { clearance: Some(clearance), ..self.spec.clone() };
+        Ok(Scene { orientation: self.orientation, ..Scene::new(spec)? })
+    }
+
     /// The rules for pairs of bodies.
     pub fn pairs(&self) -> &PairRules {
         &self.pairs

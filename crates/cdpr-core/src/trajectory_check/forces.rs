@@ -76,7 +76,7 @@ impl<'a> Forces<'a> {
                 let culprits = [*name];
                 let fault = state.fault(FaultKind::Tension, &culprits, [Some(*tension), Some(*limit)]);
                 let [tension, least, most] = [*tension, *least, *most].map(number);
-                faults.add(&fault, || format!("tension of {name} {tension} N, limits {least} N and {most} N"));
+                faults.add(&fault, || format!("{name}: tension {tension} N, limits {least} N and {most} N"));
             }
         }
         let Some((wrench, columns)) = self.needed(state.position, state.acceleration) else { return };

@@ -61,8 +61,8 @@ impl Quantity<'_> {
         let (found, limit) = (Some(self.value), Some(limit));
         let (culprits, excess) = (self.cable.as_slice(), self.value);
         faults.add(&Instant { step, time, kind: self.kind, culprits, found, limit, excess }, || {
-            let of = self.cable.map_or(String::new(), |cable| format!(" of {cable}"));
-            format!("{what}{of} {} {unit}, limit {} {unit}", number(self.value), number(limit.unwrap_or_default()))
+            let of = self.cable.map_or(String::new(), |cable| format!("{cable}: "));
+            format!("{of}{what} {} {unit}, limit {} {unit}", number(self.value), number(limit.unwrap_or_default()))
         });
     }
 }
@@ -186,7 +186,7 @@ impl Rules<'_> {
             let (culprits, found_, limit) = ([name], Some(found), Some(expected));
             faults.add(&Instant { step, time, kind, culprits: &culprits, found: found_, limit, excess }, || {
                 let [what, unit] = words;
-                format!("{what} of {name} {} {unit}, expected {} {unit}", number(found), number(expected))
+                format!("{name}: {what} {} {unit}, {} {unit} expected", number(found), number(expected))
             });
         };
         if let Some(lengths) = &motion.cable_lengths {

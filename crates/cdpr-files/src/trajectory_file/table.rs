@@ -31,7 +31,7 @@ pub fn table(file: &TrajectoryFile) -> String {
         let platform =
             [&file.positions[k][..], &file.orientation, &file.velocities[k], &file.accelerations[k]].concat();
         let cables = rows_by_cable.iter().flatten().flat_map(|rows| rows[k].iter().copied());
-        [file.times[k]].into_iter().chain(platform).chain(cables).map(|x| x.to_string()).collect::<Vec<_>>()
+        [file.times[k]].into_iter().chain(platform).chain(cables).map(|x| (x + 0.0).to_string()).collect::<Vec<_>>() // no -0
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in std::iter::once(header).chain((0..file.times.len()).map(record)) {

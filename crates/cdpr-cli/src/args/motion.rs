@@ -1,0 +1,75 @@
+//! Arguments of `trajectory`, and the limits of motions.
+
+use std::path::PathBuf;
+
+use cdpr_core::model::spec::MotionSpec;
+use clap::{Args, ValueHint};
+
+use super::shared::{SceneArgs, Strict};
+use super::values::{not_negative, positive};
+
+/// Limits of a timed motion instead of those in the scene's `[motion]`.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct LimitArgs {
+    /// Largest speed of the platform instead of the scene's, m/s.
+    #[arg(long, value_name = "V", value_parser = positive, allow_negative_numbers = true)]
+    pub speed: Option<f64>,
+    /// Largest acceleration of the platform instead of the scene's, m/s².
+    #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
+    pub acceleration: Option<f64>,
+    /// Largest jerk of the platform instead of the scene's, m/s³.
+    #[arg(long, value_name = "J", value_parser = positive, allow_negative_numbers = true)]
+    pub jerk: Option<f64>,
+    /// Largest speed at which a cable is wound or unwound instead of the scene's, m/s.
+    #[arg(long, value_name = "V", value_parser = positive, allow_negative_numbers = true)]
+    pub cable_speed: Option<f64>,
+    /// Largest acceleration of a cable instead of the scene's, m/s².
+    #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
+    pub cable_acceleration: Option<f64>,
+    /// Largest deviation from the path where corners are rounded instead of the scene's `blend`, m [default: the scene's clearance].
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true)]
+    pub blend: Option<f64>,
+    /// Capacity margin that the cables keep besides the inertia of the platform instead of the scene's, N [default: 0].
+    #[arg(long, value_name = "N", value_parser = not_negative, allow_negative_numbers = true)]
+    pub wrench_margin: Option<f64>,
+}
+
+impl LimitArgs {
+    pub fn spec(self) -> MotionSpec {
+        MotionSpec {
+            speed: self.speed,
+            acceleration: self.acceleration,
+            jerk: self.jerk,
+            cable_speed: self.cable_speed,
+            cable_acceleration: self.cable_acceleration,
+            blend: self.blend,
+            wrench_margin: self.wrench_margin,
+        }
+    }
+}
+
+/// How a motion is timed.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct TimingArgs {
+    /// Samples per second.
+    #[arg(long, value_name = "HZ", default_value_t = 100.0, value_parser = positive, allow_negative_numbers = true)]
+    pub rate: f64,
+    #[command(flatten)]
+    pub limits: LimitArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct TrajectoryArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub path: PathBuf,
+    /// Write the trajectory here (.json; .csv for the samples; .yaml for a ROS 2 JointTrajectory of the cables).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub strict: Strict,
+    #[command(flatten)]
+    pub timing: TimingArgs,
+}

@@ -1,0 +1,245 @@
+//! `cdpr trajectory`
+
+use std::path::Path;
+
+use cdpr_core::geometry::Point;
+use cdpr_core::model::spec::MotionSpec;
+use cdpr_core::trajectory::{Kept, Limits, Minimise, Trajectory};
+use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
+use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::words::length;
+use cdpr_core::{Error, Scene};
+use cdpr_files::trajectory_json;
+use serde_json::{Value, json};
+
+use crate::Answer;
+use crate::args::{Format, TrajectoryArgs};
+use crate::input;
+use crate::interruption::writing;
+use crate::output::{Console, Verdict, count, is_stream, scene_line, short};
+use crate::progress::with_sign_of_life;
+
+/// Checks that a trajectory can be written under this name, before any work is done.
+pub fn check_trajectory_name(path: Option<&Path>) -> Result<(), Error> {
+    path.filter(|path| !is_stream(path)).map_or(Ok(()), cdpr_files::check_trajectory_name)
+}
+
+/// Writes a trajectory in the format given by the extension; JSON to standard output, pipes and devices.
+pub fn save_trajectory(path: &Path, file: &TrajectoryFile, out: &Console) -> Result<(), Error> {
+    if is_stream(path) {
+        return out.write(path, trajectory_json(file).as_bytes(), "");
+    }
+    let writing = writing();
+    cdpr_files::save_trajectory(path, file)?;
+    drop(writing);
+    out.wrote(path, "");
+    Ok(())
+}
+
+pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
+    check_trajectory_name(args.output.as_deref())?;
+    let out = &out.beside(args.output.as_deref());
+    let scene = input::scene(&args.scene, out)?;
+    let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let limits = args.timing.limits.spec();
+    Limits::of(&scene, &limits).map_err(|e| e.in_file(&args.scene.scene))?;
+    let timed = |stop: &Interrupt| Timed::along(&scene, &path.waypoints, &limits, args.timing.rate, &Watch::on(stop));
+    let timed = with_sign_of_life(out, "timing", timed).map_err(|e| named(e, args))?;
+    match args.scene.format {
+        Format::Json => out.result(&format!("{:#}", timed.json())),
+        Format::Text => {
+            out.result(&scene_line(&scene));
+            timed.print(out);
+        }
+    }
+    if let Some(output) = &args.output {
+        save_trajectory(output, &timed.file, out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// The error with the file that it is about: the path, or the scene with its limits; the rate is in neither.
+fn named(error: Error, args: &TrajectoryArgs) -> Error {
+    match error.place() {
+        Some("rate") => error,
+        Some("acceleration") => {
+            let hint = "pass --acceleration or set it in [motion]".to_string();
+            error.with_hints(&[hint]).in_file(&args.scene.scene)
+        }
+        Some(place) if place.starts_with("waypoints") => error.in_file(&args.path),
+        _ => error.in_file(&args.scene.scene),
+    }
+}
+
+/// A planned trajectory and what to say about it.
+pub struct Timed {
+    /// The trajectory.
+    pub file: TrajectoryFile,
+    /// Why tensions are not limited.
+    note: Option<String>,
+    /// How its path was chosen.
+    choice: Option<Choice>,
+}
+
+/// How a path was chosen for the shortest time.
+struct Choice {
+    seed: u64,
+    seed_of_shortest: u64,
+    room: f64,
+    tried: usize,
+    duration_of_shortest: Option<f64>,
+}
+
+impl Timed {
+    fn along(scene: &Scene, waypoints: &[Point], limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
+        let trajectory = Trajectory::new(scene, waypoints, limits, watch)?;
+        Self::of(scene, waypoints, &trajectory, rate, watch)
+    }
+
+    fn of(
+        scene: &Scene,
+        waypoints: &[Point],
+        trajectory: &Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let file = TrajectoryFile::of(scene, waypoints, trajectory, rate, watch)?;
+        Ok(Timed { file, note: trajectory.winches().note().map(str::to_string), choice: None })
+    }
+
+    /// The trajectory of a planned path.
+    pub fn kept(scene: &Scene, kept: &Kept, minimise: Minimise, rate: f64, watch: &Watch) -> Result<Self, Error> {
+        let timed = Self::of(scene, &kept.result.waypoints, &kept.trajectory, rate, watch)?;
+        let Kept { seed, first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
+            *kept;
+        let choice = (minimise == Minimise::Time).then_some(Choice {
+            seed,
+            seed_of_shortest,
+            room,
+            tried,
+            duration_of_shortest,
+        });
+        Ok(Timed { choice, ..timed })
+    }
+
+    /// Prints what there is to say.
+    pub fn print(&self, out: &Console) {
+        let TrajectoryFile { duration, length, times, .. } = &self.file;
+        let rest = format!(" {} s along {} m, {}", short(*duration), short(*length), count(times.len(), "sample"));
+        out.verdict(&Verdict::yes("timed:", rest));
+        self.choice.iter().for_each(|choice| out.result(&choice.sentence()));
+        corner_lines(&self.file.corners).iter().for_each(|line| out.result(line));
+        let shares = self.shares();
+        if !shares.is_empty() {
+            let words = |(kind, share): &(LimitKind, f64)| format!("{} {:.0} %", limit_words(*kind), 100.0 * share);
+            let list =
+                shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect::<Vec<_>>().join(", ");
+            out.result(&format!("limited by: {list} of the time"));
+        }
+        self.note.iter().for_each(|note| out.note(note));
+    }
+
+    /// The same for programs.
+    pub fn json(&self) -> Value {
+        let TrajectoryFile { duration, length, rate, times, limits, corners, .. } = &self.file;
+        let shares = self.shares().into_iter().map(|(kind, share)| (key_of(kind), json!(share)));
+        let mut json = json!({
+            "duration": duration,
+            "length": length,
+            "rate": rate,
+            "samples": times.len(),
+            "limits": limits,
+            "corners": corners,
+            "limiting": shares.collect::<serde_json::Map<_, _>>(),
+            "tensions_limited": self.note.is_none(),
+            "note": self.note,
+        });
+        if let Some(Choice { seed, room, tried, duration_of_shortest, .. }) = &self.choice {
+            json["choice"] = json!({
+                "seed": seed, "room": room, "tried": tried, "duration_of_shortest": duration_of_shortest,
+            });
+        }
+        json
+    }
+
+    /// For each limit that determines the motion at some time, its share of the duration; largest first.
+    fn shares(&self) -> Vec<(LimitKind, f64)> {
+        let mut shares: Vec<(LimitKind, f64)> = Vec::new();
+        for entry in &self.file.limiting {
+            let share = (entry.to - entry.from) / self.file.duration;
+            match shares.iter_mut().find(|(kind, _)| *kind == entry.limit) {
+                Some((_, sum)) => *sum += share,
+                None => shares.push((entry.limit, share)),
+            }
+        }
+        shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+        shares
+    }
+}
+
+impl Choice {
+    fn sentence(&self) -> String {
+        if self.seed_of_shortest == self.seed && self.room == 0.0 {
+            return format!("the shortest of {} is the fastest", count(self.tried, "path"));
+        }
+        let room = match self.room > 0.0 {
+            true => format!(" with {} more clearance", length(self.room)),
+            false => String::new(),
+        };
+        let of_shortest = match self.duration_of_shortest {
+            Some(duration) => format!("{} s along the shortest one", short(duration)),
+            None => "the shortest one cannot be timed".to_string(),
+        };
+        format!(
+            "kept the path of seed {}{room}, the fastest of {}; {of_shortest}",
+            self.seed,
+            count(self.tried, "path")
+        )
+    }
+}
+
+fn key_of(kind: LimitKind) -> String {
+    json!(kind).as_str().unwrap_or_default().to_string()
+}
+
+fn limit_words(kind: LimitKind) -> &'static str {
+    match kind {
+        LimitKind::Speed => "speed",
+        LimitKind::Acceleration => "acceleration",
+        LimitKind::Jerk => "jerk",
+        LimitKind::CableSpeed => "cable speed",
+        LimitKind::CableAcceleration => "cable acceleration",
+        LimitKind::Tension => "tension",
+    }
+}
+
+/// How corners are passed: one line for each way.
+fn corner_lines(corners: &[TrajectoryCorner]) -> Vec<String> {
+    let ways = [
+        (CornerKind::Rounded, "rounded"),
+        (CornerKind::Outward, "passed outside"),
+        (CornerKind::Stop, "passed with a stop"),
+    ];
+    ways.into_iter().filter_map(|(kind, words)| corner_line(corners, kind, words)).collect()
+}
+
+/// Limits that determine the motion for less than this share of the time are not printed.
+const LEAST_SHARE: f64 = 0.005;
+
+/// Waypoints named in a line.
+const MOST_NAMED: usize = 8;
+
+fn corner_line(corners: &[TrajectoryCorner], kind: CornerKind, words: &str) -> Option<String> {
+    let found: Vec<&TrajectoryCorner> = corners.iter().filter(|corner| corner.kind == kind).collect();
+    let deviation = found.iter().map(|corner| corner.deviation).fold(0.0, f64::max);
+    let names: Vec<String> = found.iter().take(MOST_NAMED).map(|corner| corner.waypoint.to_string()).collect();
+    let more = if found.len() > MOST_NAMED { " and more" } else { "" };
+    let waypoints = if found.len() == 1 { "waypoint" } else { "waypoints" };
+    let deviation = match kind {
+        CornerKind::Stop => String::new(),
+        _ => format!(", up to {} from the path", length(deviation)),
+    };
+    let line =
+        || format!("{} {words}: {waypoints} {}{more}{deviation}", count(found.len(), "corner"), names.join(", "));
+    (!found.is_empty()).then(line)
+}

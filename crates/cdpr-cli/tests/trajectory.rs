@@ -1,0 +1,194 @@
+//! Trajectories from the command line: planned, written in all formats, checked, damaged.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+use support::*;
+
+const LIMITS: [&str; 6] = ["--speed", "1", "--acceleration", "2", "--blend", "0.02"];
+
+/// A folder with a path and its trajectory in all formats.
+fn planned() -> tempfile::TempDir {
+    let (folder, hard1) = (folder(), testdata("scenes/hard1.toml"));
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", &hard1, "-o", "path.json"])), 0);
+    for name in ["motion.json", "motion.csv", "motion.yaml"] {
+        let made = cdpr_in(folder.path(), &[&["trajectory", &hard1, "path.json", "-o", name][..], &LIMITS].concat());
+        assert_eq!(status(&made), 0, "{}", stderr(&made));
+        assert!(stderr(&made).contains(&format!("wrote {name}")));
+    }
+    folder
+}
+
+fn check(folder: &Path, file: &str, limits: &[&str]) -> std::process::Output {
+    cdpr_in(folder, &[&["check", &testdata("scenes/hard1.toml"), file][..], limits].concat())
+}
+
+/// The trajectory with its rows changed.
+fn changed(folder: &Path, change: impl Fn(usize, &mut Vec<String>)) {
+    let mut reader = csv::Reader::from_path(folder.join("motion.csv")).unwrap();
+    let mut writer = csv::Writer::from_path(folder.join("changed.csv")).unwrap();
+    writer.write_record(reader.headers().unwrap()).unwrap();
+    for (k, row) in reader.records().enumerate() {
+        let mut row: Vec<String> = row.unwrap().iter().map(str::to_string).collect();
+        change(k, &mut row);
+        writer.write_record(row).unwrap();
+    }
+    writer.flush().unwrap();
+}
+
+fn scaled(cell: &mut String, factor: f64) {
+    *cell = (cell.parse::<f64>().unwrap() * factor).to_string();
+}
+
+#[test]
+fn a_trajectory_is_valid_in_every_format_that_is_read() {
+    let folder = planned();
+    for file in ["motion.json", "motion.csv"] {
+        let checked = check(folder.path(), file, &LIMITS);
+        assert_eq!(status(&checked), 0, "{}{}", stdout(&checked), stderr(&checked));
+        assert!(stdout(&checked).contains("valid: 3.2688 s along 2.4447 m, 328 samples"), "{}", stdout(&checked));
+        let report = json(&check(folder.path(), file, &["--format", "json"]));
+        assert_eq!((&report["valid"], &report["faults"]), (&json!(true), &json!([])));
+        assert!((report["largest"]["speed"].as_f64().unwrap() - 1.0).abs() < 1e-4);
+        let slow = check(folder.path(), file, &["--speed", "0.9"]);
+        assert_eq!(status(&slow), 1);
+        assert!(stdout(&slow).contains(" s: speed 0.999999 m/s, limit 0.9 m/s (from 0.45"), "{}", stdout(&slow));
+    }
+}
+
+#[test]
+fn samples_alone_are_enough() {
+    let folder = planned();
+    let text = fs::read_to_string(folder.path().join("motion.csv")).unwrap();
+    let bare: Vec<String> = text.lines().map(|line| line.split(',').take(4).collect::<Vec<_>>().join(",")).collect();
+    fs::write(folder.path().join("bare.csv"), bare.join("\n")).unwrap();
+    let checked = check(folder.path(), "bare.csv", &LIMITS);
+    assert_eq!(status(&checked), 0, "{}{}", stdout(&checked), stderr(&checked));
+    let piped = cdpr_fed(folder.path(), &["check", &testdata("scenes/hard1.toml"), "-"], &bare.join("\n"));
+    assert_eq!(status(&piped), 0, "{}", stderr(&piped));
+}
+
+#[test]
+fn a_damaged_trajectory_is_refused_with_the_place() {
+    let folder = planned();
+    let refusal = |limits: &[&str], expected: &str| {
+        let refused = check(folder.path(), "changed.csv", limits);
+        assert_eq!(status(&refused), 1, "{}{}", stdout(&refused), stderr(&refused));
+        assert!(stdout(&refused).contains(expected), "{expected}: {}", stdout(&refused));
+    };
+    changed(folder.path(), |_, row| row[8..11].iter_mut().for_each(|v| scaled(v, 1.1)));
+    refusal(&[], "velocities differ by 0.1 m/s from the change of the position");
+    changed(folder.path(), |_, row| scaled(&mut row[0], 0.5));
+    refusal(&LIMITS, "speed 1.999999 m/s, limit 1 m/s");
+    changed(folder.path(), |k, row| {
+        if k == 100 {
+            row[3] = (row[3].parse::<f64>().unwrap() - 1e-3).to_string();
+        }
+    });
+    refusal(&[], "at 1.000 s: cable 0: length ");
+    changed(folder.path(), |k, row| {
+        if k == 182 {
+            row[3] = "1.4".to_string();
+        }
+    });
+    refusal(&[], " s: cable 3 meets pillar, ");
+    changed(folder.path(), |k, row| {
+        if k == 7 {
+            row[0] = "0.01".to_string();
+        }
+    });
+    let refused = check(folder.path(), "changed.csv", &[]);
+    assert_eq!(status(&refused), 2);
+    let expected = "changed.csv: line 9, column t: found 0.01 s after 0.06 s, expected times that increase";
+    assert!(stderr(&refused).contains(expected), "{}", stderr(&refused));
+}
+
+#[test]
+fn a_sample_off_its_exact_form_is_named() {
+    let folder = planned();
+    let text = fs::read_to_string(folder.path().join("motion.json")).unwrap();
+    let mut file: Value = serde_json::from_str(&text).unwrap();
+    let z = file["positions"][150][2].as_f64().unwrap();
+    file["positions"][150][2] = json!(z - 1e-3);
+    fs::write(folder.path().join("moved.json"), file.to_string()).unwrap();
+    let refused = check(folder.path(), "moved.json", &[]);
+    let expected = "at 1.500 s: the position differs by 0.001 m from that of curve and timing";
+    assert!(status(&refused) == 1 && stdout(&refused).contains(expected), "{}", stdout(&refused));
+    file["curve"] = json!([{ "line": [[0, 0, 0], [0, 0, 0]] }]);
+    fs::write(folder.path().join("moved.json"), file.to_string()).unwrap();
+    let refused = check(folder.path(), "moved.json", &[]);
+    assert!(
+        status(&refused) == 2 && stderr(&refused).contains("curve[0]: found something else"),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
+fn tensions_below_their_limit_are_found() {
+    let (folder, cogiro) = (folder(), testdata("scenes/cogiro.toml"));
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", &cogiro, "-o", "path.json"])), 0);
+    let limits = ["--speed", "2", "--acceleration", "5", "--rate", "20"];
+    let made =
+        cdpr_in(folder.path(), &[&["trajectory", &cogiro, "path.json", "-o", "motion.csv"][..], &limits].concat());
+    assert_eq!(status(&made), 0, "{}", stderr(&made));
+    let check = |file: &str| cdpr_in(folder.path(), &["check", &cogiro, file, "--speed", "2"]);
+    assert_eq!(status(&check("motion.csv")), 0, "{}", stdout(&check("motion.csv")));
+    let header = fs::read_to_string(folder.path().join("motion.csv")).unwrap();
+    let names: Vec<&str> = header.lines().next().unwrap().split(',').collect();
+    assert_eq!(names[..14], ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "ax", "ay", "az"]);
+    let column = names.iter().position(|name| *name == "tension:cable 3").unwrap();
+    changed(folder.path(), |k, row| {
+        if k == 40 {
+            row[column] = "-5".to_string();
+        }
+    });
+    let refused = check("changed.csv");
+    assert_eq!(status(&refused), 1);
+    for expected in ["at 2.000 s: cable 3: tension -5 N, limits ", "at 2.000 s: tensions miss the balance"] {
+        assert!(stdout(&refused).contains(expected), "{}", stdout(&refused));
+    }
+}
+
+#[test]
+fn plan_writes_a_trajectory_in_one_command() {
+    let (folder, hard1) = (folder(), testdata("scenes/hard1.toml"));
+    let plan = |more: &[&str]| cdpr_in(folder.path(), &[&["plan", &hard1, "--trajectory", "t.json"], more].concat());
+    let made = plan(&LIMITS);
+    assert!(status(&made) == 0 && stdout(&made).contains("timed: 3.2688 s along"), "{}", stderr(&made));
+    assert_eq!(status(&check(folder.path(), "t.json", &LIMITS)), 0);
+    let fastest = plan(&[&LIMITS[..], &["--minimise", "time", "--format", "json", "-o", "path.json"]].concat());
+    let found = json(&fastest);
+    assert!(found["trajectory"]["duration"].as_f64().unwrap() <= 3.2689, "{found}");
+    assert!(found["trajectory"]["choice"]["tried"].as_u64().unwrap() > 2, "{found}");
+    assert_eq!(json(&check(folder.path(), "path.json", &["--format", "json"]))["valid"], true);
+    for (arguments, expected) in [
+        (&["plan", &hard1, "--speed", "1"][..], "--trajectory: found none, but limits of a motion"),
+        (&["plan", &hard1, "--minimise", "time"], "--trajectory"),
+        (
+            &["plan", &hard1, "--trajectory", "t.toml"],
+            "t.toml: found the extension .toml, expected .json, .csv or .yaml",
+        ),
+        (&["plan", &hard1, "--trajectory", "t.csv"], "acceleration: found no limit, expected an acceleration"),
+        (&["trajectory", &hard1, "nowhere.csv"], "nowhere.csv: cannot be read"),
+        (&["trajectory", &hard1, "path.json", "--speed", "-1"], "expected a positive number"),
+        (&["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4"], "jerk: found a jerk without"),
+        (&["check", &hard1, "path.json", "--speed", "1"], "path.json: found a path without times"),
+    ] {
+        let refused = cdpr_in(folder.path(), arguments);
+        assert!(status(&refused) == 2 && stderr(&refused).contains(expected), "{arguments:?}: {}", stderr(&refused));
+    }
+    assert!(!folder.path().join("t.csv").exists());
+}
+
+#[test]
+fn a_trajectory_goes_through_pipes() {
+    let (folder, hard1) = (planned(), testdata("scenes/hard1.toml"));
+    let made = cdpr_in(folder.path(), &[&["trajectory", &hard1, "path.json", "-o", "-"][..], &LIMITS].concat());
+    assert!(stderr(&made).contains("timed: "), "{}", stderr(&made));
+    let checked = cdpr_fed(folder.path(), &["check", &hard1, "-"], &stdout(&made));
+    assert!(status(&checked) == 0 && stdout(&checked).contains("in exact form"), "{}", stderr(&checked));
+}
