@@ -14,7 +14,7 @@ import pandas
 import pytest
 from conftest import TESTDATA
 from matplotlib import pyplot
-from test_planning import assert_ctrl_c_is_answered_at_once
+from test_planning import AT_ONCE, interrupted_after
 
 import cdpr
 import cdpr.figures
@@ -457,5 +457,5 @@ def test_ctrl_c_is_answered_at_once():
     path = cdpr.plan(scene)
     motion = cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2)
     times = np.linspace(0, motion.duration, 3_000_000)
-    assert_ctrl_c_is_answered_at_once(lambda: motion.at(times), threads=1)
-    assert_ctrl_c_is_answered_at_once(lambda: cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2, rate=3e5), threads=1)
+    for call in (lambda: motion.at(times), lambda: cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2, rate=3e5)):
+        assert min(interrupted_after(1.0, call)[0] for _ in range(3)) < AT_ONCE
