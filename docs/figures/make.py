@@ -357,6 +357,15 @@ def charts(columns: int, height: float) -> tuple[Figure, np.ndarray]:
     return pyplot.subplots(1, columns, figsize=(PAGE, height), layout="constrained")
 
 
+def trajectory() -> Figure:
+    """A timed motion of CoGiRo."""
+    path = cdpr.plan(scene("cogiro"))
+    motion = cdpr.trajectory(scene("cogiro"), path, speed=2, acceleration=4, cable_speed=1.5, blend=0.2)
+    figure = figures.trajectory(motion)[0].figure
+    assert isinstance(figure, Figure)
+    return figure
+
+
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     "fig1": fig1,
     "fig2": fig2,
@@ -374,6 +383,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "wrench-study": wrench_study,
     "wrench-rules": wrench_rules,
     "no-path": no_path,
+    "trajectory": trajectory,
 }
 
 

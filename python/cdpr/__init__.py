@@ -27,6 +27,7 @@ from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh, save_shadows, shadows
 from ._tensions import Tensions, WrenchReport, tensions_along, wrench_at
+from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show
 from ._violation import Exemption, Violation
 from ._wrench import (
@@ -48,13 +49,16 @@ __all__ = [
     "BatchResult",
     "CdprError",
     "CdprWarning",
+    "Corner",
     "Distance",
     "Exemption",
     "FileError",
     "InputError",
     "InternalError",
+    "Limiting",
     "Mesh",
     "Milestone",
+    "MotionState",
     "Path",
     "Proof",
     "Report",
@@ -63,6 +67,7 @@ __all__ = [
     "Scene",
     "SearchTree",
     "Tensions",
+    "Trajectory",
     "Violation",
     "View",
     "WrenchMap",
@@ -76,6 +81,7 @@ __all__ = [
     "force_set",
     "import_robot",
     "load_path",
+    "load_trajectory",
     "lower_bound",
     "moment_margin",
     "moment_set",
@@ -90,6 +96,7 @@ __all__ = [
     "show",
     "tension_distribution",
     "tensions_along",
+    "trajectory",
     "wrench_at",
     "wrench_map",
     "wrench_matrix",

@@ -57,6 +57,8 @@ class Scene(Immutable):
     wrench : mapping, optional
         Requirements on wrench feasibility, as in the table ``[wrench]`` of a scene file: ``{"force": 50, "moment": 5}``
         requires balls of 50 N and 5 N·m, ``{}`` the weight alone. If omitted, wrench feasibility is not checked.
+    motion : mapping, optional
+        Limits of `cdpr.trajectory`, as in the table ``[motion]`` of a scene file: ``{"speed": 1, "acceleration": 2}``.
     name : str, optional
         Name used in messages and figures.
 
@@ -91,6 +93,7 @@ class Scene(Immutable):
         ignore: Iterable[Names] = (),
         gravity: ArrayLike | None = None,
         wrench: Mapping[str, Any] | None = None,
+        motion: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
@@ -103,7 +106,7 @@ class Scene(Immutable):
             "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
         }
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
-        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "name": name}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion, "name": name}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
         self._adopt(_from_spec(spec))
@@ -206,6 +209,7 @@ class Scene(Immutable):
         ignore: Iterable[Names] | None | Kept = KEPT,
         gravity: ArrayLike | None | Kept = KEPT,
         wrench: Mapping[str, Any] | None | Kept = KEPT,
+        motion: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Scene:
         """Return a copy of the scene with the given changes.
@@ -234,6 +238,8 @@ class Scene(Immutable):
             World axes, m/s²; None means (0, 0, -9.81).
         wrench : mapping or None, optional
             Requirements on wrench feasibility, as in the class; None removes them.
+        motion : mapping or None, optional
+            Limits of motions, as in the class; None removes them.
         name : str or None, optional
             None removes it.
 
@@ -257,7 +263,7 @@ class Scene(Immutable):
         if robot is not None:
             spec["robot"] = _robot_table(robot)
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
-        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "name": name}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion, "name": name}
         given |= {"workspace": KEPT if workspace is None else workspace}
         given |= {"clearance": KEPT if clearance is None else clearance}
         for key, value in given.items():
@@ -399,6 +405,12 @@ class Scene(Immutable):
         """Requirements on wrench feasibility, read-only, as in the table of a scene file; None if there are none."""
         demand = self.to_dict().get("wrench")
         return None if demand is None else MappingProxyType(demand)
+
+    @property
+    def motion(self) -> Mapping[str, Any] | None:
+        """Limits of motions, read-only, as in the table of a scene file; None if there are none."""
+        limits = self.to_dict().get("motion")
+        return None if limits is None else MappingProxyType(limits)
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -168,6 +168,7 @@ SCENE: dict[str, Callable[[Any], Any]] = {
     "ignore": lambda value: pairs_table("ignore", value),
     "orientations": orientation_tables,
     "wrench": lambda value: plain("wrench", table("wrench", value)),
+    "motion": lambda value: plain("motion", table("motion", value)),
     "workspace": box_table,
     "obstacles": lambda value: [
         part for name, body in table("obstacles", value).items() for part in obstacle_tables(name, body)

@@ -31,6 +31,10 @@ REPRS = {
     "SearchTree": "SearchTree(2 nodes)",
     "Mesh": "Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)",
     "AvailableSet": "AvailableSet(rank 3, margin 1561, 14 vertices)",
+    "Trajectory": "Trajectory(1.500 s, 1.0000 m, 151 samples)",
+    "MotionState": "MotionState(0.75 s, at [1.0, 1.0, 1.0] m, 1.0000 m/s)",
+    "Corner": "Corner(waypoint=1, kind='stop', deviation=0.0, time=0.5)",
+    "Limiting": "Limiting(start=0.0, end=0.5, limit='cable_speed', cable='cable 3')",
     "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
     "WrenchReport": "WrenchReport(not feasible, rank 5 of 6, underconstrained)",
     "Distance": "2.0",
@@ -69,6 +73,14 @@ def make(name):
             return cdpr.shadows(scene)["cable 0 / pillar"]
         case "AvailableSet":
             return cdpr.force_set(empty.robot, [1, 1, 1])
+        case "Trajectory":
+            return cdpr.trajectory(empty, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+        case "MotionState":
+            return make("Trajectory").at(0.75)
+        case "Corner":
+            return cdpr.Corner(1, "stop", 0.0, 0.5)
+        case "Limiting":
+            return cdpr.Limiting(0.0, 0.5, "cable_speed", "cable 3")
         case "Tensions":
             return cdpr.tensions_along(empty, along, step=0.1)
         case "WrenchReport":
@@ -109,7 +121,7 @@ def test_each_is_equal_by_value_and_to_nothing_else(name):
         assert (one == other) is True and (one != other) is False
     for stranger in (None, 5, "text", object(), make("Milestone" if name != "Milestone" else "Distance")):
         assert (one == stranger) is False and (one != stranger) is True
-    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View"):
+    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View", "Corner", "Limiting"):
         assert hash(one) == hash(other) and len({one, other}) == 1
     else:
         with pytest.raises(TypeError, match="unhashable"):
@@ -222,6 +234,7 @@ def everything(scene):
         cdpr.check(scene, result),
         cdpr.shadows(scene),
         cdpr.lower_bound(scene),
+        cdpr.trajectory(scene, result, acceleration=2),
         result.waypoints.tolist(),
     ]
 

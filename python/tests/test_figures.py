@@ -460,3 +460,49 @@ def test_without_matplotlib_the_error_says_how_to_get_it(monkeypatch):
     monkeypatch.delattr(cdpr, "figures", raising=False)
     with pytest.raises(ImportError, match=r"pip install 'cdpr\[figures\]'"):
         __import__("cdpr.figures")
+
+
+def motion_of(name, **limits):
+    scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
+    return cdpr.trajectory(scene, cdpr.plan(scene), **limits)
+
+
+def test_a_motion_is_drawn_with_its_limits_corners_and_what_binds():
+    motion = motion_of("cogiro", speed=2, acceleration=4, cable_speed=1.5, blend=0.2)
+    charts = figures.trajectory(motion)
+    titles = ["speed (m/s)", "acceleration (m/s²)", "cable speeds (m/s)", "tensions (N)", "limited by"]
+    assert [chart.get_title("left") for chart in charts] == titles
+    speed, acceleration, cables, tensions, strip = charts
+    (line,) = named(speed, "speed")
+    assert (line.get_ydata() == np.linalg.norm(motion.velocities, axis=1)).all() and (line.get_xdata() == motion.times).all()
+    (line,) = named(acceleration, "acceleration")
+    assert (line.get_ydata() == np.linalg.norm(motion.accelerations, axis=1)).all()
+    for k, cable in enumerate(motion.cables):
+        assert (named(cables, cable)[0].get_ydata() == motion.cable_speeds[:, k]).all()
+        assert (named(tensions, cable)[0].get_ydata() == motion.tensions[:, k]).all()
+        assert to_hex(named(cables, cable)[0].get_color()) == to_hex(named(tensions, cable)[0].get_color())
+    drawn = [[line.get_ydata()[0] for line in named(chart, "limit")] for chart in charts[:4]]
+    assert drawn == [[2.0], [4.0], [1.5, -1.5], [100.0, 5000.0]]
+    assert tensions.get_title("right") == "limits 100 and 5000 N (dashed)"
+    for chart in charts:
+        assert [line.get_xdata()[0] for line in named(chart, "corner")] == [corner.time for corner in motion.corners]
+        assert chart.get_xlim() == (0, motion.duration)
+    assert [note.get_text() for note in named(speed, "waypoint")] == [str(corner.waypoint) for corner in motion.corners]
+    bars = [path.get_extents() for kind in ("speed", "acceleration", "cable_speed") for bar in named(strip, kind) for path in bar.get_paths()]
+    found = sorted((bar.x0, bar.x1) for bar in bars)
+    assert np.allclose(found, sorted((entry.start, entry.end) for entry in motion.limiting))
+    assert [tick.get_text() for tick in strip.get_yticklabels()] == ["speed", "acceleration", "cable speed"]
+
+
+def test_a_motion_without_tensions_has_a_chart_less_and_far_limits_are_only_named():
+    motion = motion_of("hard1", speed=30, acceleration=2, blend=0.03)
+    _, axes = pyplot.subplots(4, 1)
+    charts = figures.trajectory(motion, ax=axes)
+    assert list(charts) == list(axes) and named(charts[0], "limit") == []
+    assert charts[0].get_title("right") == "limit 30 m/s (above)" and charts[2].get_title("right") == ""
+    assert charts[0].get_ylim()[1] < 3
+    for wrong, message in [(axes[:3], "ax: found 3, expected 4 Axes"), (5, "ax: found 5"), ([1, 2, 3, 4], r"ax\[0\]: found 1")]:
+        with pytest.raises(cdpr.InputError, match=message):
+            figures.trajectory(motion, ax=wrong)
+    with pytest.raises(cdpr.InputError, match="trajectory: found .*expected a Trajectory"):
+        figures.trajectory(motion.positions)

@@ -27,7 +27,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Proof", "Tensions", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "Proof", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -98,14 +98,20 @@ def calls(tmp_path, monkeypatch, batch):
     said = {
         "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
-        "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "name": "s", "obstacles": {"crate": CUBE},
+        "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "motion": {"speed": 1.0}, "name": "s", "obstacles": {"crate": CUBE},
     }  # fmt: skip
     closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml").replace(**end)
     proof = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/closed.toml")).proof
     proof.save("proof.json")
+    motion = cdpr.trajectory(scene, path, acceleration=2.0)
+    motion.save("motion.json")
     information = cdpr.ompl.simple_setup(scene).getSpaceInformation()
     experiment = {"experiment": EXPERIMENT, "executor": None, "progress": None, "trials": 1, "threads": 1}
     figure = {"view": (20.0, -60.0), "ax": None}
+    limits = {
+        "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
+        "wrench_margin": None, "rate": 50.0,
+    }  # fmt: skip
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
@@ -167,6 +173,10 @@ def calls(tmp_path, monkeypatch, batch):
             cdpr.tensions_along,
             {"scene": held, "waypoints": [[0, 0, 2.0], [1, 0, 2]], "step": 0.5, "reference": [100.0] * 8, "strict": False},
         ),
+        "trajectory": (cdpr.trajectory, {"scene": scene, "path": path, "strict": False} | limits),
+        "load_trajectory": (cdpr.load_trajectory, {"file": "motion.json", "scene": scene, "strict": False}),
+        "Trajectory.at": (motion.at, {"time": [0.0, 0.1]}),
+        "Trajectory.save": (motion.save, {"file": "motion.json"}),
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
@@ -208,6 +218,7 @@ def calls(tmp_path, monkeypatch, batch):
             cdpr.figures.convergence,
             {"batch": sweep("history"), "scenario": "a", "methods": ["RRT"], "best": 1.0, "ax": None},
         ),
+        "figures.trajectory": (cdpr.figures.trajectory, {"trajectory": motion, "ax": None}),
         "figures.style": (cdpr.figures.style, {}),
         "ompl.simple_setup": (cdpr.ompl.simple_setup, {"scene": scene} | end | judges),
         "ompl.solve": (cdpr.ompl.solve, {"setup": solved(scene), "seconds": 0.01}),
@@ -270,7 +281,7 @@ def public():
 
 # Methods without parameters besides `self`.
 WITHOUT_ARGUMENTS = {"Report.to_pandas", "Result.history_to_pandas", "SearchTree.to_pandas", "Tensions.to_pandas", "View.open"}
-WITHOUT_ARGUMENTS |= {"WrenchMap.to_pandas"}
+WITHOUT_ARGUMENTS |= {"Trajectory.to_pandas", "WrenchMap.to_pandas"}
 
 
 def test_everything_public_is_called_with_all_its_parameters(calls):

@@ -22,8 +22,8 @@ def outputs(notebook):
     return found
 
 
-def test_there_are_two():
-    assert NOTEBOOKS == ["plan_first_path.ipynb", "wrench_feasible.ipynb"]
+def test_there_are_three():
+    assert NOTEBOOKS == ["plan_first_path.ipynb", "winch_table.ipynb", "wrench_feasible.ipynb"]
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)

@@ -57,6 +57,7 @@ SCENE_VALUES = {
     "orientations": {"level": [1.0, 0.0, 0.0, 0.0], "tilted": {"rpy_degrees": [0.0, 0.0, 5.0]}},
     "obstacles": {"crate": CUBE, "box": {"box": [1.0, 1.0, 1.0], "position": [3.0, 0.0, 0.5], "rpy": [0.0, 0.0, 0.1]}},
     "wrench": {"force": 10.0, "moment": 1.0, "load": np.zeros(6), "margin": "projected", "characteristic_length": 0.5},
+    "motion": {"speed": 1.0, "acceleration": 2.0, "blend": 0.05},
     "start": [0.0, 0.0, 2.0],
     "goal": [1.0, 0.0, 2.0],
     "orientation": "tilted",
@@ -80,7 +81,7 @@ def test_scene_and_replace_write_the_same_for_every_key(robot, tmp_path):
     assert set(whole.obstacles) == {"crate", "box"} and list(whole.orientations) == ["level", "tilted"]
     whole.save(tmp_path / "hall.toml")
     assert cdpr.Scene.load(tmp_path / "hall.toml") == whole
-    for key in ("name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "start", "goal", "orientation"):
+    for key in ("name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "start", "goal", "orientation"):
         taken = {"touch": None, "ignore": None, "clearances": None} if key == "obstacles" else {}
         without = whole.replace(**taken | {key: None}).to_dict()
         assert key not in without and key not in without.get("query", {}), key
@@ -163,7 +164,7 @@ def test_every_key_of_a_body_is_taken(robot):
         scene.with_obstacle("body", {"box": [1, 1, 1], "colour": "red"})
 
 
-def test_every_key_of_a_turn_and_of_a_demand_is_taken(robot):
+def test_every_key_of_a_turn_a_demand_and_a_motion_is_taken(robot):
     for key in keys(DEFINED["OrientationSpec"]) - {"name"}:
         turn = {key: [1.0, 0.0, 0.0, 0.0] if key == "quaternion" else [0.0, 0.0, 0.1]}
         scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], orientations={"turned": turn})
@@ -176,6 +177,14 @@ def test_every_key_of_a_turn_and_of_a_demand_is_taken(robot):
     for key, value in demands.items():
         scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], wrench={key: value})
         assert set(scene.wrench) == {key}
+    limits = {
+        "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
+        "wrench_margin": 1.0,
+    }  # fmt: skip
+    assert set(limits) == keys(DEFINED["MotionSpec"])
+    scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], motion=limits)
+    assert scene.motion == limits
+    assert set(limits) < parameters(cdpr.trajectory)
     kinds = keys(DEFINED["ClearancesSpec"]) - {"pairs"}
     scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], clearances=dict.fromkeys(kinds, 0.01))
     assert set(scene.clearances) == kinds

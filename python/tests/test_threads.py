@@ -46,6 +46,7 @@ def plenty(scene):
         "states_valid": lambda n: scene.states_valid(points[:n], engine="gjk", threads=1),
         "clearance": lambda n: scene.clearance(points[:n], threads=1),
         "plan": lambda n: cdpr.plan(scene, "rrt-star", seed=1, max_samples=n, **more),
+        "trajectory": lambda n: cdpr.trajectory(scene, [[0.3, 1, 0.3], [0.3, 1, 1]], acceleration=0.01, rate=n),
         "wrench_map": lambda n: cdpr.wrench_map(scene, step=1.7 / n ** (1 / 3), threads=1),
         "capacity_margin": lambda n: cdpr.capacity_margin(scene.robot, points[:n], threads=1),
     }

@@ -8,6 +8,7 @@ mod files;
 mod forked;
 mod scene;
 mod search;
+mod trajectory;
 mod wrench;
 mod wrench_map;
 
@@ -60,6 +61,8 @@ mod _core {
     };
     #[pymodule_export]
     use super::scene::Scene;
+    #[pymodule_export]
+    use super::trajectory::Trajectory;
     #[pymodule_export]
     use super::wrench::Statics;
     #[pymodule_export]

@@ -12,6 +12,7 @@ except ImportError as problem:
 
 from ._charts import boxes, repeats, step_sweep
 from ._convergence import convergence
+from ._motion import trajectory
 from ._space import available_set, model, paths, rewinding, scene
 from ._style import BLACK, BLUE, COLUMN, CYCLE, GREEN, GREY, LIGHT, ORANGE, PAGE, PURPLE, SKY, VERMILION, style
 
@@ -38,4 +39,5 @@ __all__ = [
     "scene",
     "step_sweep",
     "style",
+    "trajectory",
 ]

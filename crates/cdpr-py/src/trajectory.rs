@@ -1,0 +1,319 @@
+//! The class `Trajectory`: a timed motion, its samples and its state at any time.
+
+use std::path::{Path, PathBuf};
+
+use cdpr_core::geometry::{Point, Vector, path_length};
+use cdpr_core::model::spec::MotionSpec;
+use cdpr_core::path_file::SceneId;
+use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
+use cdpr_core::trajectory_check::Recorded;
+use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits};
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::TensionQp;
+use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
+use cdpr_files::{LoadedTrajectory, Loader, text, text::Notation};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use serde_json::json;
+
+use crate::convert::{points, quaternion, serialized, triples};
+use crate::errors::{abandonable, answered, interruptible};
+use crate::scene::Scene;
+
+/// Number of instants up to which a thread is not worthwhile.
+const FEW_INSTANTS: usize = 20;
+
+/// A timed motion: its file and, if the file has them, curve and timing for its state at any time.
+#[pyclass(frozen, module = "cdpr._core")]
+pub struct Trajectory {
+    file: TrajectoryFile,
+    /// The scene that it was made for, if known, and its cables, which are needed between samples.
+    scene: Option<(CoreScene, Winches)>,
+    exact: Option<(Curve, Timing)>,
+    /// Whether it was planned here, and not read from a file that may say anything.
+    planned: bool,
+}
+
+#[pymethods]
+impl Trajectory {
+    /// The fastest motion along a path; `limits` is JSON as in the table `[motion]` of a scene.
+    #[staticmethod]
+    fn of(
+        py: Python<'_>,
+        scene: &Scene,
+        waypoints: PyReadonlyArray2<'_, f64>,
+        limits: &str,
+        rate: f64,
+    ) -> PyResult<Self> {
+        let scene = &scene.0;
+        let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
+        let waypoints = points(waypoints.as_slice()?);
+        interruptible(py, |stop| {
+            let watch = Watch::on(stop);
+            let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
+            let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
+            let exact = (motion.curve().clone(), motion.timing().clone());
+            Ok(Trajectory {
+                file,
+                scene: Some((scene.clone(), motion.winches().clone())),
+                exact: Some(exact),
+                planned: true,
+            })
+        })
+    }
+
+    /// Loads a file, and a warning if it was made for another scene; with `strict`, an error instead.
+    #[staticmethod]
+    fn load(
+        py: Python<'_>,
+        path: PathBuf,
+        scene: Option<&Scene>,
+        strict: bool,
+    ) -> PyResult<(Trajectory, Option<String>)> {
+        let scene = scene.map(|scene| scene.0.clone());
+        abandonable(py, move || {
+            let (file, turned, warning) = load(&path, scene.as_ref(), strict).map_err(|error| error.in_file(&path))?;
+            let scene = turned.filter(|_| warning.is_none());
+            Ok((Trajectory::from_file(file, scene).map_err(|error| error.in_file(&path))?, warning))
+        })
+    }
+
+    /// What [`Trajectory::to_json`] returned.
+    #[staticmethod]
+    fn from_json(py: Python<'_>, file: &str, scene: Option<&str>) -> PyResult<Self> {
+        interruptible(py, |stop| {
+            let file = cdpr_files::trajectory_from_text(file)?;
+            let scene = scene.map(|text| Loader::new(Watch::on(stop)).scene_from_text(text, Notation::Json, None));
+            Trajectory::from_file(file, scene.transpose()?)
+        })
+    }
+
+    /// The file and the scene, if known, as JSON.
+    fn to_json(&self, py: Python<'_>) -> (String, Option<String>) {
+        py.detach(|| (serialized(&self.file), self.scene.as_ref().map(|(scene, _)| serialized(scene.spec()))))
+    }
+
+    /// The object itself, which never changes.
+    fn __deepcopy__<'py>(slf: &Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf.clone()
+    }
+
+    /// Writes a file in the format given by the extension.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file)))
+    }
+
+    /// Everything but samples, curve and timing, as JSON; `note` says why tensions are not limited.
+    fn facts(&self) -> String {
+        let file = &self.file;
+        let unknown = file.tensions.is_none().then_some("tensions are not limited");
+        let note = self.winches().map_or(unknown, Winches::note);
+        let facts = json!({
+            "duration": file.duration,
+            "length": file.length,
+            "rate": file.rate,
+            "orientation": file.orientation,
+            "orientation_name": file.orientation_name,
+            "limits": file.limits,
+            "tension_limits": file.tension_limits,
+            "waypoints": file.waypoints,
+            "corners": file.corners,
+            "limiting": file.limiting,
+            "cables": file.cables,
+            "note": note,
+        });
+        facts.to_string()
+    }
+
+    /// The times of the samples, and the states then, as [`Trajectory::at`] returns them.
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray1<f64>>, States<'py>)> {
+        let file = &self.file;
+        let of_cables = |rows: &Vec<Vec<f64>>| rows.concat();
+        let columns = py.detach(|| Columns {
+            platform: [&file.positions, &file.velocities, &file.accelerations].map(|rows| rows.as_flattened().to_vec()),
+            cables: [Some(&file.cable_lengths), Some(&file.cable_speeds), file.cable_accelerations.as_ref()]
+                .map(|rows| rows.map(of_cables)),
+            tensions: file.tensions.as_ref().map(of_cables),
+        });
+        Ok((PyArray1::from_slice(py, &file.times), columns.arrays(py, file.times.len(), file.cables.len())?))
+    }
+
+    /// The states at some times: positions, velocities and accelerations, (n, 3); lengths, speeds and accelerations of the
+    /// cables, (n, m), if the scene is known; tensions, (n, m), if they are limited and the scene is known.
+    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'_, f64>) -> PyResult<States<'py>> {
+        let missing =
+            || Error::invalid("curve", "found none in the file, expected the exact form that planning writes");
+        let exact = answered(|| self.exact.as_ref().ok_or_else(missing))?;
+        let times = times.as_slice()?;
+        let states =
+            |watch: &Watch| Columns::at(exact, self.winches(), times, watch).map_err(|error| self.blamed(error));
+        let columns = match times.len() <= FEW_INSTANTS {
+            true => answered(|| states(&Watch::NONE)),
+            false => interruptible(py, |stop| states(&Watch::on(stop))),
+        }?;
+        columns.arrays(py, times.len(), self.file.cables.len())
+    }
+}
+
+impl Trajectory {
+    fn from_file(file: TrajectoryFile, scene: Option<CoreScene>) -> Result<Self, Error> {
+        let winches = scene.as_ref().map(|scene| winches(scene, &file)).transpose()?;
+        let exact = (file.curve.is_some() && file.timing.is_some()).then(|| file.exact()).transpose()?;
+        Ok(Trajectory { file, scene: scene.zip(winches), exact, planned: false })
+    }
+
+    /// What no tensions allow is a bug if it was planned here, and otherwise a fault of the file.
+    fn blamed(&self, error: Error) -> Error {
+        match error.class() {
+            ErrorClass::Internal if !self.planned => {
+                Error::invalid("timing", "found a motion for which no tensions are within the limits")
+            }
+            _ => error,
+        }
+    }
+
+    fn winches(&self) -> Option<&Winches> {
+        self.scene.as_ref().map(|(_, winches)| winches)
+    }
+}
+
+/// The cables of the robot of a trajectory.
+fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
+    let TrajectoryLimits { speed, acceleration, jerk, cable_speed, cable_acceleration, blend, wrench_margin } =
+        file.limits;
+    let wrench_margin = wrench_margin.unwrap_or(0.0);
+    let limits = Limits { speed, acceleration, jerk, cable_speed, cable_acceleration, blend, wrench_margin };
+    Winches::of(scene, &limits, &Point::from(file.waypoints[0]))
+}
+
+/// Loads a file, the scene at its orientation, and a warning if it was made for another scene.
+fn load(
+    path: &Path,
+    scene: Option<&CoreScene>,
+    strict: bool,
+) -> Result<(TrajectoryFile, Option<CoreScene>, Option<String>), Error> {
+    let loaded = cdpr_files::load_trajectory(path)?;
+    let Some(scene) = scene else {
+        let LoadedTrajectory { motion, cables, orientation, file } = loaded;
+        return Ok((file.map_or_else(|| of_table(&motion, cables, orientation, None), Ok)?, None, None));
+    };
+    let (turned, motion, warning) = cdpr_files::scene_of_loaded(scene, &loaded, strict)?;
+    let cables = turned.robot().cable_names().iter().map(ToString::to_string).collect();
+    let table = || of_table(&motion, cables, Some(quaternion(turned.orientation())), Some(&turned));
+    Ok((loaded.file.map_or_else(table, Ok)?, Some(turned), warning))
+}
+
+/// The samples of a table as a file without limits. Its path is that of the samples; its time begins with the first sample.
+/// Lengths and speeds of cables that the table does not have are those of the robot of the scene.
+fn of_table(
+    motion: &Recorded,
+    cables: Vec<String>,
+    orientation: Option<[f64; 4]>,
+    scene: Option<&CoreScene>,
+) -> Result<TrajectoryFile, Error> {
+    let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
+    let (velocities, accelerations) = (motion.velocities(), motion.accelerations());
+    let winches =
+        scene.map(|scene| Winches::of(scene, &Limits::of(scene, &MotionSpec::default())?, &motion.positions[0]));
+    let winches = winches.transpose()?;
+    let windings = |of: fn(&Winding) -> f64| {
+        let row = |winches: &Winches, k: usize| {
+            winches.windings(&motion.positions[k], &velocities[k], &accelerations[k]).map(|w| of(&w)).collect()
+        };
+        winches.as_ref().map(|winches| (0..motion.times.len()).map(|k| row(winches, k)).collect())
+    };
+    let columns =
+        |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
+    let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
+    let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
+    let rows = |vectors: &[Vector]| vectors.iter().map(|v| (*v).into()).collect();
+    Ok(TrajectoryFile {
+        format: TRAJECTORY_FORMAT.to_string(),
+        version: TRAJECTORY_VERSION,
+        scene: scene.map_or_else(|| SceneId { name: String::new(), fingerprint: String::new() }, SceneId::of),
+        orientation: orientation.ok_or_else(|| missing("qw"))?,
+        orientation_name: None,
+        duration: last - first,
+        length: path_length(&motion.positions),
+        rate: (motion.times.len() - 1) as f64 / (last - first),
+        limits: TrajectoryLimits::default(),
+        tension_limits: None,
+        waypoints: positions.clone(),
+        corners: Vec::new(),
+        limiting: Vec::new(),
+        times: motion.times.iter().map(|time| time - first).collect(),
+        velocities: rows(&velocities),
+        accelerations: rows(&accelerations),
+        cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
+        cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
+        tensions: motion.tensions.clone(),
+        cable_accelerations: windings(|winding| winding.acceleration),
+        curve: None,
+        timing: None,
+        cables,
+        positions,
+    })
+}
+
+type Rows<'py> = Bound<'py, PyArray2<f64>>;
+type Maybe<'py> = Option<Rows<'py>>;
+type States<'py> = (Rows<'py>, Rows<'py>, Rows<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>);
+
+/// States at some times, each quantity row by row.
+struct Columns {
+    platform: [Vec<f64>; 3],
+    cables: [Option<Vec<f64>>; 3],
+    tensions: Option<Vec<f64>>,
+}
+
+impl Columns {
+    fn at(
+        (curve, timing): &(Curve, Timing),
+        winches: Option<&Winches>,
+        times: &[f64],
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let limited = winches.filter(|winches| winches.tension_limits().is_some());
+        let mut columns = Columns {
+            platform: Default::default(),
+            cables: [(); 3].map(|()| winches.map(|_| Vec::new())),
+            tensions: limited.map(|_| Vec::new()),
+        };
+        let mut solver = TensionQp::default();
+        for &time in times {
+            watch.check()?;
+            let phase = timing.at(time);
+            let Motion { position, velocity, acceleration, .. } = Motion::on(curve, curve.piece_at(phase.s), &phase);
+            for (column, row) in columns.platform.iter_mut().zip([position.coords, velocity, acceleration]) {
+                column.extend(Vector::iter(&row));
+            }
+            if let (Some(winches), [Some(lengths), Some(speeds), Some(rates)]) = (winches, &mut columns.cables) {
+                for winding in winches.windings(&position, &velocity, &acceleration) {
+                    lengths.push(winding.length);
+                    speeds.push(winding.speed);
+                    rates.push(winding.acceleration);
+                }
+            }
+            if let (Some(winches), Some(rows)) = (limited, &mut columns.tensions) {
+                rows.extend(winches.tensions(&mut solver, &position, &acceleration)?.unwrap_or_default());
+            }
+        }
+        Ok(columns)
+    }
+
+    /// The arrays for these numbers of times and cables.
+    fn arrays(self, py: Python<'_>, count: usize, cables: usize) -> PyResult<States<'_>> {
+        let matrix = |numbers: Vec<f64>| PyArray1::from_vec(py, numbers).reshape([count, cables]);
+        let [positions, velocities, accelerations] = self.platform;
+        let [lengths, speeds, rates] = self.cables;
+        Ok((
+            triples(py, positions)?,
+            triples(py, velocities)?,
+            triples(py, accelerations)?,
+            lengths.map(matrix).transpose()?,
+            speeds.map(matrix).transpose()?,
+            rates.map(matrix).transpose()?,
+            self.tensions.map(matrix).transpose()?,
+        ))
+    }
+}

@@ -1,0 +1,449 @@
+"""Timed motions along a path."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, as_numbers, finite, positive, shaped
+from ._given import file_name, flag, instance
+from ._pandas import frame
+from ._planning import core_for, path_rows
+from ._results import Path
+from ._scene import Scene
+from ._values import ByValue
+from .exceptions import AnotherSceneWarning, InputError
+
+
+class Corner(NamedTuple):
+    """How a trajectory passes a corner of its path.
+
+    Attributes
+    ----------
+    waypoint : int
+        Index of the waypoint.
+    kind : str
+        "rounded" (on its inside), "outward" (moved outward, then rounded) or "stop" (the platform stops there).
+    deviation : float
+        Largest distance between curve and path there, m.
+    time : float
+        When it is passed, s.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2)
+    >>> [(corner.waypoint, corner.kind) for corner in motion.corners]
+    [(1, 'stop')]
+    """
+
+    waypoint: int
+    kind: str
+    deviation: float
+    time: float
+
+
+class Limiting(NamedTuple):
+    """A limit that determines for some time how fast the platform moves.
+
+    Attributes
+    ----------
+    start, end : float
+        From when until when, s.
+    limit : str
+        "speed", "acceleration", "jerk", "cable_speed", "cable_acceleration" or "tension".
+    cable : str or None
+        Name of the cable, for limits of a cable's speed and acceleration.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+    >>> [entry.limit for entry in motion.limiting]
+    ['acceleration', 'speed', 'acceleration']
+    """
+
+    start: float
+    end: float
+    limit: str
+    cable: str | None
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MotionState(ByValue):
+    """Platform and cables at a time of a trajectory, or at several.
+
+    For times of shape (...) each array has this shape followed by what is given here.
+
+    Attributes
+    ----------
+    time : float or ndarray (...)
+        S.
+    position, velocity, acceleration : ndarray (..., 3)
+        Of the platform's origin, world, m, m/s, m/s².
+    cable_lengths, cable_speeds, cable_accelerations : ndarray (..., m) or None
+        Length of each cable, m, how fast it grows, m/s, and the rate of that, m/s²; None for a loaded file without its
+        scene.
+    tensions : ndarray (..., m) or None
+        Of each cable, N; None if they are not limited, and for a loaded file without its scene.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+    >>> motion.at(0.75)
+    MotionState(0.75 s, at [1.0, 1.0, 1.0] m, 1.0000 m/s)
+    >>> motion.at([0.0, 0.5, 1.0]).cable_lengths.shape
+    (3, 8)
+    """
+
+    time: np.float64 | Floats
+    position: Floats
+    velocity: Floats
+    acceleration: Floats
+    cable_lengths: Floats | None
+    cable_speeds: Floats | None
+    cable_accelerations: Floats | None
+    tensions: Floats | None
+
+    def __repr__(self) -> str:
+        """Show time, place and speed, or how many states there are."""
+        if np.ndim(self.time):
+            return f"MotionState({np.size(self.time)} times)"
+        place = [round(x, 4) for x in self.position.tolist()]
+        return f"MotionState({self.time:.6g} s, at {place} m, {np.linalg.norm(self.velocity):.4f} m/s)"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(ByValue):
+    """A timed motion along a path, from rest to rest, at a fixed orientation; made by `trajectory` or `load_trajectory`.
+
+    The arrays are samples; `at` gives the state at any time.
+
+    Attributes
+    ----------
+    duration : float
+        From start to end, s.
+    length : float
+        Of the curve, m.
+    rate : float
+        Samples per second.
+    times : ndarray (n,)
+        Of the samples, s; the last one is the duration.
+    positions, velocities, accelerations : ndarray (n, 3)
+        Of the platform's origin, world, m, m/s, m/s².
+    cable_lengths, cable_speeds : ndarray (n, m)
+        Length of each cable, m, and how fast it grows, m/s.
+    cable_accelerations : ndarray (n, m) or None
+        The rate of that, m/s²; None for a loaded file that does not have it.
+    tensions : ndarray (n, m) or None
+        Of each cable, N: nearest to the middle of the limits; None if tensions are not limited.
+    cables : tuple of str
+        Names of the cables, in the order of the columns.
+    orientation : ndarray (4,)
+        World-from-platform unit quaternion w x y z, held all the time.
+    orientation_name : str or None
+        Its name, if the scene names it.
+    waypoints : ndarray (k, 3)
+        The path that the curve follows, m.
+    limits : dict
+        The limits that are set: ``speed``, ``acceleration``, ``jerk``, ``cable_speed``, ``cable_acceleration``,
+        ``wrench_margin``; always ``blend``.
+    tension_limits : ndarray (m, 2) or None
+        Minimum and maximum tension of each cable, N, if tensions are limited.
+    corners : tuple of Corner
+        How each corner of the path is passed.
+    limiting : tuple of Limiting
+        Which limit determines the motion when, in order of time; gaps are possible.
+    note : str or None
+        Why tensions are not limited, if they are not.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+    >>> motion
+    Trajectory(1.500 s, 1.0000 m, 151 samples)
+    >>> motion.positions.shape, motion.cable_lengths.shape
+    ((151, 3), (151, 8))
+    >>> motion.tensions is None, motion.note[:24]
+    (True, 'tensions are not limited')
+    """
+
+    duration: float
+    length: float
+    rate: float
+    times: Floats
+    positions: Floats
+    velocities: Floats
+    accelerations: Floats
+    cable_lengths: Floats
+    cable_speeds: Floats
+    cable_accelerations: Floats | None
+    tensions: Floats | None
+    cables: tuple[str, ...]
+    orientation: Floats
+    orientation_name: str | None
+    waypoints: Floats
+    limits: Mapping[str, float]
+    tension_limits: Floats | None
+    corners: tuple[Corner, ...]
+    limiting: tuple[Limiting, ...]
+    note: str | None = field(compare=False)
+    _motion: _core.Trajectory = field(compare=False)
+
+    def at(self, time: ArrayLike) -> MotionState:
+        """Compute the state at any time exactly, not from the samples.
+
+        Parameters
+        ----------
+        time : array_like (...)
+            A time or several, s. Before the start and after the end, the state is that at start or end.
+
+        Returns
+        -------
+        MotionState
+            Its arrays have the shape of the times, followed by their own: (..., 3) or (..., m).
+
+        Raises
+        ------
+        InputError
+            Times that are not finite; a trajectory from a file without the exact form, such as a .csv file.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+        >>> motion.at(motion.duration / 2).position.round(6).tolist()
+        [1.0, 1.0, 1.0]
+        """
+        times = as_numbers("time", time)
+        if not np.isfinite(times).all():
+            raise InputError(f"time: found {times[~np.isfinite(times)].flat[0]}, expected finite times")
+        found = self._motion.at(times.reshape(-1))
+        columns = [None if rows is None else shaped(rows, times.shape) for rows in found]
+        position, velocity, acceleration, *of_cables = columns
+        assert position is not None and velocity is not None and acceleration is not None
+        return MotionState(times[()], position, velocity, acceleration, *of_cables)
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Write a file.
+
+        Parameters
+        ----------
+        file : path
+            The extension selects the format: .json holds everything; .csv holds the samples, with the columns of
+            `to_pandas`; .yaml is a message of ROS 2, ``trajectory_msgs/msg/JointTrajectory``, whose joints are the cables.
+
+        Raises
+        ------
+        FileError
+            Another extension, or a file that cannot be written; nothing half-written is left.
+        """
+        self._motion.save(file_name(file, "file"))
+
+    def to_pandas(self) -> Any:
+        """Return the samples as a table; requires pandas.
+
+        Returns
+        -------
+        DataFrame
+            One row per sample, with the columns of the .csv file: ``t`` (s), ``x``, ``y``, ``z`` (m), the orientation
+            ``qw``, ``qx``, ``qy``, ``qz``, velocity ``vx``, ``vy``, ``vz`` (m/s), acceleration ``ax``, ``ay``, ``az``
+            (m/s²), and for each cable by its name ``length:cable 0`` (m) and ``speed:cable 0`` (m/s), and
+            ``tension:cable 0`` (N) if tensions are limited.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
+        >>> table = motion.to_pandas()
+        >>> table.shape, list(table)[:8]
+        ((151, 30), ['t', 'x', 'y', 'z', 'qw', 'qx', 'qy', 'qz'])
+        """
+        columns: dict[str, Any] = {"t": self.times}
+        columns |= dict(zip("xyz", self.positions.T, strict=True))
+        columns |= {f"q{axis}": np.full(len(self.times), part) for axis, part in zip("wxyz", self.orientation, strict=True)}
+        for letter, rows in (("v", self.velocities), ("a", self.accelerations)):
+            columns |= {f"{letter}{axis}": column for axis, column in zip("xyz", rows.T, strict=True)}
+        of_cables = {"length": self.cable_lengths, "speed": self.cable_speeds, "tension": self.tensions}
+        for name, matrix in of_cables.items():
+            if matrix is not None:
+                columns |= {f"{name}:{cable}": column for cable, column in zip(self.cables, matrix.T, strict=True)}
+        return frame(columns, "sample")
+
+    @classmethod
+    def _of(cls, core: _core.Trajectory) -> Trajectory:
+        facts: dict[str, Any] = json.loads(core.facts())
+        times, (positions, velocities, accelerations, lengths, speeds, rates, tensions) = core.samples()
+        assert lengths is not None and speeds is not None
+        limits = facts.pop("tension_limits")
+        entries = facts.pop("limiting")
+        return cls(
+            times=times,
+            positions=positions,
+            velocities=velocities,
+            accelerations=accelerations,
+            cable_lengths=lengths,
+            cable_speeds=speeds,
+            cable_accelerations=rates,
+            tensions=tensions,
+            cables=tuple(facts.pop("cables")),
+            orientation=np.array(facts.pop("orientation"), dtype=np.float64),
+            waypoints=np.array(facts.pop("waypoints"), dtype=np.float64),
+            tension_limits=None if limits is None else np.array(limits, dtype=np.float64),
+            corners=tuple(Corner(**entry) for entry in facts.pop("corners")),
+            limiting=tuple(Limiting(entry["from"], entry["to"], entry["limit"], entry["cable"]) for entry in entries),
+            _motion=core,
+            **facts,
+        )
+
+    @classmethod
+    def _from_json(cls, file: str, scene: str | None) -> Trajectory:
+        return cls._of(_core.Trajectory.from_json(file, scene))
+
+    def __reduce__(self) -> tuple[Any, tuple[str, str | None]]:
+        """Pickle by value."""
+        return Trajectory._from_json, self._motion.to_json()
+
+    def __repr__(self) -> str:
+        """Show duration, length and size."""
+        return f"Trajectory({self.duration:.3f} s, {self.length:.4f} m, {len(self.times)} samples)"
+
+
+def trajectory(
+    scene: Scene,
+    path: ArrayLike | Path,
+    *,
+    speed: float | None = None,
+    acceleration: float | None = None,
+    jerk: float | None = None,
+    cable_speed: float | None = None,
+    cable_acceleration: float | None = None,
+    blend: float | None = None,
+    wrench_margin: float | None = None,
+    rate: float = 100.0,
+    strict: bool = False,
+) -> Trajectory:
+    """Compute the fastest motion along a path that keeps all limits at every instant, from rest to rest.
+
+    Limits that are not given are those of the scene's table ``[motion]``; there must be one of acceleration, of cable
+    acceleration, or of tensions. Tensions are limited, including the inertia of the platform, if its mass and all tension
+    limits are known and the cables leave no motion free.
+
+    Parameters
+    ----------
+    scene : Scene
+    path : array_like (k, 3), Path or Result, k >= 2
+        Positions of the platform's origin, world, m; every segment must be valid.
+    speed, acceleration, jerk : float, optional
+        Largest speed, acceleration and jerk of the platform, m/s, m/s², m/s³. A jerk requires an acceleration.
+    cable_speed, cable_acceleration : float, optional
+        Largest speed and acceleration of each cable's length, m/s, m/s².
+    blend : float, optional
+        Largest deviation from the path where corners are rounded, m; with 0 the platform stops at each corner. Default the
+        scene's clearance.
+    wrench_margin : float, optional
+        Capacity margin that the cables keep in addition to the inertia of the platform, N.
+    rate : float
+        Samples per second.
+    strict : bool
+        Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    InputError
+        Wrong shape, a path that is not valid or does not move, limits that are not positive or too few, a place where the
+        cables cannot hold or accelerate the platform, a rate that gives too many samples; with ``strict``, a path that
+        was planned for another scene.
+    KeyboardInterrupt
+        On Ctrl-C.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> path = cdpr.plan(scene)
+    >>> stopping = trajectory(scene, path, speed=1, acceleration=2)
+    >>> blended = trajectory(scene, path, speed=1, acceleration=2, blend=0.03)
+    >>> blended.duration < stopping.duration, blended.corners[0].kind
+    (True, 'outward')
+    """
+    given = {
+        "speed": speed,
+        "acceleration": acceleration,
+        "jerk": jerk,
+        "cable_speed": cable_speed,
+        "cable_acceleration": cable_acceleration,
+        "blend": blend,
+        "wrench_margin": wrench_margin,
+    }
+    limits = {key: finite(key, value) for key, value in given.items() if value is not None}
+    core = core_for(scene, path, strict=strict)
+    found = _core.Trajectory.of(core, path_rows("path", path), json.dumps(limits), positive("rate", rate))
+    return Trajectory._of(found)
+
+
+def load_trajectory(
+    file: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False
+) -> Trajectory:
+    """Load a trajectory file.
+
+    Parameters
+    ----------
+    file : path
+        .json, as written by `Trajectory.save` or ``cdpr trajectory``; or .csv of any source, with at least the columns
+        ``t``, ``x``, ``y``, ``z``. From .csv there are only samples: no limits, and `Trajectory.at` raises an error.
+    scene : Scene, optional
+        The scene that it was made for: `Trajectory.at` then also gives lengths, speeds and tensions of the cables, and
+        columns of cables that a .csv file does not have are computed. If it was made for another scene, an
+        `AnotherSceneWarning` is issued.
+    strict : bool
+        Raise an error for such a file instead.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    FileError
+        It cannot be read, or its name has another extension.
+    InputError
+        Bad contents; a trajectory at an orientation that the scene does not have, or of another robot; a .csv file without
+        orientation or cables, and no scene; with ``strict``, a trajectory of another scene.
+
+    Examples
+    --------
+    >>> import cdpr, tempfile
+    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     motion.save(f"{folder}/motion.json")
+    ...     load_trajectory(f"{folder}/motion.json", scene) == motion
+    True
+    """
+    core = None if scene is None else instance("scene", scene, Scene)._core
+    name = file_name(file, "file")
+    found, warning = _core.Trajectory.load(name, core, flag("strict", strict))
+    if warning is not None:
+        warnings.warn(f"{name}: {warning}", AnotherSceneWarning, stacklevel=2)
+    return Trajectory._of(found)
