@@ -153,6 +153,19 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
 }
 
 #[test]
+fn tensions_may_bind_on_bends() {
+    let scene = built_scene("cogiro");
+    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.waypoints;
+    for (blend, acceleration) in [(0.2, None), (0.05, None), (0.1, Some(20.0))] {
+        let limits = MotionSpec { speed: Some(4.0), acceleration, blend: Some(blend), ..FREE };
+        let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
+        assert!(found.limiting().iter().any(|limiting| matches!(limiting.bound, Bound::Tension(_))));
+        let worst = worst(&scene, &path, &found, 2000);
+        assert!(worst.is_sound(), "{blend}: {worst:?}");
+    }
+}
+
+#[test]
 fn impossible_limits_and_paths_are_refused_with_a_reason() {
     let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.5, 1.0, 1.0]]);
     let with = |change: fn(&mut MotionSpec)| {

@@ -450,10 +450,14 @@ pub const TIMING_INTERVALS: usize = 1000;
 pub const TIMING_EXCESS: f64 = 1e-5;
 
 /// How often the time between two instants is halved to prove that tensions exist in between.
-pub const TENSION_HALVINGS: usize = 12;
+pub const TENSION_HALVINGS: usize = 5;
+
+/// By how much limits are tightened first where it is not proved that tensions exist between instants, as a share; each
+/// further time by twice as much.
+pub const TENSION_EXCESS: f64 = 2e-3;
 
 /// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
-pub const TIMING_ROUNDS: usize = 10;
+pub const TIMING_ROUNDS: usize = 14;
 
 /// Largest number of samples of a trajectory; more are probably due to a wrong unit.
 pub const MOST_SAMPLES: f64 = 1e7;

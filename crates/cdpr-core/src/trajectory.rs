@@ -177,7 +177,7 @@ impl Trajectory {
     /// Which limit determines the motion when: it is used to more than 99.9 %.
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
-        let tensions = tension_shares(&self.curve, &self.timing, &self.winches).unwrap_or_default();
+        let tensions = tension_shares(&self.curve, &self.timing, &self.winches, &Watch::NONE).unwrap_or_default();
         for (k, (share, tension)) in shares.iter_mut().zip(tensions).enumerate() {
             if tension >= BINDING && tension > share.0 {
                 *share = (tension, self.scarcest_tension(self.timing.phases()[k].time).map(Bound::Tension));

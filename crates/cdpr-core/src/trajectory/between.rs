@@ -11,6 +11,7 @@ use super::winches::{TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::{TENSION_HALVINGS, TURNING};
+use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
 /// A limit that a trajectory keeps.
@@ -194,10 +195,13 @@ fn winding_derivatives(smooth: &Smooth, before: &Winding, after: &Winding) -> [f
 }
 
 /// For each phase of a timing, the largest share of the slack at rest that its inertia uses at its ends, over all facets of
-/// the available wrenches. An error is a position at which the cables cannot hold the platform at rest.
-pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Vec<f64>, Point> {
+/// the available wrenches.
+///
+/// # Errors
+/// As [`without_tensions`].
+pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches, watch: &Watch) -> Result<Vec<f64>, Error> {
     let mut shares = vec![0.0_f64; timing.phases().len()];
-    for (k, _, ends) in &tension_ends(curve, timing, winches)? {
+    for (k, _, ends) in &tension_ends(curve, timing, winches, watch)? {
         shares[*k] = shares[*k].max(ends[0].share).max(ends[1].share);
     }
     Ok(shares)
@@ -208,61 +212,74 @@ fn tension_ends(
     curve: &Curve,
     timing: &Timing,
     winches: &Winches,
-) -> Result<Vec<(usize, Smooth, [TensionShare; 2])>, Point> {
+    watch: &Watch,
+) -> Result<Vec<(usize, Smooth, [TensionShare; 2])>, Error> {
     let (mut smooths, mut motions) = (Vec::new(), Vec::new());
     for_each_smooth(curve, timing, |k, smooth| {
         motions.extend(smooth.ends.iter().map(|motion| (motion.position, motion.acceleration)));
         smooths.push((k, smooth));
     });
-    let shares = winches.tension_shares(&motions).map_err(|k| motions[k].0)?;
+    let mut shares = Vec::with_capacity(motions.len());
+    for some in motions.chunks(BETWEEN_CHECKS) {
+        watch.check()?;
+        shares.extend(winches.tension_shares(some).map_err(|k| not_held(&some[k].0))?);
+    }
     let ends = shares.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
     Ok(smooths.into_iter().zip(ends).map(|((k, smooth), ends)| (k, smooth, ends)).collect())
 }
 
-/// The position at which it is first not proved that tensions within their limits move the platform; `None` if they do at
-/// every instant. Where the slack of the available wrenches is large, a bound shows it, elsewhere tensions do.
+/// The phases of a timing in which it is not proved that tensions within their limits move the platform. Where the slack of
+/// the available wrenches is large, a bound shows it, elsewhere tensions do.
 ///
 /// # Errors
-/// A solver that reached no answer.
-pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches) -> Result<Option<Point>, Error> {
+/// A place where the cables cannot hold the platform at rest; a solver that reached no answer; [`Error::interrupted`],
+/// [`Error::out_of_time`].
+pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches, watch: &Watch) -> Result<Vec<usize>, Error> {
+    let (mut lacking, mut solver) = (Vec::new(), TensionQp::default());
     if winches.tension_limits().is_none() {
-        return Ok(None);
+        return Ok(lacking);
     }
-    let ends = match tension_ends(curve, timing, winches) {
-        Ok(ends) => ends,
-        Err(position) => return Ok(Some(position)),
-    };
-    let mut solver = TensionQp::default();
-    for (_, smooth, shares) in &ends {
+    for (k, smooth, shares) in &tension_ends(curve, timing, winches, watch)? {
         let sag = winches.sag(smooth.ends.each_ref().map(|m| &m.position), smooth.tension_bounds(), smooth.time);
-        if shares[0].slack.min(shares[1].slack) >= sag {
+        if shares[0].slack.min(shares[1].slack) >= sag || lacking.last() == Some(k) {
             continue;
         }
-        if let Some(position) = lacking_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS)? {
-            return Ok(Some(position));
+        watch.check()?;
+        if !has_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS)? {
+            lacking.push(*k);
         }
     }
-    Ok(None)
+    Ok(lacking)
 }
 
-fn lacking_tensions(
+/// The error about a place where no tensions hold the platform at rest.
+pub fn not_held(position: &Point) -> Error {
+    let at = [position.x, position.y, position.z];
+    let problem = format!(
+        "found no tensions within the limits that hold the platform at {at:?} m, expected some all along the path"
+    );
+    Error::invalid("waypoints", problem)
+}
+
+/// Number of places that are examined between looks at the watch.
+pub const BETWEEN_CHECKS: usize = 256;
+
+/// Whether it is proved that tensions exist during a smooth time, or during both halves of it.
+fn has_tensions(
     curve: &Curve,
     smooth: &Smooth,
     winches: &Winches,
     solver: &mut TensionQp,
     halvings: usize,
-) -> Result<Option<Point>, Error> {
+) -> Result<bool, Error> {
     let ends = smooth.ends.each_ref().map(|motion| (&motion.position, &motion.acceleration));
     if winches.hold_between(solver, ends, smooth.tension_bounds(), smooth.time)? {
-        return Ok(None);
+        return Ok(true);
     }
     if halvings == 0 {
-        return Ok(Some(smooth.ends[0].position));
+        return Ok(false);
     }
-    for half in smooth.halves(curve) {
-        if let Some(position) = lacking_tensions(curve, &half, winches, solver, halvings - 1)? {
-            return Ok(Some(position));
-        }
-    }
-    Ok(None)
+    let [first, second] = smooth.halves(curve);
+    Ok(has_tensions(curve, &first, winches, solver, halvings - 1)?
+        && has_tensions(curve, &second, winches, solver, halvings - 1)?)
 }

@@ -56,7 +56,7 @@ impl Rows {
     /// at rest.
     pub fn along(jets: &[Jet], limits: &Limits, winches: &Winches) -> Result<Vec<Self>, usize> {
         let mut rows: Vec<Rows> = jets.iter().map(|jet| Rows::kinematic(jet, limits, winches)).collect();
-        winches.push_tension_rows(jets, &mut rows)?;
+        winches.for_each_tension_limit(jets, |k, [a, b, c]| rows[k].linear.push(Row { a, b, c }))?;
         rows.iter_mut().for_each(Rows::prune);
         Ok(rows)
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::between::{shares, tension_shares, without_tensions};
+use super::between::{BETWEEN_CHECKS, not_held, shares, tension_shares, without_tensions};
 use super::corners::{Corner, Passing};
 use super::curve::{Curve, Jet};
 use super::fastest::{fastest, grid};
@@ -12,7 +12,7 @@ use super::timing::Timing;
 use super::winches::Winches;
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::numerics::{TIMING_EXCESS, TIMING_ROUNDS};
+use crate::numerics::{TENSION_EXCESS, TIMING_EXCESS, TIMING_ROUNDS};
 use crate::watch::Watch;
 
 /// A curve between its stops, and the limits on grids of its parameters.
@@ -85,11 +85,7 @@ impl<'a> Schedule<'a> {
                 best = Some(timing);
             }
         }
-        let timing = best.expect("at least one window");
-        match without_tensions(self.curve, &timing, self.winches)? {
-            None => Ok(timing),
-            Some(position) => Err(not_held(&position)),
-        }
+        Ok(best.expect("at least one window"))
     }
 
     /// The times over which progress may be averaged to keep the limit of jerk, s: a jump of the acceleration by its limit
@@ -101,33 +97,40 @@ impl<'a> Schedule<'a> {
         }
     }
 
-    /// The timing for one window, so slow that it keeps all limits except for tensions between instants.
+    /// The timing for one window, so slow that it keeps all limits.
     fn slowed(mut self, window: f64, watch: &Watch) -> Result<Timing, Error> {
-        let (mut timing, mut shares) = self.planned(window)?;
+        let mut excess = TENSION_EXCESS;
         for _ in 0..TIMING_ROUNDS {
-            watch.check()?;
-            if shares.iter().all(|share| *share <= 1.0 + TIMING_EXCESS) {
-                break;
+            let timing = smoothed(&self.fastest()?, window);
+            let mut shares = self.shares(&timing, window, watch)?;
+            if worst(&shares) <= 1.0 + TIMING_EXCESS {
+                let timing = timing.stretched(worst(&shares).sqrt());
+                let lacking = without_tensions(self.curve, &timing, self.winches, watch)?;
+                if lacking.is_empty() {
+                    return Ok(timing);
+                }
+                lacking.iter().for_each(|k| shares[*k] = 1.0 + excess);
+                excess *= 2.0;
             }
             self.tighten(&timing, &shares, window);
-            (timing, shares) = self.planned(window)?;
         }
-        Ok(timing.stretched(worst(&shares).sqrt()))
-    }
-
-    /// The fastest timing, smoothed over a window of time, s, and the shares of limits that each of its phases uses.
-    fn planned(&self, window: f64) -> Result<(Timing, Vec<f64>), Error> {
         let timing = smoothed(&self.fastest()?, window);
-        let mut shares = self.kinematic_shares(&timing);
-        if window > 0.0 {
-            let tensions = tension_shares(self.curve, &timing, self.winches).map_err(|at| not_held(&at))?;
-            shares.iter_mut().zip(tensions).for_each(|(share, tension)| *share = share.max(tension));
+        let slower = timing.stretched(worst(&self.shares(&timing, window, watch)?).sqrt());
+        match without_tensions(self.curve, &slower, self.winches, watch)?.first() {
+            None => Ok(slower),
+            Some(phase) => Err(not_moved(&self.curve.at(slower.phases()[*phase].s).position)),
         }
-        Ok((timing, shares))
     }
 
-    fn kinematic_shares(&self, timing: &Timing) -> Vec<f64> {
-        shares(self.curve, timing, self.limits, self.winches).into_iter().map(|(share, _)| share).collect()
+    /// The shares of limits that each phase of a timing uses. Without smoothing, the rows already limit tensions.
+    fn shares(&self, timing: &Timing, window: f64, watch: &Watch) -> Result<Vec<f64>, Error> {
+        watch.check()?;
+        let shares = shares(self.curve, timing, self.limits, self.winches).into_iter().map(|(share, _)| share);
+        if window == 0.0 {
+            return Ok(shares.collect());
+        }
+        let tensions = tension_shares(self.curve, timing, self.winches, watch)?;
+        Ok(shares.zip(tensions).map(|(share, tension)| share.max(tension)).collect())
     }
 
     /// The fastest timing of each stretch between two rests.
@@ -163,9 +166,6 @@ impl Stretch {
     }
 }
 
-/// Number of places whose limits are computed between looks at the watch.
-const BETWEEN_CHECKS: usize = 256;
-
 fn smoothed(stretches: &[Timing], window: f64) -> Timing {
     let smooth = |timing: &Timing| if window > 0.0 { timing.smoothed(window) } else { timing.clone() };
     Timing::joined(stretches.iter().map(smooth))
@@ -174,14 +174,6 @@ fn smoothed(stretches: &[Timing], window: f64) -> Timing {
 /// The largest share, at least 1.
 fn worst(shares: &[f64]) -> f64 {
     shares.iter().copied().fold(1.0, f64::max)
-}
-
-fn not_held(position: &Point) -> Error {
-    let at = [position.x, position.y, position.z];
-    let problem = format!(
-        "found no tensions within the limits that hold the platform at {at:?} m, expected some all along the path"
-    );
-    Error::invalid("waypoints", problem)
 }
 
 fn not_moved(position: &Point) -> Error {

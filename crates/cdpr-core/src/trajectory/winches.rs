@@ -4,7 +4,6 @@ use nalgebra::{Matrix6, Matrix6xX, Vector6};
 
 use super::curve::Jet;
 use super::limits::Limits;
-use super::rows::{Row, Rows};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
@@ -114,17 +113,17 @@ impl Winches {
         })
     }
 
-    /// Adds the limits of tensions at places of a curve. An error is the index of the first place at which the cables cannot
-    /// hold the platform at rest.
-    pub fn push_tension_rows(&self, jets: &[Jet], rows: &mut [Rows]) -> Result<(), usize> {
+    /// Calls `visit` with the index of a place of a curve and each of the limits of tensions there: coefficients of s̈ and ṡ²,
+    /// and the limit. An error is the index of the first place at which the cables cannot hold the platform at rest.
+    pub fn for_each_tension_limit(&self, jets: &[Jet], mut visit: impl FnMut(usize, [f64; 3])) -> Result<(), usize> {
         let Some(inertia) = &self.tensions else { return Ok(()) };
         let demand = |jet: &Jet| (jet.position, [&jet.first, &jet.second].map(|v| inertia.wrench(v)));
         let demands: Vec<Demand> = jets.iter().map(demand).collect();
-        let push = |k: usize, FacetPair { heights: [a, b], slack, .. }: &FacetPair| {
-            rows[k].linear.push(Row { a: *a, b: *b, c: slack[0] });
-            rows[k].linear.push(Row { a: -a, b: -b, c: slack[1] });
+        let both = |k: usize, FacetPair { heights: [a, b], slack, .. }: &FacetPair| {
+            visit(k, [*a, *b, slack[0]]);
+            visit(k, [-a, -b, slack[1]]);
         };
-        inertia.facets.for_each(&demands, push).map_or(Ok(()), Err)
+        inertia.facets.for_each(&demands, both).map_or(Ok(()), Err)
     }
 
     /// For each position and acceleration the largest share of the slack at rest that the acceleration uses, over all facets
