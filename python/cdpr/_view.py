@@ -7,6 +7,7 @@ import json
 import os
 import sys
 import tempfile
+import warnings
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path as FilePath
@@ -17,11 +18,13 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import rows
-from ._given import file_name, instance, text
+from ._given import file_name, flag, instance, text
 from ._planning import core_for
 from ._questions import Interference
 from ._results import Path, Result
 from ._scene import Scene
+from ._trajectory import Trajectory
+from .exceptions import AnotherSceneWarning
 
 _INLINE_HEIGHT = 640
 
@@ -86,11 +89,16 @@ class View:
 
 def view(
     scene: Scene,
-    waypoints: ArrayLike | Path | None = None,
+    waypoints: ArrayLike | Path | Trajectory | None = None,
     interference: Interference = "exact",
     strict: bool = False,
 ) -> View:
     own = instance("scene", scene, Scene)._core
+    if isinstance(waypoints, Trajectory):
+        page, warning = waypoints._motion.page(own, text("interference", interference), flag("strict", strict))
+        if warning is not None:
+            warnings.warn(warning, AnotherSceneWarning, stacklevel=3)
+        return View(page)
     file = None if waypoints is None else json.dumps(_file(waypoints))
     tree, certificate = None, None
     if isinstance(waypoints, Result):
@@ -108,19 +116,19 @@ def _file(waypoints: ArrayLike | Path) -> dict[str, Any]:
 def save_view(
     path: str | os.PathLike[str],
     scene: Scene,
-    waypoints: ArrayLike | Path | None = None,
+    waypoints: ArrayLike | Path | Trajectory | None = None,
     *,
     interference: Interference = "exact",
     strict: bool = False,
 ) -> None:
-    """Write one self-contained HTML page that shows a scene and, if given, a path; it opens offline.
+    """Write one self-contained HTML page that shows a scene and, if given, a path or a timed motion; it opens offline.
 
     Parameters
     ----------
     path : path
         Of the page.
     scene : Scene
-    waypoints : array_like (k, 3), Path or Result, optional
+    waypoints : array_like (k, 3), Path, Result or Trajectory, optional
         As in :func:`show`.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
@@ -145,19 +153,22 @@ def save_view(
 
 def show(
     scene: Scene,
-    waypoints: ArrayLike | Path | None = None,
+    waypoints: ArrayLike | Path | Trajectory | None = None,
     *,
     interference: Interference = "exact",
     strict: bool = False,
 ) -> View:
-    """Show a scene and, if given, a path: inline as the last line of a notebook's cell, otherwise in a browser tab.
+    """Show a scene and, if given, a path or a timed motion.
+
+    Inline as the last line of a notebook's cell, otherwise in a browser tab.
 
     Parameters
     ----------
     scene : Scene
-    waypoints : array_like (k, 3), Path or Result, optional
+    waypoints : array_like (k, 3), Path, Result or Trajectory, optional
         Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
-        or, if it has a proof that there is no path, with the reason.
+        or, if it has a proof that there is no path, with the reason. A ``Trajectory`` is played in real time, with
+        its curves over time and their limits.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
     strict : bool

@@ -2,21 +2,24 @@
 
 use std::path::{Path, PathBuf};
 
+use cdpr_core::collision::Engine;
 use cdpr_core::geometry::{Point, Vector, path_length};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path_file::SceneId;
+use cdpr_core::plan::engine_within;
 use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
-use cdpr_files::{LoadedTrajectory, Loader, text, text::Notation};
+use cdpr_files::{LoadedTrajectory, Loader, scene_of_trajectory, text, text::Notation};
+use cdpr_view::trajectory_page_within;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde_json::json;
 
-use crate::convert::{points, quaternion, serialized, triples};
+use crate::convert::{named, points, quaternion, serialized, triples};
 use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
 
@@ -101,6 +104,26 @@ impl Trajectory {
     /// Writes a file in the format given by the extension.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file)))
+    }
+
+    /// A self-contained page that plays the motion in a scene, and a warning if it was made for another scene; with `strict`,
+    /// an error instead.
+    fn page(
+        &self,
+        py: Python<'_>,
+        scene: &Scene,
+        interference: &str,
+        strict: bool,
+    ) -> PyResult<(String, Option<String>)> {
+        let interference = named(interference)?;
+        interruptible(py, |stop| {
+            let watch = Watch::on(stop);
+            let (scene, warning) = scene_of_trajectory(&scene.0, &self.file, strict)?;
+            // The curve may use the clearance of the path.
+            let engine = engine_within(&scene.without_clearance()?, Engine::default(), interference, &watch)?;
+            let violations = self.file.violations(&*engine, &watch)?;
+            Ok((trajectory_page_within(&scene, &self.file, &violations, &watch)?, warning))
+        })
     }
 
     /// Everything but samples, curve and timing, as JSON; `note` says why tensions are not limited.

@@ -45,7 +45,8 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             }
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;
-                let violations = file.violations(&*engine(&scene)?, &watch)?;
+                // The curve may use the clearance of the path.
+                let violations = file.violations(&*engine(&scene.without_clearance()?)?, &watch)?;
                 (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
             }
         },
