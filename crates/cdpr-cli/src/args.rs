@@ -16,9 +16,9 @@ use clap::{Args, Parser, Subcommand};
 pub use analysis::{ShadowsArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
-pub use motion::TrajectoryArgs;
+pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
-pub use shared::{CheckArgs, Format, PathArgs, SceneArgs, Strict};
+pub use shared::{Format, PathArgs, SceneArgs, Strict};
 pub use values::Trials;
 
 use crate::output::{Talk, is_standard_output};

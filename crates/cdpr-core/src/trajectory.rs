@@ -7,11 +7,11 @@
 //! is removed by slowing down as a whole.
 
 pub mod between;
-mod choosing;
 pub mod corners;
 pub mod curve;
 pub mod fastest;
 mod free_space;
+mod kept;
 mod limits;
 pub mod rows;
 mod schedule;
@@ -19,9 +19,9 @@ pub mod timing;
 pub mod winches;
 
 pub use between::{Bound, Motion};
-pub use choosing::{Kept, Minimise, kept_plan};
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
+pub use kept::{Kept, Minimise, kept_plan};
 pub use limits::Limits;
 pub use timing::Timing;
 pub use winches::{Winches, Winding};

@@ -1,11 +1,11 @@
-//! Arguments of `trajectory`, and the limits of motions.
+//! Arguments of `trajectory` and `check`, and the limits of motions.
 
 use std::path::PathBuf;
 
 use cdpr_core::model::spec::MotionSpec;
 use clap::{Args, ValueHint};
 
-use super::shared::{SceneArgs, Strict};
+use super::shared::{PathArgs, SceneArgs, Strict};
 use super::values::{not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
@@ -54,6 +54,14 @@ pub struct TimingArgs {
     /// Samples per second.
     #[arg(long, value_name = "HZ", default_value_t = 100.0, value_parser = positive, allow_negative_numbers = true)]
     pub rate: f64,
+    #[command(flatten)]
+    pub limits: LimitArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    #[command(flatten)]
+    pub path: PathArgs,
     #[command(flatten)]
     pub limits: LimitArgs,
 }

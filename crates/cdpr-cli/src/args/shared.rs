@@ -6,7 +6,6 @@ use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::{Choice, model::OrientationSource};
 use clap::{Args, ValueEnum, ValueHint};
 
-use super::motion::LimitArgs;
 use super::values::{choice, orientation};
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
@@ -46,14 +45,6 @@ pub struct PathArgs {
     pub strict: Strict,
     #[command(flatten)]
     pub checker: CheckerArgs,
-}
-
-#[derive(Debug, Args)]
-pub struct CheckArgs {
-    #[command(flatten)]
-    pub path: PathArgs,
-    #[command(flatten)]
-    pub limits: LimitArgs,
 }
 
 /// How to treat a path that was planned for another scene.
