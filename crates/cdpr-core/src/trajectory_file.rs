@@ -100,12 +100,21 @@ impl TrajectoryFile {
         Ok(violations)
     }
 
-    /// How far the curve deviates from the straight line between two samples, m, given the acceleration at both.
+    /// How far the curve may deviate from the straight line between a sample and the next one, m.
     fn deviation(&self, segment: usize) -> f64 {
+        let ends = [segment, segment + 1];
+        let [begin, end] = ends.map(|k| Vector::from(self.velocities[k]));
+        let accelerations = ends.map(|k| Vector::from(self.accelerations[k]).norm());
         let step = self.times[segment + 1] - self.times[segment];
-        let [begin, end] = [segment, segment + 1].map(|k| Vector::from(self.accelerations[k]).norm());
-        begin.max(end) * step * step / 8.0
+        chord_deviation((end - begin).norm(), accelerations[0].max(accelerations[1]), step)
     }
+}
+
+/// How far a motion may deviate during `step` s from the straight line between its ends, m, given how much its velocity turns
+/// and its acceleration at the ends: with constant acceleration by a dt²/8, with a turn at once by at most a quarter of the
+/// turn times the time.
+pub fn chord_deviation(turn: f64, acceleration: f64, step: f64) -> f64 {
+    (acceleration * step * step / 8.0).max(turn * step / 4.0)
 }
 
 /// Limits of a trajectory; those that are not set are left out.

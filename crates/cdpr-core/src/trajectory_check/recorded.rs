@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::trajectory::{Curve, Timing};
-use crate::trajectory_file::TrajectoryFile;
+use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 
 /// The samples of a timed motion from any source. All lists have one entry for each time, and those by cable are in the order of
 /// the robot.
@@ -96,12 +96,10 @@ impl Recorded {
         }
     }
 
-    /// How far the motion may deviate from the straight line between a sample and the next one, m: a motion with constant
-    /// acceleration by a dt²/8, one that turns at once by at most a quarter of the turn times the time.
+    /// How far the motion may deviate from the straight line between a sample and the next one, m.
     pub fn sag(&self, k: usize, accelerations: &[Vector]) -> f64 {
-        let step = self.step(k);
         let acceleration = accelerations[k].norm().max(accelerations[k + 1].norm());
-        (acceleration * step * step / 8.0).max(self.turn(k) * step / 4.0)
+        chord_deviation(self.turn(k), acceleration, self.step(k))
     }
 
     /// Second derivatives of parabolas through three positions; at the ends those beside them.
