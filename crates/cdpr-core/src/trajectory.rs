@@ -1,7 +1,7 @@
 //! Timed motions along a path that keep every limit at every instant.
 //!
 //! A path of straight lines becomes a curve with continuous curvature ([`corners`]), which is proved free as a whole
-//! ([`free_space`]). The fastest progress along it follows from the limits on a grid ([`rows`], [`fastest`]); a limit of
+//! (`free_space`). The fastest progress along it follows from the limits on a grid ([`rows`], [`fastest`]); a limit of
 //! jerk is kept by smoothing it ([`timing`]). Bounds between the instants of the grid ([`between`]) then show by how much a
 //! limit may be exceeded, and the motion is planned again with tighter limits there; what remains, far below a thousandth,
 //! is removed by slowing down as a whole.
