@@ -5,7 +5,8 @@
 //! motion is known and the samples are on it, ten instants between two samples are checked as well. Rates that are not given
 //! are derived from differences ([`Recorded`]), which never overstates them. Bodies must not overlap on the straight
 //! lines between samples; clearances are measured and not required, since a trajectory uses them up where it rounds corners. An
-//! overlap no deeper than the motion may deviate from the straight line is none.
+//! overlap no deeper than the motion may deviate from the straight line is none, but at most a tenth of a millimetre; where
+//! the motion may deviate by more than that and by more than the nearest approach, a note says so.
 
 mod faults;
 mod forces;
@@ -24,10 +25,11 @@ use crate::error::Error;
 use crate::geometry::{Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::{INSTANTS_BETWEEN, RECORDED_ROUNDING, RECORDED_SHARE};
+use crate::numerics::{INSTANTS_BETWEEN, RECORDED_OVERLAP, RECORDED_ROUNDING, RECORDED_SHARE};
 use crate::plan::engine_within;
 use crate::trajectory::{Curve, Limits, Motion, Timing, Winches};
 use crate::watch::Watch;
+use crate::words::small_length;
 use crate::wrench::TensionQp;
 use faults::{Faults, Instant};
 use forces::{Forces, State};
@@ -120,6 +122,7 @@ pub fn check_trajectory(
     let shown = fine.as_ref().unwrap_or(motion);
     conditions(&*engine, shown, &mut faults, watch)?;
     let nearest = nearest(engine.conditions(), &shown.positions, watch)?.min_clearance;
+    notes.extend(too_coarse(shown, nearest.as_ref()));
     let times = &motion.times;
     let faults = faults.sorted();
     Ok(TrajectoryReport {
@@ -133,6 +136,21 @@ pub fn check_trajectory(
         nearest: nearest.map(|found| in_time(shown, &found)),
         faults,
         notes,
+    })
+}
+
+/// A note if the motion may deviate from the straight lines between samples by more than the nearest approach.
+fn too_coarse(motion: &Recorded, nearest: Option<&PathClearance>) -> Option<String> {
+    let accelerations = motion.accelerations();
+    let steps = 0..motion.positions.len() - 1;
+    let (deviation, k) = steps.map(|k| (motion.sag(k, &accelerations), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| nearest.value < deviation);
+    counts.then(|| {
+        let (most, time) = (small_length(deviation), motion.times[k]);
+        format!(
+            "collisions are checked on straight lines between samples, from which the motion may deviate by {most} \
+                 after {time:.3} s: more samples tell more"
+        )
     })
 }
 
@@ -289,7 +307,7 @@ fn conditions(engine: &dyn Checker, motion: &Recorded, faults: &mut Faults, watc
         if engine.motion_valid(&pair[0], &pair[1]) {
             continue; // many times faster than checking every condition separately
         }
-        let sag = motion.sag(k, &accelerations);
+        let sag = motion.sag(k, &accelerations).min(RECORDED_OVERLAP);
         for violation in engine.violations(&pair[0], &pair[1]) {
             if violation.margin.is_some_and(|margin| margin >= -sag) {
                 continue;
@@ -417,6 +435,20 @@ mod tests {
         let mut motion = Recorded { tensions: None, ..sampled(100.0) };
         motion.accelerations.iter_mut().flatten().for_each(|a| *a /= 9.81);
         assert!(faults(&motion, &SLOW).iter().any(|fault| fault.kind == FaultKind::Inconsistent));
+    }
+
+    #[test]
+    fn few_samples_do_not_excuse_an_overlap() {
+        // 2 mm through the floor; with a sample each half second, a motion may deviate from straight lines by far more.
+        let scene = crate::testing::empty();
+        let moving = crate::testing::moving(&scene, Point::new(0.5, 1.0, 0.023), Point::new(1.5, 1.0, 0.023), 4);
+        let report = check(&scene, &Recorded::of(&moving).unwrap(), &MotionSpec::default());
+        assert!(report.faults.iter().any(|fault| fault.message.starts_with("the platform leaves the workspace by 2")));
+        // 1 mm above it, nothing is wrong, but the samples do not tell enough.
+        let moving = crate::testing::moving(&scene, Point::new(0.5, 1.0, 0.026), Point::new(1.5, 1.0, 0.026), 4);
+        let report = check(&scene, &Recorded::of(&moving).unwrap(), &MotionSpec::default());
+        assert_eq!(report.faults, []);
+        assert!(report.notes.iter().any(|note| note.contains("more samples tell more")), "{:?}", report.notes);
     }
 
     #[test]

@@ -9,6 +9,7 @@ use crate::collision::Checker;
 use crate::collision::path_check::PathViolation;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
+use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
 use crate::watch::Watch;
 
@@ -81,7 +82,8 @@ impl TrajectoryFile {
     }
 
     /// The violations on the straight lines between samples. Those that are no deeper than the curve may deviate from
-    /// these lines are left out, since a curve that touches an obstacle is valid. The file has been checked.
+    /// these lines are left out, up to [`RECORDED_OVERLAP`], since a curve that touches an obstacle is valid. The file has been
+    /// checked.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -92,7 +94,7 @@ impl TrajectoryFile {
             if checker.motion_valid(&pair[0], &pair[1]) {
                 continue; // many times faster than checking every condition separately
             }
-            let least = -self.deviation(segment);
+            let least = -self.deviation(segment).min(RECORDED_OVERLAP);
             let found = checker.violations(&pair[0], &pair[1]).into_iter();
             let deep = found.filter(|violation| !violation.margin.is_some_and(|margin| margin >= least));
             violations.extend(deep.map(|violation| PathViolation { segment, violation }));
