@@ -131,7 +131,7 @@ fn a_sample_off_its_exact_form_is_named() {
 fn tensions_below_their_limit_are_found() {
     let (folder, cogiro) = (folder(), testdata("scenes/cogiro.toml"));
     assert_eq!(status(&cdpr_in(folder.path(), &["plan", &cogiro, "-o", "path.json"])), 0);
-    let limits = ["--speed", "2", "--acceleration", "5", "--rate", "20"];
+    let limits = ["--speed", "2", "--acceleration", "5", "--rate", "80"];
     let made =
         cdpr_in(folder.path(), &[&["trajectory", &cogiro, "path.json", "-o", "motion.csv"][..], &limits].concat());
     assert_eq!(status(&made), 0, "{}", stderr(&made));
@@ -142,7 +142,7 @@ fn tensions_below_their_limit_are_found() {
     assert_eq!(names[..14], ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "ax", "ay", "az"]);
     let column = names.iter().position(|name| *name == "tension:cable 3").unwrap();
     changed(folder.path(), |k, row| {
-        if k == 40 {
+        if k == 160 {
             row[column] = "-5".to_string();
         }
     });

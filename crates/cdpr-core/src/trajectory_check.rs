@@ -144,7 +144,8 @@ fn too_coarse(motion: &Recorded, nearest: Option<&PathClearance>) -> Option<Stri
     let accelerations = motion.accelerations();
     let steps = 0..motion.positions.len() - 1;
     let (deviation, k) = steps.map(|k| (motion.sag(k, &accelerations), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| nearest.value < deviation);
+    let untold = -deviation..deviation;
+    let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| untold.contains(&nearest.value));
     counts.then(|| {
         let (most, time) = (small_length(deviation), motion.times[k]);
         format!(
