@@ -446,14 +446,13 @@ pub const TENSION_RESERVE: f64 = 1e-4;
 /// Number of intervals into which the timing of a trajectory divides its curve.
 pub const TIMING_INTERVALS: usize = 1000;
 
-/// Excess over a limit at which a timing is accepted and slowed down as a whole, as a share of the limit.
+/// A timing that exceeds its limits by at most this share is not planned again but slowed down as a whole.
 pub const TIMING_EXCESS: f64 = 1e-5;
 
 /// How often the time between two instants is halved to prove that tensions exist in between.
 pub const TENSION_HALVINGS: usize = 5;
 
-/// By how much limits are tightened first where it is not proved that tensions exist between instants, as a share; each
-/// further time by twice as much.
+/// Share by which limits are tightened where the proof that tensions exist fails. It doubles with every further attempt.
 pub const TENSION_EXCESS: f64 = 2e-3;
 
 /// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
@@ -466,10 +465,11 @@ pub const MOST_SAMPLES: f64 = 1e7;
 /// squared cotangent of the angle between d and the line, the squares of these are 1/(1+x), (1+4x)/(1+x)² and 9(1+4x²)/(1+x)³.
 pub const TURNING: [f64; 3] = [1.0, 1.154_700_538_379_251_5, 3.0];
 
-/// Share by which a recorded motion may exceed a limit: rounding errors of whoever planned it.
+/// Share by which a recorded motion may exceed a limit, because the program that planned it may have rounded differently.
 pub const RECORDED_EXCESS: f64 = 1e-6;
 
-/// Positions of a recorded motion may be rounded by this much, m. Rates computed from them may exceed limits accordingly.
+/// Assumed rounding of the positions of a recorded motion, m. Rates derived from them may exceed limits by what this
+/// rounding adds.
 pub const RECORDED_ROUNDING: f64 = 1e-6;
 
 /// Largest difference of a recorded cable length from that of the robot, and of a sample from the exact form of its motion, m;
@@ -479,8 +479,9 @@ pub const RECORDED_LENGTH: f64 = 1e-6;
 /// Largest difference of a recorded cable speed from that of the robot, m/s, relative to 1 plus the speed of the platform.
 pub const RECORDED_RATE: f64 = 1e-4;
 
-/// Mean recorded accelerations may differ from the change of the velocity by this multiple of the largest one: a short bend
-/// between two samples needs an acceleration that no sample shows. Wrong units and missing values differ by more.
+/// Allowed difference between the recorded accelerations and the change of velocity, as a multiple of the largest
+/// acceleration. A short bend between two samples needs an acceleration that no sample shows; wrong units and missing values
+/// cause larger differences.
 pub const RECORDED_ACCELERATION: f64 = 3.0;
 
 /// Share of a tension limit by which a recorded tension may exceed it.
@@ -495,12 +496,12 @@ pub const RECORDED_RESERVE: f64 = 1e-2;
 /// Instants between two samples at which a motion in exact form is checked.
 pub const INSTANTS_BETWEEN: usize = 10;
 
-/// Times closer than this may be on different sides of a jump of the acceleration, s.
+/// A sample closer than this to a jump in acceleration may belong to either side of it, s.
 pub const SAME_TIME: f64 = 1e-9;
 
-/// Share of the slack of tensions by which a recorded motion may use up the required wrench margin.
+/// Allowed excess of a recorded motion over the slack that the required wrench margin leaves, as a share of that slack.
 pub const RECORDED_SHARE: f64 = 1e-2;
 
-/// Overlap on the straight line between two samples of a motion up to which the motion may touch instead, m: what 100 samples
-/// per second leave open at 8 m/s².
+/// Largest overlap on the straight line between two samples that is attributed to the sampling, m. At 100 samples per second
+/// and 8 m/s², the motion deviates from the straight line by this much.
 pub const RECORDED_OVERLAP: f64 = 1e-4;

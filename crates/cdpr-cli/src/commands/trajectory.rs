@@ -71,7 +71,7 @@ fn named(error: Error, args: &TrajectoryArgs) -> Error {
     }
 }
 
-/// A planned trajectory and what to say about it.
+/// A planned trajectory and its summary.
 pub struct Timed {
     /// The trajectory.
     pub file: TrajectoryFile,
@@ -122,7 +122,7 @@ impl Timed {
         Ok(Timed { choice, ..timed })
     }
 
-    /// Prints what there is to say.
+    /// Prints the summary.
     pub fn print(&self, out: &Console) {
         let TrajectoryFile { duration, length, times, .. } = &self.file;
         let rest = format!(" {} s along {} m, {}", short(*duration), short(*length), count(times.len(), "sample"));

@@ -261,7 +261,7 @@ pub fn not_held(position: &Point) -> Error {
     Error::invalid("waypoints", problem)
 }
 
-/// Number of places that are examined between looks at the watch.
+/// Number of places that are examined between checks for interruption.
 pub const BETWEEN_CHECKS: usize = 256;
 
 /// Whether it is proved that tensions exist during a smooth time, or during both halves of it.
