@@ -7,9 +7,8 @@
 use crate::geometry::{Point, Vector};
 use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use crate::path_file::PathFile;
-use crate::trajectory_file::{
-    LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits,
-};
+use crate::trajectory::Limits;
+use crate::trajectory_file::{LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// The paper's robot.
 pub fn paper_robot() -> RobotSpec {
@@ -105,7 +104,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         duration: 2.0,
         length: (to - from).norm(),
         rate: steps as f64 / 2.0,
-        limits: TrajectoryLimits { acceleration: Some((to - from).norm()), ..TrajectoryLimits::default() },
+        limits: Limits { acceleration: Some((to - from).norm()), ..Limits::default() },
         tension_limits: None,
         waypoints: path.waypoints,
         corners: Vec::new(),

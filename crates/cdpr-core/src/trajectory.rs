@@ -103,8 +103,12 @@ impl Trajectory {
         let engine = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
         free(&check_path(&*engine, waypoints, watch)?)?;
         let bare = scene.without_clearance()?;
-        let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
-        let (curve, corners) = rounded(waypoints, limits.blend, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
+        let own = match bare.spec() == scene.spec() {
+            true => None,
+            false => Some(engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?),
+        };
+        let free = FreeSpace::new(&bare, own.as_deref().unwrap_or(&*engine), watch)?;
+        let (curve, corners) = rounded(waypoints, limits.blend, &free, watch)?;
         Self::along(curve, corners, limits, winches, watch)
     }
 

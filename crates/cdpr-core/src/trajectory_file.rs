@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
+use crate::trajectory::Limits;
 use crate::watch::Watch;
 
 /// The value of [`TrajectoryFile::format`].
@@ -39,7 +40,7 @@ pub struct TrajectoryFile {
     /// Samples per second.
     pub rate: f64,
     /// The limits that the trajectory keeps.
-    pub limits: TrajectoryLimits,
+    pub limits: Limits,
     /// Minimum and maximum tension of each cable, N, if tensions were limited.
     pub tension_limits: Option<Vec<[f64; 2]>>,
     /// The path that the curve follows, m.
@@ -117,31 +118,6 @@ impl TrajectoryFile {
 /// turn times the time.
 pub fn chord_deviation(turn: f64, acceleration: f64, step: f64) -> f64 {
     (acceleration * step * step / 8.0).max(turn * step / 4.0)
-}
-
-/// Limits of a trajectory; those that are not set are left out.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct TrajectoryLimits {
-    /// Speed of the platform, m/s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub speed: Option<f64>,
-    /// Acceleration of the platform, m/s².
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub acceleration: Option<f64>,
-    /// Jerk of the platform, m/s³.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub jerk: Option<f64>,
-    /// Speed of a cable, m/s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cable_speed: Option<f64>,
-    /// Acceleration of a cable, m/s².
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cable_acceleration: Option<f64>,
-    /// Largest deviation of the curve from the path at a corner, m.
-    pub blend: f64,
-    /// Wrench margin that remains at every instant, N.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wrench_margin: Option<f64>,
 }
 
 /// How the curve passes a waypoint.

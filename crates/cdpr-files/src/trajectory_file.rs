@@ -284,7 +284,7 @@ fn limits(file: &TrajectoryFile) -> Result<(), Error> {
         ("cable_speed", limits.cable_speed),
         ("cable_acceleration", limits.cable_acceleration),
         ("blend", Some(limits.blend)),
-        ("wrench_margin", limits.wrench_margin),
+        ("wrench_margin", Some(limits.wrench_margin)),
     ];
     for (key, value) in given {
         value.map_or(Ok(()), |value| at_least_zero(&format!("limits.{key}"), value))?;

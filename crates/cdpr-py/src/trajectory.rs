@@ -9,7 +9,7 @@ use cdpr_core::path_file::SceneId;
 use cdpr_core::plan::engine_within;
 use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
 use cdpr_core::trajectory_check::Recorded;
-use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile, TrajectoryLimits};
+use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
@@ -202,11 +202,7 @@ impl Trajectory {
 
 /// The cables of the robot of a trajectory.
 fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
-    let TrajectoryLimits { speed, acceleration, jerk, cable_speed, cable_acceleration, blend, wrench_margin } =
-        file.limits;
-    let wrench_margin = wrench_margin.unwrap_or(0.0);
-    let limits = Limits { speed, acceleration, jerk, cable_speed, cable_acceleration, blend, wrench_margin };
-    Winches::of(scene, &limits, &Point::from(file.waypoints[0]))
+    Winches::of(scene, &file.limits, &Point::from(file.waypoints[0]))
 }
 
 /// Loads a file, the scene at its orientation, and a warning if it was made for another scene.
@@ -259,7 +255,7 @@ fn of_table(
         duration: last - first,
         length: path_length(&motion.positions),
         rate: (motion.times.len() - 1) as f64 / (last - first),
-        limits: TrajectoryLimits::default(),
+        limits: Limits::default(),
         tension_limits: None,
         waypoints: positions.clone(),
         corners: Vec::new(),

@@ -6,7 +6,8 @@ use cdpr_core::collision::Violation;
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::geometry::Point;
 use cdpr_core::path_file::PathFile;
-use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile, TrajectoryLimits};
+use cdpr_core::trajectory::Limits;
+use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile};
 
 /// Maximum number of positions on a page.
 const MOST_POSITIONS: usize = 2000;
@@ -18,7 +19,7 @@ const MOST_VALUES: usize = 1000;
 pub(super) struct Shown<'a> {
     duration: f64,
     length: f64,
-    limits: &'a TrajectoryLimits,
+    limits: &'a Limits,
     tension_limits: &'a Option<Vec<[f64; 2]>>,
     limiting: Vec<Limiting>,
     corners: &'a [TrajectoryCorner],

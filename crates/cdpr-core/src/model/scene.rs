@@ -273,13 +273,12 @@ impl Scene {
         Scene::new(spec)
     }
 
-    /// The same scene without any required clearance: bodies only must not overlap.
+    /// The same scene without required clearances: bodies may touch but not overlap.
     ///
     /// # Errors
     /// Never for a checked scene.
     pub fn without_clearance(&self) -> Result<Scene, Error> {
-        let spec = SceneSpec { clearance: None, clearances: None, ..self.spec.clone() };
-        Ok(Scene { orientation: self.orientation, ..Scene::new(spec)? })
+        Scene::new(SceneSpec { clearance: None, clearances: None, ..self.spec.clone() })
     }
 
     /// The same scene with another required clearance, m; those of `[clearances]` remain.
@@ -287,8 +286,7 @@ impl Scene {
     /// # Errors
     /// A clearance that is negative or too large.
     pub fn with_clearance(&self, clearance: f64) -> Result<Scene, Error> {
-        let spec = SceneSpec { clearance: Some(clearance), ..self.spec.clone() };
-        Ok(Scene { orientation: self.orientation, ..Scene::new(spec)? })
+        Scene::new(SceneSpec { clearance: Some(clearance), ..self.spec.clone() })
     }
 
     /// The rules for pairs of bodies.

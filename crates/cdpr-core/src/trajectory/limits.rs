@@ -1,26 +1,38 @@
 //! The limits of a motion.
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::Error;
 use crate::model::spec::MotionSpec;
 use crate::model::{Scene, body};
 
-/// The limits that a trajectory keeps; all of them are optional except `blend`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The limits that a trajectory keeps; all of them are optional except `blend`. In files, those that are not set are left out.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
     /// Speed of the platform, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
     /// Acceleration of the platform, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<f64>,
     /// Jerk of the platform, m/s³.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub jerk: Option<f64>,
     /// Speed of every cable, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_speed: Option<f64>,
     /// Acceleration of every cable, m/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_acceleration: Option<f64>,
     /// Largest distance between the curve and the path, m.
     pub blend: f64,
     /// Capacity margin that the cables keep in addition to the inertia of the platform, N.
+    #[serde(default, skip_serializing_if = "is_zero")]
     pub wrench_margin: f64,
+}
+
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 impl Limits {

@@ -2,17 +2,14 @@
 
 use serde_json::{Value, json};
 
-use super::{
-    CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile,
-    TrajectoryLimits,
-};
+use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::{Scene, body};
 use crate::numerics::MOST_SAMPLES;
 use crate::path_file::SceneId;
 use crate::trajectory::timing::{Phase, Timing};
-use crate::trajectory::{Bound, Curve, Limits, Motion, Passing, Sample, Trajectory, curve};
+use crate::trajectory::{Bound, Curve, Motion, Passing, Sample, Trajectory, curve};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
@@ -50,7 +47,7 @@ impl TrajectoryFile {
             duration: trajectory.duration(),
             length: trajectory.curve().length(),
             rate,
-            limits: limits(trajectory.limits()),
+            limits: *trajectory.limits(),
             tension_limits: trajectory.winches().tension_limits().map(<[_]>::to_vec),
             waypoints: waypoints.iter().map(|point| (*point).into()).collect(),
             corners: corners(trajectory),
@@ -88,18 +85,6 @@ fn sample_times(duration: f64, rate: f64) -> Result<Vec<f64>, Error> {
 
 /// Steps shorter than this share of a period are none.
 const SAME_SAMPLE: f64 = 1e-6;
-
-fn limits(limits: &Limits) -> TrajectoryLimits {
-    TrajectoryLimits {
-        speed: limits.speed,
-        acceleration: limits.acceleration,
-        jerk: limits.jerk,
-        cable_speed: limits.cable_speed,
-        cable_acceleration: limits.cable_acceleration,
-        blend: limits.blend,
-        wrench_margin: Some(limits.wrench_margin).filter(|margin| *margin > 0.0),
-    }
-}
 
 fn corners(trajectory: &Trajectory) -> Vec<TrajectoryCorner> {
     let corner = |corner: &crate::trajectory::Corner| TrajectoryCorner {
