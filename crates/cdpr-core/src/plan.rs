@@ -290,7 +290,7 @@ pub struct Appraisal {
     pub lower_bound: Option<f64>,
 }
 
-/// Measures a found path, within the watch of its planning plus a short grace period. An interruption is not an error
+/// Measures a found path, within the watch of its planning plus a short grace period for all but the bound. An interruption is not an error
 /// here: the path exists, and a caller who interrupts wants it.
 ///
 /// # Errors
@@ -307,13 +307,16 @@ pub fn appraise(
     if waypoints.is_empty() {
         return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
     }
+    let lower_bound = match bounded {
+        true => unless_stopped(bound_of(engine, result, watch))?.or(result.lower_bound),
+        false => None,
+    };
     let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
     let watch = Watch { deadline: grace, ..*watch };
-    let lower_bound = if bounded { bound_of(engine, result, &watch) } else { Ok(None) };
     Ok(Appraisal {
         nearest: unless_stopped(nearest(engine.conditions(), waypoints, &watch).map(Some))?.unwrap_or_else(unmeasured),
         wrench: unless_stopped(path_wrench(&measures(scene)?, waypoints, &watch))?,
-        lower_bound: unless_stopped(lower_bound)?,
+        lower_bound,
     })
 }
 
@@ -323,7 +326,7 @@ fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<
     let (PlanResult { waypoints, cost, .. }, enough) = (result, result.cost / (1.0 + BOUND_GAP));
     let [Some(start), Some(goal)] = [waypoints.first(), waypoints.last()] else { return Ok(None) };
     let known = result.lower_bound.unwrap_or(0.0).max((goal - start).norm()).min(*cost);
-    let no_time = watch.left().is_some_and(|left| left <= APPRAISAL_GRACE);
+    let no_time = watch.left().is_some_and(|left| left.is_zero());
     if known >= enough || no_time {
         return Ok(Some(known).filter(|_| known >= enough || result.lower_bound.is_some()));
     }
