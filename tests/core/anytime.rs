@@ -321,7 +321,7 @@ fn odd_questions_are_answered() {
         wall("right", [0.2, side, 2.0], [1.0, 2.0 - side / 2.0, 1.0]),
     ]);
     let mut aside = narrow.spec().clone();
-    aside.query = Some(QuerySpec { start: Some([0.3, 0.4, 0.3]), goal: Some([1.7, 1.7, 1.7]), orientation: None });
+    aside.query = Some(QuerySpec { start: Some([0.3, 0.4, 0.3]), goal: Some([1.7, 1.7, 1.7]), ..QuerySpec::default() });
     let narrow = Scene::new(aside).unwrap();
     // A pocket that is open away from the start.
     let pocket = platform_only(vec![
@@ -464,7 +464,7 @@ fn corridor(play: f64, room: f64) -> Scene {
         platform_only(vec![half("left", -0.5, 0.6 - 0.5 * gap), half("right", 0.6 + 0.5 * gap, 2.5)]).spec().clone();
     spec.workspace.min[2] = 0.4 - 0.025;
     spec.workspace.max[2] = 0.4 + 0.025 + room;
-    spec.query = Some(QuerySpec { start: Some([0.3, 1.5, 0.4]), goal: Some([1.7, 1.5, 0.4]), orientation: None });
+    spec.query = Some(QuerySpec { start: Some([0.3, 1.5, 0.4]), goal: Some([1.7, 1.5, 0.4]), ..QuerySpec::default() });
     scene(spec)
 }
 

@@ -201,21 +201,24 @@ fn what_start_and_goal_touch_a_path_may_touch() {
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "table".to_string()]).collect();
     spec.obstacles = vec![block("table", [2.0, 2.0, 0.2], [1.0, 1.0, 0.1])];
     spec.workspace.max[2] = 0.25 + 1e-7;
-    spec.query = Some(QuerySpec { start: Some([0.3, 1.0, 0.225]), goal: Some([1.7, 1.0, 0.225]), orientation: None });
+    spec.query =
+        Some(QuerySpec { start: Some([0.3, 1.0, 0.225]), goal: Some([1.7, 1.0, 0.225]), ..QuerySpec::default() });
     assert!(!matches!(answer(&scene(spec)), Answer::NoPath(_)));
 }
 
 #[test]
 fn a_straight_line_through_a_slit_without_width_is_a_path() {
     let mut spec = walled(0.95);
-    spec.query = Some(QuerySpec { start: Some([0.5, 1.0, 0.925]), goal: Some([1.5, 1.0, 0.925]), orientation: None });
+    spec.query =
+        Some(QuerySpec { start: Some([0.5, 1.0, 0.925]), goal: Some([1.5, 1.0, 0.925]), ..QuerySpec::default() });
     assert!(is_path(spec));
 }
 
 #[test]
 fn boxes_of_positions_with_odd_numbers_or_without_height_are_proved() {
-    let ends =
-        |start: [f64; 3], goal: [f64; 3]| Some(QuerySpec { start: Some(start), goal: Some(goal), orientation: None });
+    let ends = |start: [f64; 3], goal: [f64; 3]| {
+        Some(QuerySpec { start: Some(start), goal: Some(goal), ..QuerySpec::default() })
+    };
     // 0.1 + 0.025 is not the sum in doubles; start and goal are on the floor.
     let mut spec = walled(0.94);
     spec.workspace.min = [0.0, 0.0, 0.1];

@@ -168,6 +168,7 @@ fn a_tilted_platform_needs_more_height() {
             start: Some([0.3, 1.0, 0.5]), // where no cable meets the wall
             goal: Some([1.7, 1.0, 0.5]),
             orientation: Some(OrientationSource::Quaternion([half.cos(), 0.0, half.sin(), 0.0])),
+            ..QuerySpec::default()
         });
         scene(spec)
     };
@@ -244,7 +245,8 @@ fn a_ridge_above_what_cogiro_can_reach_with_its_wrenches_closes_the_way() {
         spec.obstacles =
             vec![BodySpec { name: Some("ridge".to_string()), vertices: Some(corners), ..BodySpec::default() }];
         spec.ignore = (0..8).map(|k| [format!("cable {k}"), "ridge".to_string()]).collect();
-        spec.query = Some(QuerySpec { start: Some([-2.0, 0.0, 1.0]), goal: Some([2.0, 0.0, 1.0]), orientation: None });
+        spec.query =
+            Some(QuerySpec { start: Some([-2.0, 0.0, 1.0]), goal: Some([2.0, 0.0, 1.0]), ..QuerySpec::default() });
         scene(spec)
     };
     // Its wrenches suffice up to some height, by samples along the ridge; the outlets are at 5.4 m, the ceiling is at 6 m.

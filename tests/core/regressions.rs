@@ -37,6 +37,7 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         obstacles,
         wrench: None,
         motion: None,
+        turning: None,
         query: None,
     };
     GjkEngine::new(&Scene::new(spec).unwrap(), Interference::Exact).unwrap()

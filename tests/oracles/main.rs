@@ -7,6 +7,7 @@ mod engine_oracle;
 mod engines_agree;
 mod geometry_oracle;
 mod pair_distances;
+mod turning;
 mod wrench_certify;
 mod wrench_margins;
 mod wrench_oracle;

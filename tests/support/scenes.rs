@@ -168,7 +168,8 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
         obstacles: obstacles.iter().map(|(name, o)| body_spec(Some(name), o)).collect(),
         wrench: None,
         motion: None,
-        query: Some(QuerySpec { start: None, goal: None, orientation: Some([turn.w, turn.i, turn.j, turn.k].into()) }),
+        turning: None,
+        query: Some(QuerySpec { orientation: Some([turn.w, turn.i, turn.j, turn.k].into()), ..QuerySpec::default() }),
     }
 }
 

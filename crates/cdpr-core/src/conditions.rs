@@ -97,6 +97,7 @@ macro_rules! conditions {
                 match self {
                     $(Kind::$name => $name::sentence(found),)*
                     Kind::Wrench => "the cables cannot balance the required wrenches".to_string(),
+                    Kind::Tilt => "the platform tilts further than the scene allows".to_string(),
                 }
             }
         }

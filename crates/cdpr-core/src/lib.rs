@@ -36,6 +36,7 @@ pub mod testing;
 pub mod trajectory;
 pub mod trajectory_check;
 pub mod trajectory_file;
+pub mod turning;
 pub mod watch;
 pub mod words;
 pub mod wrench;

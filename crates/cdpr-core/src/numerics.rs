@@ -388,6 +388,25 @@ pub const PROOF_MARGIN_USED: f64 = 0.99;
 /// fit in. Slits without width would otherwise be short cuts that nobody can use.
 pub const BOUND_MARGIN: f64 = GAP_TOLERANCE;
 
+/// Component of a unit quaternion below which it is zero, so that a turn counts as a half turn.
+pub const HALF_TURN: f64 = 1e-12;
+
+/// Angle below which a motion does not turn, rad: a point at 100 m would move by less than [`TOUCH_DEPTH`].
+pub const NO_TURN: f64 = 1e-11;
+
+/// Slack below which a motion with a turn is refused where a bound does not prove it free, m.
+pub const TOO_CLOSE_TO_TURN: f64 = 1e-5;
+
+/// Number of pieces into which a motion may be divided to prove one condition; far more than
+/// [`TOO_CLOSE_TO_TURN`] needs for the motions of a hall.
+pub const TURNING_PIECES: usize = 20_000;
+
+/// The same for the required wrenches: some milliseconds.
+pub const WRENCH_PIECES: usize = 1000;
+
+/// Share of a motion to which the place where a turning motion breaks a condition is narrowed down.
+pub const TURNING_PLACE: f64 = 1.0 / 1024.0;
+
 /// Depth inside a polyhedron from which on a segment counts as blocked when lengths are bounded, m.
 pub const BLOCKED_DEPTH: f64 = 1e-9;
 

@@ -10,9 +10,10 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::choice::Choice;
 use crate::collision::path_check::{Nearest, path_length};
 use crate::collision::{Engine, Interference, Violation};
-use crate::geometry::Point;
-use crate::model::Scene;
+use crate::error::Error;
+use crate::geometry::{Point, Pose, Rotation};
 use crate::model::spec::FORMAT_VERSION;
+use crate::model::{Scene, body};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
 use crate::wrench::PathWrench;
@@ -30,6 +31,10 @@ pub struct PathFile {
     /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; if omitted, the scene's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<[f64; 4]>,
+    /// Orientation at each waypoint if the platform turns, as unit quaternions w x y z; between two of them it takes the shorter
+    /// turn at constant rate. `orientation` is then that of the scene.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientations: Option<Vec<[f64; 4]>>,
     /// Name of the orientation in the scene; selects it if `orientation` is omitted.
     // Planning writes null for an orientation without a name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -40,7 +45,7 @@ pub struct PathFile {
     /// How planning ended: solved, budget_spent, no_path, start_invalid or goal_invalid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub status: Option<String>,
-    /// Length of the path, m.
+    /// Length of the path, m; if the platform turns, plus the weight of turns times their angles.
     // NaN without a path, which is null in JSON.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cost: Option<f64>,
@@ -146,7 +151,7 @@ impl PathFile {
         PathFile {
             version: Some(FORMAT_VERSION),
             waypoints: rows(waypoints),
-            orientation: Some([turn.w, turn.i, turn.j, turn.k]),
+            orientation: Some(quaternion(turn)),
             orientation_name: Some(scene.orientation_name().map(str::to_string)),
             scene: Some(SceneId::of(scene)),
             cost: Some(path_length(waypoints)),
@@ -182,8 +187,10 @@ impl PathFile {
             wrench: appraisal.wrench.clone(),
             lower_bound: None,
         };
+        let quaternions: Vec<[f64; 4]> = result.orientations.iter().map(quaternion).collect();
         PathFile {
             status: Some(status.name().to_string()),
+            orientations: Some(quaternions).filter(|quaternions| !quaternions.is_empty()),
             cost: Some(*cost),
             raw_waypoints: Some(rows(raw_waypoints)),
             raw_cost: Some(*raw_cost),
@@ -200,6 +207,26 @@ impl PathFile {
     pub fn with_lower_bound(mut self, bound: Option<f64>) -> Self {
         self.planned.iter_mut().for_each(|planned| planned.lower_bound = Some(bound));
         self
+    }
+
+    /// The poses of a path on which the platform turns; `None` if it keeps its orientation.
+    ///
+    /// # Errors
+    /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
+    pub fn poses(&self) -> Result<Option<Vec<Pose>>, Error> {
+        let Some(orientations) = &self.orientations else { return Ok(None) };
+        if orientations.len() != self.waypoints.len() {
+            let problem = format!(
+                "found {}, expected one for each of the {} waypoints",
+                orientations.len(),
+                self.waypoints.len()
+            );
+            return Err(Error::invalid("orientations", problem));
+        }
+        let pose = |(k, (position, quaternion)): (usize, (Point, &[f64; 4]))| {
+            Ok(Pose::new(position, body::unit_quaternion(&format!("orientations[{k}]"), *quaternion)?))
+        };
+        self.points().into_iter().zip(orientations).enumerate().map(pose).collect::<Result<_, _>>().map(Some)
     }
 
     /// The waypoints as points, m.
@@ -223,6 +250,10 @@ impl OptionKeys {
 
 fn shared<S: Serializer>(proof: &Option<Arc<NoPath>>, serializer: S) -> Result<S::Ok, S::Error> {
     proof.as_deref().serialize(serializer)
+}
+
+fn quaternion(rotation: &Rotation) -> [f64; 4] {
+    [rotation.w, rotation.i, rotation.j, rotation.k]
 }
 
 fn rows(points: &[Point]) -> Vec<[f64; 3]> {

@@ -4,6 +4,7 @@ mod choosing;
 mod deciding;
 mod no_path;
 mod query;
+mod turning;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -16,7 +17,7 @@ use crate::choices;
 use crate::collision::path_check::{Nearest, PathReport, first_invalid_segment, nearest, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation, check_path};
 use crate::error::{Error, ErrorClass};
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose, Rotation};
 use crate::lower_bound::Forbidden;
 use crate::model::Scene;
 use crate::numerics::{BOUND_GAP, QUICK_BOUND_EFFORT};
@@ -24,12 +25,14 @@ use crate::planning::{
     Milestone, Outcome, PathOptimizer, Planner, PlannerOptions, Problem, SearchTree, Status, TranslationSpace,
 };
 use crate::postprocess::{Direction, Order, RewindOptions, StringPuller, Trace, rewind, rewind_traced};
+use crate::turning::{TurningEngine, nearest_of_poses};
 use crate::watch::{Interrupt, Watch, in_time};
 use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_wrench};
 
 use deciding::{Decided, search_and_decide};
 pub use no_path::NoPath;
 pub use query::{Observer, Planned, Query};
+pub use turning::turning_engine;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
@@ -210,6 +213,8 @@ pub struct PlanResult {
     pub lower_bound: Option<f64>,
     /// The final path, m; empty unless solved.
     pub waypoints: Vec<Point>,
+    /// The orientation at each waypoint; empty if the platform keeps that of the scene.
+    pub orientations: Vec<Rotation>,
     /// Its length, m; NaN unless solved.
     pub cost: f64,
     /// The planner's path before rewinding, m; empty unless solved.
@@ -320,6 +325,26 @@ pub fn appraise(
     })
 }
 
+/// As [`appraise`] for a path on which the platform may turn: its closest approach.
+///
+/// # Errors
+/// [`Error::interrupted`] never: an interruption leaves the measurements out.
+pub fn appraise_turning(
+    scene: &Scene,
+    engine: &TurningEngine,
+    result: &PlanResult,
+    watch: &Watch,
+) -> Result<Appraisal, Error> {
+    let unmeasured = || Nearest::unmeasured(engine.conditions());
+    if result.waypoints.is_empty() {
+        return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
+    }
+    let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
+    let poses = result.poses(scene.orientation());
+    let nearest = nearest_of_poses(engine, &poses, &Watch { deadline: grace, ..*watch }).map(Some);
+    Ok(Appraisal { nearest: unless_stopped(nearest)?.unwrap_or_else(unmeasured), ..Appraisal::default() })
+}
+
 /// A lower bound of the length of all paths, near that of a path that was found if this takes little effort; `None` if there is
 /// no time.
 fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<Option<f64>, Error> {
@@ -376,20 +401,23 @@ pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &d
     plan_within(&query, options, &options.watch(&interrupted), &improved)
 }
 
-/// Plans at the orientation of the scene.
+/// Plans at the orientation of the scene or, if the platform may turn, from there.
 fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &Improved) -> Result<Planned, Error> {
+    if query.turns() {
+        return turning::plan_turning(query, options, watch, improved);
+    }
     if let Some(engine) = query.engine {
         let result = plan_by(engine, query, options, watch, improved)?;
-        return Ok(Planned { turned: None, engine: None, result });
+        return Ok(Planned::without_engine(result));
     }
     let engine = match engine_within(query.scene, options.engine, options.interference, watch) {
         Err(error) if error.class() == ErrorClass::OutOfTime => {
-            return Ok(Planned { turned: None, engine: None, result: PlanResult::out_of_time() });
+            return Ok(Planned::without_engine(PlanResult::out_of_time()));
         }
         engine => engine?,
     };
     let result = plan_by(&*engine, query, options, watch, improved)?;
-    Ok(Planned { turned: None, engine: Some(engine), result })
+    Ok(Planned { engine: Some(engine), ..Planned::without_engine(result) })
 }
 
 fn plan_by(
@@ -505,6 +533,12 @@ pub fn post_process(
 }
 
 impl PlanResult {
+    /// The path as poses, given the orientation of the scene.
+    pub fn poses(&self, of_scene: &Rotation) -> Vec<Pose> {
+        let orientation = |k: usize| *self.orientations.get(k).unwrap_or(of_scene);
+        self.waypoints.iter().enumerate().map(|(k, position)| Pose::new(*position, orientation(k))).collect()
+    }
+
     /// The result if time runs out before the search begins.
     pub fn out_of_time() -> Self {
         PlanResult::unsolved(Status::BudgetSpent, None, Stats::default())
@@ -521,6 +555,7 @@ impl PlanResult {
             opening_below: None,
             lower_bound: None,
             waypoints: Vec::new(),
+            orientations: Vec::new(),
             cost,
             raw_waypoints: Vec::new(),
             raw_cost,

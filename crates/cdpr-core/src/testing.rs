@@ -54,8 +54,9 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         robot: RobotSource::Inline(paper_robot()),
         obstacles,
         wrench: None,
-        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 1.7]), orientation: None }),
+        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 1.7]), ..QuerySpec::default() }),
         motion: None,
+        turning: None,
     }
 }
 
@@ -79,7 +80,7 @@ pub fn walled(ceiling: f64) -> SceneSpec {
     SceneSpec {
         robot: RobotSource::Inline(robot),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, ceiling] },
-        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 0.3]), orientation: None }),
+        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 0.3]), ..QuerySpec::default() }),
         ..paper_scene("walled", vec![block("wall", [0.1, 2.0, 0.9], [1.0, 1.0, 0.45])])
     }
 }

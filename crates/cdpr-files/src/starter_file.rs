@@ -53,7 +53,7 @@ pub fn starter_scene(
     let scene = Scene::new(whole.clone())?;
     let query = proposal::query(&scene, interrupted)?;
     if let Some([start, goal]) = query {
-        spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), orientation: None });
+        spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() });
     }
     let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes(dense.notes().to_vec());
     Ok((spec, scene, query.is_some()))
@@ -77,10 +77,11 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         obstacles: obstacles(starter, output)?,
         wrench: None,
         motion: None,
+        turning: None,
         query: given.then(|| QuerySpec {
             start: starter.start.map(Into::into),
             goal: starter.goal.map(Into::into),
-            orientation: None,
+            ..QuerySpec::default()
         }),
     })
 }

@@ -1,10 +1,10 @@
 //! `cdpr plan`
 
-use cdpr_core::collision::{Checker, Kind, Violation};
+use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::TOUCH_DEPTH;
-use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, appraise, plan};
+use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::trajectory::kept_plan;
 use cdpr_core::watch::{Interrupt, Watch};
@@ -45,17 +45,15 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let watch = options.watch(stop);
         let planned = plan(query, &options, &Reporter { stop, out })?;
         let (planned, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
-        let Planned { turned, engine, result } = &planned;
-        let scene = turned.as_ref().unwrap_or(&scene);
-        let appraise = |engine: &dyn Checker| appraise(scene, engine, result, bounded, &watch);
-        let appraisal = engine.as_deref().map(appraise).transpose()?.unwrap_or_default();
+        let scene = planned.turned.as_ref().unwrap_or(&scene);
+        let appraisal = planned.appraise(scene, bounded, &watch)?;
         Ok((planned, timed, appraisal))
     };
-    let (Planned { turned, engine, result: found }, timed, appraisal) =
-        with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    let (planned, timed, appraisal) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     let ends = query.ends().map_err(in_scene)?;
+    planned.checker().iter().for_each(|checker| out.notes(checker.conditions()));
+    let Planned { turned, result: found, .. } = planned;
     let scene = turned.unwrap_or(scene);
-    engine.iter().for_each(|engine| out.notes(engine.conditions()));
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     match args.scene.format {

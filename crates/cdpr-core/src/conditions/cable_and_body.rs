@@ -2,8 +2,8 @@
 
 use super::fattened::between;
 use super::region::Forbidden;
-use crate::geometry::gjk::{nearer_than, overlap};
-use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, Triangle, Vector, shadow};
+use crate::geometry::gjk::{nearer_than, overlap, proximity, shape_distance};
+use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, SupportMap, Triangle, Vector, shadow};
 use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// How a cable must stay clear of a convex body.
@@ -71,11 +71,40 @@ impl Demand {
     #[inline]
     pub fn broken_by(&self, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
         if let Demand::Leave { normals } = self {
-            return goes_below_all(normals, along[0], along[1]);
+            return goes_below_all(normals, along[0], along[1], |_| 0.0);
         }
         let [gap, touch] = self.gap_and_touch();
         let cable = sweep();
         !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
+    }
+
+    /// How far a cable is from breaking it, m, from the cable as a triangle or, for a cable that ends on the body, from its
+    /// direction.
+    pub fn slack(&self, cable: impl FnOnce() -> Triangle, along: &Vector, body: &Polytope) -> f64 {
+        if let Demand::Leave { normals } = self {
+            return normals.iter().map(|normal| normal.dot(along)).fold(f64::NEG_INFINITY, f64::max);
+        }
+        let [gap, touch] = self.gap_and_touch();
+        shape_distance(&cable(), body).signed() - gap + (touch - TOUCH_DEPTH)
+    }
+
+    /// Whether a bound proves that a moving cable keeps it, from the triangle that its chord sweeps and the largest deviation
+    /// from it or, for a cable that ends on the body, from its direction at both ends and the deviation of its other end along
+    /// a normal.
+    pub fn kept(
+        &self,
+        chord: impl FnOnce() -> (Triangle, f64),
+        along: [Vector; 2],
+        sag: impl Fn(&Vector) -> f64,
+        body: &Polytope,
+    ) -> bool {
+        if let Demand::Leave { normals } = self {
+            return !goes_below_all(normals, along[0], along[1], sag);
+        }
+        let [gap, touch] = self.gap_and_touch();
+        let (chord, sag) = chord();
+        let wanted = if gap > 0.0 { gap - TOUCH_DEPTH } else { -touch } + sag;
+        Aabb::around(&chord.corners).distance(body.aabb()) > wanted.max(0.0) || apart_by(&chord, body, wanted)
     }
 
     /// The points where a cable from `apex` cannot end: the shadow of the body or, if the cable starts on the body, the
@@ -95,12 +124,19 @@ pub fn too_close(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64, touch: f6
     if gap > 0.0 { nearer_than(a, b, gap) } else { overlap(a, b, touch) }
 }
 
-/// Whether a direction that changes linearly from `start` to `end` is at some instant below all planes through the
-/// origin with these normals.
-fn goes_below_all(normals: &[Vector], start: Vector, end: Vector) -> bool {
+/// Whether GJK shows that two shapes are at least `gap` metres apart or, if that is negative, overlap by no more.
+#[inline]
+pub fn apart_by(a: &impl SupportMap, b: &impl SupportMap, gap: f64) -> bool {
+    proximity(a, b, gap, gap).lower >= gap
+}
+
+/// Whether a direction that changes linearly from `start` to `end`, except for a deviation, may at some instant be below all
+/// planes through the origin with these normals. `sag` is the largest deviation along a normal.
+fn goes_below_all(normals: &[Vector], start: Vector, end: Vector, sag: impl Fn(&Vector) -> f64) -> bool {
     let (mut low, mut high) = (0.0f64, 1.0f64);
     for normal in normals {
-        let (a, b) = (normal.dot(&start) + TOUCH_DEPTH, normal.dot(&end) + TOUCH_DEPTH);
+        let touch = TOUCH_DEPTH - sag(normal);
+        let (a, b) = (normal.dot(&start) + touch, normal.dot(&end) + touch);
         match (a < 0.0, b < 0.0) {
             (true, true) => {}
             (false, false) => return false,

@@ -13,7 +13,9 @@ use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
 use crate::geometry::segment_segment::{self, SegmentPair};
-use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Triangle, TriangleMesh, Vector, wedge_mesh};
+use crate::geometry::{
+    Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, wedge_mesh,
+};
 use crate::model::{Member, Scene};
 use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 use crate::watch::Watch;
@@ -249,6 +251,15 @@ impl CableCable {
         (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
     }
 
+    /// The outlets and attachments of both cables at a pose.
+    #[inline]
+    fn lines(&self, bodies: &Bodies, at: &Placed) -> [(Point, Point); 2] {
+        [self.first, self.second].map(|k| {
+            let CableAt { outlet, arm, .. } = &bodies.cables[k];
+            (*outlet, at.point(arm))
+        })
+    }
+
     /// The distance between axes that the swept rule requires, m.
     #[inline]
     fn swept_gap(&self) -> f64 {
@@ -339,6 +350,32 @@ impl PhysicalCondition for CableCable {
         self.crosses(from, to)
             || (interference == Interference::Swept && swept())
             || (interference == Interference::Exact && self.gap > 0.0 && self.nearer_than_gap(from, to))
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let [(a, p), (b, q)] = self.lines(bodies, at);
+        segment_segment::closest(&a, &p, &b, &q).distance - self.gap
+    }
+
+    /// Along a fixed direction, the common normal halfway: a point of one cable is above one of the other if all four pairs of
+    /// their ends are.
+    #[inline]
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
+        let nearest = segment_segment::closest(&a, &p, &b, &q);
+        let Some(across) = nearest.offset.try_normalize(TOUCH_DEPTH) else { return false };
+        let [first, second] = [self.first, self.second].map(|k| &bodies.cables[k].arm);
+        let share = piece.share_along(&across);
+        let height = |point: &Point| across.dot(&point.coords);
+        let [i, j] = [first, second].map(|arm| piece.ends.each_ref().map(|end| height(&end.point(arm))));
+        let (i_highest, j_lowest) = (i[0].max(i[1]), j[0].min(j[1]));
+        let apart = [
+            height(&b) - height(&a),
+            height(&b) - i_highest - share * piece.sag(first),
+            j_lowest - height(&a) - share * piece.sag(second),
+            (j[0] - i[0]).min(j[1] - i[1]) - share * piece.sag(&(second - first)),
+        ];
+        apart.iter().all(|room| *room > 0.0 && *room >= self.gap - TOUCH_DEPTH)
     }
 
     /// The triangles may meet although no position in between is forbidden.

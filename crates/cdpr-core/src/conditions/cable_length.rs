@@ -6,7 +6,7 @@ use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale};
 use crate::error::Error;
-use crate::geometry::{Cuboid, HalfSpace, Point, Vector, segment_segment};
+use crate::geometry::{Cuboid, HalfSpace, Placed, Point, TurningPiece, Vector, segment_segment};
 use crate::model::{Member, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
 use crate::watch::Watch;
@@ -78,6 +78,24 @@ impl PhysicalCondition for CableLength {
     #[inline]
     fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
         self.room(bodies, from, to) < -TOUCH_DEPTH
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        let length = (at.point(&cable.arm) - cable.outlet).norm();
+        (length - self.min).min(self.max - length)
+    }
+
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let cable = &bodies.cables[self.cable];
+        let [p, q] = piece.ends.each_ref().map(|end| end.point(&cable.arm));
+        let (first, last) = ((p - cable.outlet).norm(), (q - cable.outlet).norm());
+        let sag = piece.sag(&cable.arm) - TOUCH_DEPTH;
+        // The length changes by no more than the way; half of it from the nearer end.
+        let quick = first.min(last) - 0.5 * piece.travel(cable.arm.norm()) >= self.min;
+        let longest = first.max(last);
+        longest <= self.max - sag
+            && (quick || segment_segment::closest(&p, &q, &cable.outlet, &cable.outlet).distance >= self.min + sag)
     }
 
     fn exceeds_pieces(&self) -> bool {

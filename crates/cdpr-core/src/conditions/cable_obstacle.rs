@@ -11,7 +11,7 @@ use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Forbidden, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{Aabb, HalfSpace, Point, Triangle, Vector};
+use crate::geometry::{Aabb, HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
 use crate::model::{Member, Scene};
 use crate::watch::Watch;
 
@@ -152,6 +152,23 @@ impl PhysicalCondition for CableObstacle {
         let along = |p: &Point| p + cable.arm - cable.outlet;
         let sweep = || cable.sweep(from, to);
         self.demand.broken_by(sweep, [along(from), along(to)], &bodies.obstacles[self.body].body)
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
+        let end = at.point(arm);
+        let cable = || Triangle::new(*outlet, end, end);
+        self.demand.slack(cable, &(end - outlet), &bodies.obstacles[self.body].body)
+    }
+
+    #[inline]
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
+        let [from, to] = piece.ends.each_ref().map(|end| end.point(arm));
+        let sag = piece.sag(arm);
+        let chord = || (Triangle::new(*outlet, from, to), sag);
+        let along = |normal: &Vector| sag * piece.share_along(normal);
+        self.demand.kept(chord, [from - outlet, to - outlet], along, &bodies.obstacles[self.body].body)
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<Forbidden> {

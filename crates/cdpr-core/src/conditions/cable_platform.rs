@@ -12,7 +12,7 @@ use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Forbidden, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{HalfSpace, Point, Triangle};
+use crate::geometry::{HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
 use crate::model::{Member, Scene};
 use crate::numerics::ON_SURFACE;
 use crate::watch::Watch;
@@ -138,6 +138,32 @@ impl PhysicalCondition for CablePlatform {
         let along = |p: &Point| cable.outlet - (p + cable.arm);
         let sweep = || cable.sweep_seen_from_platform(from, to);
         self.demand.broken_by(sweep, [along(from), along(to)], &bodies.platform[self.body])
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
+        let (end, start) = (Point::from(*arm), at.seen(outlet));
+        self.demand.slack(|| Triangle::new(end, start, start), &(start - end), &bodies.platform[self.body])
+    }
+
+    /// In the frame of the platform the outlet moves. Only the part of the cable that can reach the body counts, and deviates
+    /// less: by its share of the cable.
+    #[inline]
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
+        let end = Point::from(*arm);
+        let [from, to] = piece.ends.each_ref().map(|pose| pose.seen(outlet) - end);
+        let sag = piece.sag_seen(outlet);
+        let body = &bodies.platform[self.body];
+        let chord = || {
+            let reach =
+                body.vertices().iter().map(|v| (v - end).norm()).fold(0.0, f64::max) + self.demand.gap_and_touch()[0];
+            let shortest = from.norm().min(to.norm()) - 0.5 * piece.travel(arm.norm());
+            let share = if shortest > reach { reach / shortest } else { 1.0 };
+            (Triangle::new(end, end + from * share, end + to * share), share * sag)
+        };
+        let along = |normal: &Vector| sag * normal.cross(&piece.body_axis).norm();
+        self.demand.kept(chord, [from, to], along, body)
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {

@@ -8,7 +8,7 @@ use super::fattened::Fattened;
 use super::region::{Forbidden, Region, Scale};
 use crate::choices;
 use crate::error::Error;
-use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, TriangleMesh, Vector, convex_mesh};
+use crate::geometry::{Aabb, Cuboid, HalfSpace, Placed, Point, TriangleMesh, TurningPiece, Vector, convex_mesh};
 use crate::model::{Member, Scene};
 use crate::watch::Watch;
 use crate::words::{length, small_length};
@@ -31,6 +31,8 @@ pub enum Kind {
     CableObstacle,
     /// The cables cannot balance the required wrenches.
     Wrench,
+    /// The platform tilts too far.
+    Tilt,
 }
 
 /// The rule for cables crossing each other.
@@ -156,6 +158,12 @@ pub trait PhysicalCondition {
 
     /// Whether a motion breaks it, by GJK or in closed form.
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool;
+
+    /// How far it is from being broken at a pose, m; below -[`TOUCH_DEPTH`](crate::numerics::TOUCH_DEPTH) it is broken.
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64;
+
+    /// Whether a bound proves that a piece of a motion keeps it.
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool;
 
     /// Whether it keeps more than contact, so that the positions it forbids have rounded edges and corners.
     fn is_rounded(&self) -> bool {

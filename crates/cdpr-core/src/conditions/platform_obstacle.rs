@@ -3,14 +3,17 @@
 //! For an obstacle O and a part P of the platform the forbidden positions are O ⊕ (-P).
 
 use super::bodies::Bodies;
-use super::cable_and_body::too_close;
+use super::cable_and_body::{apart_by, too_close};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, around, directions, fattened};
 use super::physical::{Broken, Interference, Kind, PhysicalCondition, surface};
 use super::region::{Forbidden, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{Aabb, HalfSpace, Point, Polytope, Swept, TriangleMesh, Vector};
+use crate::geometry::{
+    Aabb, HalfSpace, Placed, PlacedBody, Point, Polytope, SupportMap, Swept, TriangleMesh, TurnedSweep, TurningPiece,
+    Vector,
+};
 use crate::model::{Member, Scene};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
@@ -115,6 +118,29 @@ impl PhysicalCondition for PlatformObstacle {
         let swept = Swept::new(part, from.coords, to - from);
         !bounds.apart_by(obstacle.body.aabb(), self.gap)
             && too_close(&swept, &obstacle.body, self.gap, self.touch(bodies))
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let part = PlacedBody { body: &bodies.platform[self.part], at };
+        let distance = shape_distance(&part, &bodies.obstacles[self.body].body).signed();
+        distance - self.gap + (self.touch(bodies) - TOUCH_DEPTH)
+    }
+
+    #[inline]
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let (part, obstacle) = (&bodies.platform[self.part], &bodies.obstacles[self.body].body);
+        let reach = part.vertices().iter().map(|v| v.coords.norm()).fold(0.0, f64::max);
+        let bounds = Aabb::around(&piece.ends.map(|end| end.position));
+        if bounds.distance(obstacle.aabb()) > self.gap + reach {
+            return true;
+        }
+        let wanted = if self.gap > 0.0 { self.gap - TOUCH_DEPTH } else { -self.touch(bodies) };
+        let sag = piece.sag_within(reach);
+        let swept = TurnedSweep { body: part, ends: &piece.ends };
+        apart_by(&swept, obstacle, wanted + sag)
+            || obstacle.facets().iter().any(|face| {
+                face.height(&swept.support(&-face.normal)) >= wanted + sag * piece.share_along(&face.normal)
+            })
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {

@@ -6,7 +6,7 @@ use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point, Vector};
+use crate::geometry::{Aabb, Cuboid, Placed, Point, TurningPiece, Vector};
 use crate::model::{Member, Scene};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
@@ -18,6 +18,8 @@ pub struct Workspace {
     pub min: Point,
     /// Largest position, m.
     pub max: Point,
+    /// The box in which every vertex of the platform must stay, m.
+    pub limits: Aabb,
 }
 
 impl Workspace {
@@ -34,7 +36,14 @@ impl Workspace {
                 (min[axis], max[axis]) = (middle, middle);
             }
         }
-        Workspace { min, max }
+        Workspace { min, max, limits: *scene.workspace() }
+    }
+
+    /// Smallest distance of the platform from the limits at a pose, m; negative outside.
+    fn inside(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let Aabb { min, max } = &self.limits;
+        let corners = bodies.platform.iter().flat_map(|part| part.vertices()).map(|v| at.point(&v.coords));
+        corners.map(|v| (v - min).inf(&(max - v)).min()).fold(f64::INFINITY, f64::min)
     }
 
     /// Smallest distance from the workspace limits over a motion, m; negative outside.
@@ -85,6 +94,22 @@ impl PhysicalCondition for Workspace {
     #[inline]
     fn breaks(&self, _: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
         self.room(from, to) < -TOUCH_DEPTH
+    }
+
+    fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        self.inside(bodies, at)
+    }
+
+    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let corners = || bodies.platform.iter().flat_map(|part| part.vertices());
+        let sag = piece.sag_within(corners().map(|v| v.coords.norm()).fold(0.0, f64::max));
+        let sags = Vector::from_fn(|axis, _| sag * piece.share_along(&Vector::ith(axis, 1.0)));
+        piece.ends.iter().all(|end| {
+            let Aabb { min, max } = &self.limits;
+            corners()
+                .map(|v| end.point(&v.coords))
+                .all(|v| (v - min).inf(&(max - v)).zip_map(&sags, |room, sag| room - sag).min() >= -TOUCH_DEPTH)
+        })
     }
 
     /// It forbids only positions outside the box of positions.

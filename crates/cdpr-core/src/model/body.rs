@@ -1,9 +1,9 @@
 //! Bodies built from their specs, and checks of numbers shared by robots and scenes.
 
-use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, WrenchSpec};
+use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, TurningAxis, TurningSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector};
-use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, UNIT_QUATERNION};
+use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, PARALLEL, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
 pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
@@ -93,6 +93,26 @@ pub fn wrench(place: &str, numbers: &[f64; 6]) -> Result<(), Error> {
             Err(Error::invalid(place, problem))
         }
     }
+}
+
+/// Checks the values of a `[turning]` table.
+///
+/// # Errors
+/// An axis that is zero, a tilt that is not from 0 to 180 degrees, a weight that is not positive.
+pub fn sound_turning(spec: &TurningSpec) -> Result<(), Error> {
+    if let Some(TurningAxis::Fixed(axis)) = &spec.axis {
+        coordinates("axis", axis)?;
+        if !(Vector::from(*axis).norm() > PARALLEL) {
+            return Err(Error::invalid(
+                "axis",
+                format!("found {axis:?}, expected \"free\" or an axis that is not zero"),
+            ));
+        }
+    }
+    if let Some(tilt) = spec.max_tilt.filter(|tilt| !(0.0..=180.0).contains(tilt)) {
+        return Err(Error::invalid("max_tilt", format!("found {tilt}, expected an angle from 0 to 180 degrees")));
+    }
+    spec.weight.map_or(Ok(()), |weight| positive("weight", weight).map(drop))
 }
 
 /// Checks the values of a `[motion]` table.

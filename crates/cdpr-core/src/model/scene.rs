@@ -6,7 +6,7 @@ use super::pairs::{Member, PairRules};
 use super::robot::Robot;
 use super::spec::{
     BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, PLATFORM, QuerySpec, RobotSource, SceneSpec,
-    WrenchSpec,
+    TurningSpec, WrenchSpec,
 };
 use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
@@ -31,6 +31,7 @@ pub struct Scene {
     pairs: PairRules,
     start: Option<Point>,
     goal: Option<Point>,
+    end_orientations: [Option<Rotation>; 2],
     notes: Vec<String>,
     good_notes: Vec<String>,
 }
@@ -59,6 +60,9 @@ impl Scene {
         if let Some(wrench) = &spec.wrench {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
+        if let Some(turning) = &spec.turning {
+            body::sound_turning(turning).map_err(|e| e.under("turning"))?;
+        }
         if let Some(motion) = &spec.motion {
             body::sound_motion(motion).map_err(|e| e.under("motion"))?;
         }
@@ -77,6 +81,13 @@ impl Scene {
             Some(source) => orientation("query.orientation", source, &orientations)?,
             None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
         };
+        let at_end = |key: &str, source: &Option<OrientationSource>| {
+            source.as_ref().map(|source| self::orientation(&format!("query.{key}"), source, &orientations)).transpose()
+        };
+        let end_orientations = [
+            at_end("start_orientation", &query.start_orientation)?,
+            at_end("goal_orientation", &query.goal_orientation)?,
+        ];
         let notes = degrees_hints(&spec, &robot);
         let good_notes = Vec::new();
         Ok(Scene {
@@ -90,6 +101,7 @@ impl Scene {
             pairs,
             start,
             goal,
+            end_orientations,
             notes,
             good_notes,
         })
@@ -307,6 +319,30 @@ impl Scene {
     /// Goal of the query, if given.
     pub fn goal(&self) -> Option<Point> {
         self.goal
+    }
+
+    /// The orientations at the start and at the goal of the query: their own, or that of the scene.
+    pub fn end_orientations(&self) -> [Rotation; 2] {
+        self.end_orientations.map(|own| own.unwrap_or(self.orientation))
+    }
+
+    /// Whether the platform may turn on its way: the scene says how, or start and goal differ in orientation.
+    pub fn turns(&self) -> bool {
+        let [start, goal] = self.end_orientations();
+        self.spec.turning.is_some() || start.angle_to(&goal) > SAME_TURN
+    }
+
+    /// How the platform may turn on its way, if the scene says so.
+    pub fn turning(&self) -> Option<&TurningSpec> {
+        self.spec.turning.as_ref()
+    }
+
+    /// An orientation from its name or quaternion.
+    ///
+    /// # Errors
+    /// An unknown name, or a quaternion that does not have length 1; the error is at `place`.
+    pub fn named_orientation(&self, place: &str, source: &OrientationSource) -> Result<Rotation, Error> {
+        orientation(place, source, &self.orientations)
     }
 
     /// The requirements on wrench feasibility, if given.

@@ -5,7 +5,7 @@ use crate::choices;
 use crate::fixed_length;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize, de};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 /// Deserializes a file name or a table. Written by hand, because an untagged derive reports a misspelt key as "did not
 /// match any variant".
@@ -90,6 +90,9 @@ pub struct SceneSpec {
     /// Limits of timed motions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionSpec>,
+    /// How the platform may turn on its way; without this table it turns only if start and goal differ in orientation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turning: Option<TurningSpec>,
 }
 
 /// Clearances that differ from the scene's `clearance`. A clearance for a pair takes precedence over that of its kind.
@@ -399,6 +402,79 @@ pub struct QuerySpec {
     /// scene's orientations; default: no rotation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationSource>,
+    /// Orientation at the start if the platform turns on its way; default `orientation`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_orientation: Option<OrientationSource>,
+    /// Orientation at the goal if the platform turns on its way; default `orientation`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal_orientation: Option<OrientationSource>,
+}
+
+/// How the platform may turn on its way.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct TurningSpec {
+    /// "free" for turns about any axis, or the only axis, world; default "free".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis: Option<TurningAxis>,
+    /// Largest angle between the vertical and the line of the platform that is vertical at the scene's orientation,
+    /// degrees; default 180.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_tilt: Option<f64>,
+    /// Length of a turn by one radian, m; default the distance from the platform's origin to its farthest corner.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weight: Option<f64>,
+}
+
+/// The axes about which the platform may turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(untagged))]
+pub enum TurningAxis {
+    /// Any: "free".
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    Free,
+    /// Only this one, world.
+    Fixed([f64; 3]),
+}
+
+/// The name of [`TurningAxis::Free`].
+const FREE: &str = "free";
+
+impl Serialize for TurningAxis {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            TurningAxis::Free => serializer.serialize_str(FREE),
+            TurningAxis::Fixed(axis) => axis.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TurningAxis {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = TurningAxis;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("\"free\" or an axis [x, y, z]")
+            }
+
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<TurningAxis, E> {
+                if name == FREE {
+                    Ok(TurningAxis::Free)
+                } else {
+                    Err(E::invalid_value(de::Unexpected::Str(name), &self))
+                }
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<TurningAxis, A::Error> {
+                fixed_length::from_seq(seq).map(TurningAxis::Fixed)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
 }
 
 /// Limits of timed motions; all are optional. Tensions are limited by those of the cables.

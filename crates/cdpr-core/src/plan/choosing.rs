@@ -53,6 +53,9 @@ fn at_one(
     if shortest == f64::INFINITY {
         return plan_within(query, options, watch, improved).map(Some);
     }
+    if query.turns() {
+        return plan_within(query, options, watch, improved).map(Some);
+    }
     let engine = match engine_within(query.scene, options.engine, options.interference, watch) {
         Err(error) if error.class() == ErrorClass::OutOfTime => return Ok(None),
         engine => engine?,
@@ -62,7 +65,7 @@ fn at_one(
         return Ok(None);
     }
     let result = plan_by(&*engine, query, options, watch, improved)?;
-    Ok(Some(Planned { turned: None, engine: Some(engine), result }))
+    Ok(Some(Planned { engine: Some(engine), ..Planned::without_engine(result) }))
 }
 
 impl Planned {

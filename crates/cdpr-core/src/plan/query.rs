@@ -1,11 +1,14 @@
 //! The planning query, its result, and the observer of a search.
 
-use super::PlanResult;
+use super::{Appraisal, PlanResult, appraise, appraise_turning};
 use crate::collision::Checker;
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose, Rotation};
 use crate::model::{Scene, body};
+use crate::numerics::SAME_TURN;
 use crate::proof::Answer;
+use crate::turning::TurningEngine;
+use crate::watch::Watch;
 
 /// A planning query: start and goal in a scene.
 ///
@@ -29,6 +32,8 @@ pub struct Query<'a> {
     pub start: Option<Point>,
     /// Goal instead of the scene's, m.
     pub goal: Option<Point>,
+    /// Orientations at start and goal instead of the scene's, for a platform that turns.
+    pub orientations: [Option<Rotation>; 2],
     /// An engine compiled earlier from the scene; the options' engine and interference rule are then ignored.
     pub engine: Option<&'a dyn Checker>,
     /// Whether there is a path, if that was decided earlier with this engine; planning then does not decide it again.
@@ -38,7 +43,7 @@ pub struct Query<'a> {
 impl<'a> Query<'a> {
     /// From the scene's start to its goal.
     pub fn of(scene: &'a Scene) -> Self {
-        Query { scene, start: None, goal: None, engine: None, answer: None }
+        Query { scene, start: None, goal: None, orientations: [None; 2], engine: None, answer: None }
     }
 
     /// The same from another start, m.
@@ -49,6 +54,32 @@ impl<'a> Query<'a> {
     /// The same to another goal, m.
     pub fn to(self, goal: Point) -> Self {
         Query { goal: Some(goal), ..self }
+    }
+
+    /// The same with other orientations at start and goal, as far as given.
+    pub fn oriented(self, orientations: [Option<Rotation>; 2]) -> Self {
+        Query { orientations, ..self }
+    }
+
+    /// Whether the platform may turn on its way.
+    pub fn turns(&self) -> bool {
+        let [start, goal] = self.end_orientations();
+        let level = |end: &Rotation| end.angle_to(self.scene.orientation()) <= SAME_TURN;
+        self.scene.turning().is_some() || !level(&start) || !level(&goal)
+    }
+
+    fn end_orientations(&self) -> [Rotation; 2] {
+        let [start, goal] = self.scene.end_orientations();
+        [self.orientations[0].unwrap_or(start), self.orientations[1].unwrap_or(goal)]
+    }
+
+    /// Start and goal as poses.
+    ///
+    /// # Errors
+    /// As [`Query::ends`].
+    pub fn poses(&self) -> Result<[Pose; 2], Error> {
+        let ([start, goal], [at_start, at_goal]) = (self.ends()?, self.end_orientations());
+        Ok([Pose::new(start, at_start), Pose::new(goal, at_goal)])
     }
 
     /// The same, using an engine compiled earlier from the scene.
@@ -105,10 +136,44 @@ impl<F: Fn() -> bool + Sync> Observer for F {
 pub struct Planned {
     /// The scene at the orientation with the shortest path, if the scene selected none.
     pub turned: Option<Scene>,
-    /// The engine that was compiled; `None` if the query provided one or time ran out first.
+    /// The engine that was compiled; `None` if the query provided one, the platform may turn, or time ran out first.
     pub engine: Option<Box<dyn Checker>>,
+    /// The engine that was compiled if the platform may turn.
+    pub turning: Option<TurningEngine>,
     /// The result; counts and times include all orientations.
     pub result: PlanResult,
+}
+
+impl Planned {
+    /// A result without an engine.
+    pub(super) fn without_engine(result: PlanResult) -> Self {
+        Planned { turned: None, engine: None, turning: None, result }
+    }
+
+    /// A result for a platform that may turn.
+    pub(super) fn turning(engine: TurningEngine, result: PlanResult) -> Self {
+        Planned { turning: Some(engine), ..Planned::without_engine(result) }
+    }
+
+    /// Measures the path that was found in the scene, which is that of the query or [`Planned::turned`].
+    ///
+    /// # Errors
+    /// As [`appraise`].
+    pub fn appraise(&self, scene: &Scene, bounded: bool, watch: &Watch) -> Result<Appraisal, Error> {
+        match (&self.turning, &self.engine) {
+            (Some(turning), _) if !self.result.orientations.is_empty() => {
+                appraise_turning(scene, turning, &self.result, watch)
+            }
+            (Some(turning), _) => appraise(scene, turning.level(), &self.result, false, watch),
+            (None, Some(engine)) => appraise(scene, &**engine, &self.result, bounded, watch),
+            (None, None) => Ok(Appraisal::default()),
+        }
+    }
+
+    /// The engine that checks motions at the orientation of the scene, if one was compiled.
+    pub fn checker(&self) -> Option<&dyn Checker> {
+        self.engine.as_deref().or_else(|| self.turning.as_ref().map(TurningEngine::level))
+    }
 }
 
 impl std::fmt::Debug for Planned {

@@ -155,7 +155,7 @@ impl Measure {
 
 /// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with
 /// x the sine of the angle between the two, x √(4 − 3x²) is largest at x² = 2/3.
-const BEND: f64 = 1.154_700_538_379_251_5;
+pub const BEND: f64 = 1.154_700_538_379_251_5;
 
 /// Lower bound of the slack on a straight piece between two positions with slack `a` and `b` (both nonnegative), where
 /// `sag` is [`Measure::sag`] of the piece.

@@ -1,0 +1,330 @@
+//! Poses, and motions on which a body moves straight and turns at constant rates.
+
+use nalgebra::Matrix3;
+
+use super::features::Boundary;
+use super::shape::farthest;
+use super::{ConvexShape, Point, Polytope, Rotation, SupportMap, Vector};
+use crate::numerics::{HALF_TURN, NO_TURN};
+
+/// Position and orientation of the platform.
+///
+/// # Example
+/// ```
+/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+/// let from = Pose::new(Point::origin(), Rotation::identity());
+/// let to = Pose::new(Point::new(1.0, 0.0, 0.0), Rotation::from_scaled_axis(Vector::z()));
+/// let middle = from.toward(&to).at(0.5);
+/// assert_eq!(middle.position, Point::new(0.5, 0.0, 0.0));
+/// assert!((middle.orientation.angle() - 0.5).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// Position of the platform's origin, world, m.
+    pub position: Point,
+    /// Rotation from the platform frame to the world frame; both signs of the quaternion are the same rotation.
+    pub orientation: Rotation,
+}
+
+impl Pose {
+    /// A pose.
+    pub fn new(position: Point, orientation: Rotation) -> Self {
+        Pose { position, orientation }
+    }
+
+    /// Angle of the shorter turn to another orientation, rad, from 0 to π.
+    pub fn angle_to(&self, other: &Pose) -> f64 {
+        let turn = (other.orientation * self.orientation.inverse()).into_inner();
+        2.0 * turn.imag().norm().atan2(turn.w.abs())
+    }
+
+    /// Whether all its numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.position.iter().chain(self.orientation.coords.iter()).all(|x| x.is_finite())
+    }
+
+    /// The motion to another pose: straight, with the shorter turn, both at constant rates.
+    ///
+    /// Of the two half turns to an opposite orientation it takes always the same, so that the way back passes the same poses.
+    pub fn toward(&self, other: &Pose) -> PoseMotion {
+        let (a, b) = (signed(&self.orientation), signed(&other.orientation));
+        let swapped = b.iter().partial_cmp(a.iter()) == Some(std::cmp::Ordering::Less);
+        let (first, second) =
+            if swapped { (&other.orientation, &self.orientation) } else { (&self.orientation, &other.orientation) };
+        let turn = (second * first.inverse()).into_inner();
+        let mut sine = turn.imag();
+        if turn.w < -HALF_TURN {
+            sine = -sine;
+        } else if turn.w <= HALF_TURN && sine.iter().find(|x| x.abs() > HALF_TURN).is_some_and(|x| *x < 0.0) {
+            sine = -sine; // either way round is a half turn
+        }
+        if swapped {
+            sine = -sine;
+        }
+        let angle = 2.0 * sine.norm().atan2(turn.w.abs());
+        let (axis, angle) = if angle > NO_TURN { (sine.normalize(), angle) } else { (Vector::x(), 0.0) };
+        PoseMotion { from: *self, to: *other, axis, angle }
+    }
+}
+
+/// A quaternion with the sign that makes its first component positive.
+fn signed(rotation: &Rotation) -> [f64; 4] {
+    let digits = [rotation.w, rotation.i, rotation.j, rotation.k];
+    let first = digits.iter().find(|x| x.abs() > HALF_TURN).copied().unwrap_or(1.0);
+    digits.map(|x| x * first.signum())
+}
+
+/// A motion between two poses: straight, turning about a fixed axis, both at constant rates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseMotion {
+    /// Where it starts.
+    pub from: Pose,
+    /// Where it ends.
+    pub to: Pose,
+    /// Unit axis of the turn, world axes; arbitrary without a turn.
+    pub axis: Vector,
+    /// Angle of the turn, rad, from 0 to π.
+    pub angle: f64,
+}
+
+impl PoseMotion {
+    /// The pose at a fraction of the motion, 0 to 1.
+    pub fn at(&self, t: f64) -> Pose {
+        if t >= 1.0 {
+            return self.to;
+        }
+        let turned = Rotation::from_scaled_axis(self.axis * (self.angle * t));
+        Pose::new(self.from.position + (self.to.position - self.from.position) * t, turned * self.from.orientation)
+    }
+
+    /// The motion as seen by bodies that are given at the orientation `reference`.
+    pub fn relative_to(&self, reference: &Rotation) -> Turning {
+        let start = *(self.from.orientation * reference.inverse()).to_rotation_matrix().matrix();
+        let cross = self.axis.cross_matrix();
+        Turning {
+            from: self.from.position,
+            step: self.to.position - self.from.position,
+            axis: self.axis,
+            body_axis: start.tr_mul(&self.axis),
+            angle: self.angle,
+            series: [start, cross * start, cross * cross * start],
+        }
+    }
+}
+
+/// A pose of bodies that are given at some orientation of reference.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// Position of the platform's origin, world, m.
+    pub position: Point,
+    /// Rotation from the orientation of reference.
+    pub turn: Matrix3<f64>,
+}
+
+impl Placed {
+    /// A pose of bodies that are given at the orientation `reference`.
+    pub fn new(pose: &Pose, reference: &Rotation) -> Self {
+        let turn = pose.orientation * reference.inverse();
+        Placed { position: pose.position, turn: *turn.to_rotation_matrix().matrix() }
+    }
+
+    /// Where a point of the platform is in the world.
+    #[inline]
+    pub fn point(&self, arm: &Vector) -> Point {
+        self.position + self.turn * arm
+    }
+
+    /// Where a point of the world is in the frame of the platform.
+    #[inline]
+    pub fn seen(&self, point: &Point) -> Point {
+        Point::from(self.turn.tr_mul(&(point - self.position)))
+    }
+}
+
+/// A [`PoseMotion`] of bodies that are given at some orientation of reference.
+#[derive(Debug, Clone, Copy)]
+pub struct Turning {
+    from: Point,
+    step: Vector,
+    axis: Vector,
+    body_axis: Vector,
+    angle: f64,
+    /// The turn is the sum of these with weights 1, sin and 1 - cos of the angle (Rodrigues).
+    series: [Matrix3<f64>; 3],
+}
+
+impl Turning {
+    /// The pose at a fraction of the motion.
+    #[inline]
+    pub fn at(&self, t: f64) -> Placed {
+        let position = self.from + self.step * t;
+        if self.angle == 0.0 {
+            return Placed { position, turn: self.series[0] };
+        }
+        let (sine, cosine) = (self.angle * t).sin_cos();
+        let turn = self.series[0] + self.series[1] * sine + self.series[2] * (1.0 - cosine);
+        Placed { position, turn }
+    }
+
+    /// The least cosine, during the motion, of the angle between a unit direction of the platform and where it points at the
+    /// orientation of reference.
+    pub fn least_along(&self, direction: &Vector) -> f64 {
+        let [constant, sine, versine] = self.series.each_ref().map(|part| direction.dot(&(part * direction)));
+        let at = |angle: f64| constant + sine * angle.sin() + versine * (1.0 - angle.cos());
+        let still = (-sine).atan2(versine).rem_euclid(std::f64::consts::PI);
+        [0.0, still, self.angle].into_iter().filter(|angle| *angle <= self.angle).map(at).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The whole motion.
+    pub fn whole(&self) -> TurningPiece {
+        self.piece([0.0, 1.0], [self.at(0.0), self.at(1.0)])
+    }
+
+    /// Both halves of a piece.
+    pub fn halves(&self, piece: &TurningPiece) -> [TurningPiece; 2] {
+        let [low, high] = piece.during;
+        let middle = 0.5 * (low + high);
+        let [start, end] = piece.ends;
+        [self.piece([low, middle], [start, piece.middle]), self.piece([middle, high], [piece.middle, end])]
+    }
+
+    fn piece(&self, during: [f64; 2], ends: [Placed; 2]) -> TurningPiece {
+        let share = during[1] - during[0];
+        TurningPiece {
+            during,
+            ends,
+            middle: self.at(0.5 * (during[0] + during[1])),
+            axis: self.axis,
+            body_axis: self.body_axis,
+            angle: self.angle * share,
+            step: self.step * share,
+        }
+    }
+}
+
+/// A piece of a [`Turning`].
+///
+/// A point of the platform at distance ρ from the axis is accelerated by θ² ρ (time from 0 to 1), at right angles to the axis;
+/// so it stays within θ² ρ / 8 of the chord, at the same time.
+#[derive(Debug, Clone, Copy)]
+pub struct TurningPiece {
+    /// The fractions of the motion between which it lies.
+    pub during: [f64; 2],
+    /// The poses at both ends.
+    pub ends: [Placed; 2],
+    /// The pose halfway.
+    pub middle: Placed,
+    /// Unit axis of the turn, world axes.
+    pub axis: Vector,
+    /// The same in the frame of the platform.
+    pub body_axis: Vector,
+    /// Angle of the turn, rad.
+    pub angle: f64,
+    /// The translation, m.
+    pub step: Vector,
+}
+
+impl TurningPiece {
+    /// The most by which a point of the platform deviates from its chord, m.
+    #[inline]
+    pub fn sag(&self, arm: &Vector) -> f64 {
+        0.125 * self.angle * self.angle * across(arm, &self.body_axis)
+    }
+
+    /// The most by which any point at a distance of at most `reach`, m, from the platform's origin deviates from its chord, m.
+    #[inline]
+    pub fn sag_within(&self, reach: f64) -> f64 {
+        0.125 * self.angle * self.angle * reach
+    }
+
+    /// The share of such deviations that counts along a unit direction of the world.
+    #[inline]
+    pub fn share_along(&self, direction: &Vector) -> f64 {
+        across(direction, &self.axis)
+    }
+
+    /// The most by which a fixed point of the world deviates from its chord in the frame of the platform, m: there it is
+    /// accelerated by θ² times its distance from the axis, and by 2 θ times the translation across the axis (Coriolis).
+    #[inline]
+    pub fn sag_seen(&self, point: &Point) -> f64 {
+        let far = |end: &Placed| across(&(point - end.position), &self.axis);
+        let distance = far(&self.ends[0]).max(far(&self.ends[1]));
+        0.125 * self.angle * (self.angle * distance + 2.0 * across(&self.step, &self.axis))
+    }
+
+    /// The longest way of a point at a distance of at most `reach`, m, from the platform's origin, m.
+    #[inline]
+    pub fn travel(&self, reach: f64) -> f64 {
+        self.step.norm() + self.angle * reach
+    }
+}
+
+/// Length of the component of a vector at right angles to a unit axis.
+#[inline]
+fn across(vector: &Vector, axis: &Vector) -> f64 {
+    vector.cross(axis).norm()
+}
+
+/// The hull of a body at both ends of a piece of a motion.
+#[derive(Debug, Clone, Copy)]
+pub struct TurnedSweep<'a> {
+    /// The body, at the orientation of reference.
+    pub body: &'a Polytope,
+    /// The two poses.
+    pub ends: &'a [Placed; 2],
+}
+
+impl SupportMap for TurnedSweep<'_> {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        let [a, b] = self
+            .ends
+            .each_ref()
+            .map(|end| end.point(&farthest(self.body.vertices(), &end.turn.tr_mul(direction)).coords));
+        if b.coords.dot(direction) > a.coords.dot(direction) { b } else { a }
+    }
+
+    fn center(&self) -> Point {
+        let [a, b] = self.ends.each_ref().map(|end| end.point(&self.body.centroid().coords));
+        nalgebra::center(&a, &b)
+    }
+}
+
+/// A body at a pose.
+#[derive(Debug, Clone, Copy)]
+pub struct PlacedBody<'a> {
+    /// The body, at the orientation of reference.
+    pub body: &'a Polytope,
+    /// The pose.
+    pub at: &'a Placed,
+}
+
+impl SupportMap for PlacedBody<'_> {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        self.at.point(&farthest(self.body.vertices(), &self.at.turn.tr_mul(direction)).coords)
+    }
+
+    fn center(&self) -> Point {
+        self.at.point(&self.body.centroid().coords)
+    }
+}
+
+impl ConvexShape for PlacedBody<'_> {
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        self.body.normal_axes().iter().map(|normal| self.at.turn * normal)
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        self.body.edge_axes().iter().map(|edge| self.at.turn * edge)
+    }
+
+    fn boundary(&self) -> Boundary {
+        let Boundary { edges, faces } = self.body.boundary();
+        let moved = |corner: &Point| self.at.point(&corner.coords);
+        Boundary {
+            edges: edges.iter().map(|edge| edge.each_ref().map(moved)).collect(),
+            faces: faces.iter().map(|face| face.iter().map(moved).collect()).collect(),
+        }
+    }
+}

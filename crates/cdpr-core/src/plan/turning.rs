@@ -1,0 +1,132 @@
+//! Planning for a platform that may turn on its way.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use super::query::{Planned, Query};
+use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, plan_by};
+use crate::collision::{Interference, Validity};
+use crate::error::{Error, ErrorClass};
+use crate::geometry::{Point, Pose, Rotation};
+use crate::model::Scene;
+use crate::numerics::SAME_TURN;
+use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
+use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
+use crate::watch::Watch;
+
+/// The engine for motions from pose to pose in a scene.
+///
+/// # Errors
+/// As [`engine_within`] and [`TurningEngine::new`].
+pub fn turning_engine(scene: &Scene, watch: &Watch) -> Result<TurningEngine, Error> {
+    let level = engine_within(scene, PlanOptions::default().engine, Interference::Exact, watch)?;
+    TurningEngine::new(scene, level)
+}
+
+/// Plans a path of poses. If start and goal have the orientation of the scene, it is first planned without turning.
+pub fn plan_turning(
+    query: &Query,
+    options: &PlanOptions,
+    watch: &Watch,
+    improved: &Improved,
+) -> Result<Planned, Error> {
+    let scene = query.scene;
+    let level = match engine_within(scene, options.engine, options.interference, watch) {
+        Err(error) if error.class() == ErrorClass::OutOfTime => {
+            return Ok(Planned::without_engine(PlanResult::out_of_time()));
+        }
+        engine => engine?,
+    };
+    let engine = TurningEngine::new(scene, level)?;
+    let [start, goal] = query.poses()?;
+    let level = [&start, &goal].iter().all(|pose| pose.orientation.angle_to(scene.orientation()) <= SAME_TURN);
+    let straight = match level {
+        true => {
+            let half = watch.left().map(|left| left / 2);
+            let share = Watch { deadline: half.map(|half| Instant::now() + half), ..*watch };
+            Some(plan_by(engine.level(), query, options, &share, improved)?)
+        }
+        false => None,
+    };
+    let known = straight.as_ref().filter(|found| found.status == Status::Solved);
+    if known.is_some_and(|found| found.cost <= (goal.position - start.position).norm() * (1.0 + TURN_WORTH)) {
+        return Ok(Planned::turning(engine, straight.expect("just seen")));
+    }
+    let shortest = known.map_or(f64::INFINITY, |found| found.cost);
+    let turned = search(&engine, scene, [start, goal], shortest, options, watch, improved)?;
+    let result = match straight {
+        Some(straight) if !(turned.cost < straight.cost * (1.0 - TURN_WORTH)) && straight.status == Status::Solved => {
+            straight
+        }
+        _ => turned,
+    };
+    Ok(Planned::turning(engine, result))
+}
+
+/// A path on which the platform turns must be shorter by this share than one without.
+const TURN_WORTH: f64 = 1e-6;
+
+fn search(
+    engine: &TurningEngine,
+    scene: &Scene,
+    [start, goal]: [Pose; 2],
+    shortest: f64,
+    options: &PlanOptions,
+    watch: &Watch,
+    improved: &Improved,
+) -> Result<PlanResult, Error> {
+    for (pose, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
+        if !engine.state_valid(&pose) {
+            return Ok(PlanResult::unsolved(status, engine.explain(&pose, &pose), Stats::default()));
+        }
+    }
+    let space = PoseSpace::of(scene, [&start, &goal])?;
+    let clock = Instant::now();
+    let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
+    let shortener = PoseShortener::new(&space, engine);
+    let better = |seconds: f64, cost: f64, path: &[Pose]| {
+        if cost < shortest {
+            improved(seconds, cost, &positions(path));
+        }
+    };
+    let problem = Problem { space: space.clone(), start, goal };
+    let outcome = options.planner.search(&problem, engine, &shortener, &better, &mut rng, watch)?;
+    let planning_seconds = clock.elapsed().as_secs_f64();
+    let Outcome { status, waypoints, tree, motion_checks, samples, history, .. } = outcome;
+    let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
+    let tree = SearchTree { states: positions(&tree.states), parents: tree.parents };
+    let unsolved = PlanResult { tree: Arc::new(tree), history, ..PlanResult::unsolved(status, None, stats) };
+    if status != Status::Solved {
+        return Ok(unsolved);
+    }
+    let clock = Instant::now();
+    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
+    let path = match options.post() {
+        Post::None if options.post.is_some() => waypoints.clone(),
+        _ => shortener.polished(&waypoints, &grace)?,
+    };
+    if let Some(segment) = path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1])) {
+        return Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")));
+    }
+    let stats = Stats { post_seconds: clock.elapsed().as_secs_f64(), ..stats };
+    Ok(PlanResult {
+        cost: space.length(&path),
+        waypoints: positions(&path),
+        orientations: orientations(&path),
+        raw_cost: space.length(&waypoints),
+        raw_waypoints: positions(&waypoints),
+        stats,
+        ..unsolved
+    })
+}
+
+fn positions(path: &[Pose]) -> Vec<Point> {
+    path.iter().map(|pose| pose.position).collect()
+}
+
+fn orientations(path: &[Pose]) -> Vec<Rotation> {
+    path.iter().map(|pose| pose.orientation).collect()
+}

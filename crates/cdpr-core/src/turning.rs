@@ -1,0 +1,15 @@
+//! A platform that turns: motions from pose to pose, proved free as a whole, and the space in which to plan them.
+
+mod check;
+mod engine;
+mod shorten;
+mod space;
+mod tilt;
+mod wrench;
+
+pub use check::{check_poses, nearest_of_poses, pose_path_length};
+pub use engine::TurningEngine;
+pub use shorten::PoseShortener;
+pub use space::{PoseSpace, turn_weight};
+pub use tilt::Tilt;
+pub use wrench::TurningWrench;

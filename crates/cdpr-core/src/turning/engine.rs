@@ -1,0 +1,278 @@
+//! Whether a motion with a turn keeps all conditions: proved, or refused.
+//!
+//! A condition is bounded on a piece of the motion. Where the bound does not prove it, the pose halfway is measured: below
+//! [`TOO_CLOSE_TO_TURN`] the motion is refused, otherwise the piece is halved. Deviations from chords fall with the square of
+//! the angle, so most motions need one or two pieces for each condition.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::tilt::Tilt;
+use super::wrench::TurningWrench;
+use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
+use crate::conditions::Bodies;
+use crate::error::Error;
+use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
+use crate::model::Scene;
+use crate::numerics::{SAME_TURN, TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES, TURNING_PLACE};
+
+/// An engine for motions from pose to pose.
+///
+/// Cables must not meet at any instant (the rule `exact`). Distances that a pair cannot keep at the orientation of the scene
+/// are not required of it at others.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::Validity;
+/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::plan::turning_engine;
+/// use cdpr_core::watch::Watch;
+/// let engine = turning_engine(&cdpr_core::testing::hard1(), &Watch::NONE)?;
+/// let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
+/// let place = Point::new(0.3, 1.0, 0.3);
+/// let [from, to] = [0.0, 0.2].map(|angle| Pose::new(place, yaw(angle)));
+/// assert!(engine.motion_valid(&from, &to));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub struct TurningEngine {
+    /// Checks motions without a turn at the orientation of the scene.
+    level: Box<dyn Checker>,
+    reference: Rotation,
+    wrench: Option<TurningWrench>,
+    tilt: Option<Tilt>,
+    /// The condition that refused the last motion: often it refuses the next one, too.
+    hint: AtomicUsize,
+}
+
+/// What is known of a condition during a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Verdict {
+    Kept,
+    /// At this fraction, with this slack, m: broken, or too close to tell.
+    Refused {
+        at: f64,
+        slack: f64,
+    },
+}
+
+impl TurningEngine {
+    /// The engine for a scene; `level` checks motions without a turn.
+    ///
+    /// # Errors
+    /// The interference rule `swept`; as [`TurningWrench::of`].
+    pub fn new(scene: &Scene, level: Box<dyn Checker>) -> Result<Self, Error> {
+        if level.interference() == Interference::Swept {
+            let problem =
+                "found \"swept\", which is for motions without a turn; expected \"exact\" if the platform turns";
+            return Err(Error::invalid("interference", problem));
+        }
+        let tilt = scene.turning().and_then(|turning| turning.max_tilt);
+        Ok(TurningEngine {
+            level,
+            reference: *scene.orientation(),
+            wrench: TurningWrench::of(scene)?,
+            tilt: tilt.map(|degrees| Tilt::at_most(degrees.to_radians())),
+            hint: AtomicUsize::new(0),
+        })
+    }
+
+    /// The conditions, at the orientation of the scene.
+    pub fn conditions(&self) -> &Conditions {
+        self.level.conditions()
+    }
+
+    /// The engine for motions without a turn at the orientation of the scene.
+    pub fn level(&self) -> &dyn Checker {
+        &*self.level
+    }
+
+    /// The orientation of the scene.
+    pub fn reference(&self) -> &Rotation {
+        &self.reference
+    }
+
+    /// Whether a pose has the orientation of the scene.
+    fn is_level(&self, pose: &Pose) -> bool {
+        pose.orientation.angle_to(&self.reference) <= SAME_TURN
+    }
+
+    fn kept(&self, index: usize, motion: &Turning) -> bool {
+        let Conditions { list, bodies, .. } = self.conditions();
+        let condition = list[index].details();
+        let whole = motion.whole();
+        condition.kept_while_turning(bodies, &whole)
+            || verdict(motion, whole, &Measured { condition, bodies }, 1.0) == Verdict::Kept
+    }
+
+    fn keeps_conditions(&self, motion: &Turning) -> bool {
+        let count = self.conditions().list.len();
+        let hint = self.hint.load(Ordering::Relaxed).min(count - 1);
+        if !self.kept(hint, motion) {
+            return false;
+        }
+        match (0..count).find(|&index| index != hint && !self.kept(index, motion)) {
+            Some(refused) => {
+                self.hint.store(refused, Ordering::Relaxed);
+                false
+            }
+            None => true,
+        }
+    }
+
+    /// The verdicts on all conditions that are not proved to be kept.
+    fn refused(&self, motion: &Turning) -> Vec<(usize, Verdict)> {
+        let Conditions { list, bodies, .. } = self.conditions();
+        let found = list.iter().enumerate().map(|(index, condition)| {
+            let measured = Measured { condition: condition.details(), bodies };
+            (index, verdict(motion, motion.whole(), &measured, TURNING_PLACE))
+        });
+        found.filter(|(_, verdict)| *verdict != Verdict::Kept).collect()
+    }
+}
+
+/// A condition that can be bounded on pieces and measured at poses.
+pub(super) trait Bounded {
+    /// Whether a bound proves that it holds on a piece.
+    fn kept(&self, piece: &TurningPiece) -> bool;
+    /// How far it is from being broken at a pose.
+    fn slack(&self, at: &Placed) -> f64;
+}
+
+struct Measured<'a> {
+    condition: &'a dyn crate::conditions::PhysicalCondition,
+    bodies: &'a Bodies,
+}
+
+impl Bounded for Measured<'_> {
+    fn kept(&self, piece: &TurningPiece) -> bool {
+        self.condition.kept_while_turning(self.bodies, piece)
+    }
+
+    fn slack(&self, at: &Placed) -> f64 {
+        self.condition.slack_at(self.bodies, at)
+    }
+}
+
+/// Divides a motion until a condition is proved, or refused on a piece of at most the share `place` of the motion: the first
+/// such piece.
+fn verdict(motion: &Turning, whole: TurningPiece, condition: &impl Bounded, place: f64) -> Verdict {
+    let mut left = vec![whole];
+    for _ in 0..TURNING_PIECES {
+        let Some(piece) = left.pop() else { return Verdict::Kept };
+        if condition.kept(&piece) {
+            continue;
+        }
+        let slack = condition.slack(&piece.middle);
+        let [from, to] = piece.during;
+        if !(slack >= TOO_CLOSE_TO_TURN) && to - from <= place {
+            return Verdict::Refused { at: from, slack };
+        }
+        let [first, second] = motion.halves(&piece);
+        left.extend([second, first]);
+    }
+    Verdict::Refused { at: left.last().map_or(1.0, |piece| piece.during[0]), slack: TOO_CLOSE_TO_TURN }
+}
+
+impl Validity<Pose> for TurningEngine {
+    fn state_valid(&self, pose: &Pose) -> bool {
+        self.motion_valid(pose, pose)
+    }
+
+    fn motion_valid(&self, from: &Pose, to: &Pose) -> bool {
+        if !(from.is_finite() && to.is_finite()) {
+            return false;
+        }
+        if self.is_level(from) && self.is_level(to) {
+            return self.level.motion_valid(&from.position, &to.position);
+        }
+        let motion = from.toward(to).relative_to(&self.reference);
+        self.tilt.as_ref().is_none_or(|tilt| tilt.keeps(&motion))
+            && self.keeps_conditions(&motion)
+            && self.wrench.as_ref().is_none_or(|wrench| wrench.keeps(from, to))
+    }
+
+    fn may_be_slow(&self) -> bool {
+        self.wrench.is_some()
+    }
+
+    fn violations(&self, from: &Pose, to: &Pose) -> Vec<Violation> {
+        if self.is_level(from) && self.is_level(to) {
+            return self.level.violations(&from.position, &to.position);
+        }
+        let motion = from.toward(to).relative_to(&self.reference);
+        let mut found: Vec<Violation> =
+            self.refused(&motion).into_iter().map(|(index, verdict)| self.violation(index, &motion, verdict)).collect();
+        found.extend(self.tilt.as_ref().and_then(|tilt| tilt.violation(&motion)));
+        found.extend(self.wrench.as_ref().and_then(|wrench| wrench.violation(from, to)));
+        found.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
+        found
+    }
+
+    fn clearance(&self, from: &Pose, to: &Pose) -> Option<Clearance> {
+        if self.is_level(from) && self.is_level(to) {
+            return self.level.clearance(&from.position, &to.position);
+        }
+        self.clearance_of(&|_| true, from, to)
+    }
+}
+
+impl TurningEngine {
+    /// The closest approach of a motion over those conditions on gaps whose index `counts`, from samples.
+    pub fn clearance_of(&self, counts: &dyn Fn(usize) -> bool, from: &Pose, to: &Pose) -> Option<Clearance> {
+        let motion = from.toward(to).relative_to(&self.reference);
+        let Conditions { list, bodies, .. } = self.conditions();
+        let about_gaps = (list.iter().enumerate())
+            .filter(|(index, condition)| counts(*index) && condition.details().is_about_gap(bodies));
+        let nearest = about_gaps.map(|(_, condition)| {
+            let details = condition.details();
+            let required = details.required(bodies);
+            let (at, slack) = least(|t| details.slack_at(bodies, &motion.at(t)));
+            (slack + required, at, condition, required)
+        });
+        let (value, at, condition, required) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Clearance { value, at, culprits: self.conditions().culprits(condition), required: required.max(0.0) })
+    }
+
+    fn violation(&self, index: usize, motion: &Turning, verdict: Verdict) -> Violation {
+        let Verdict::Refused { at, slack } = verdict else { unreachable!("only refusals are reported") };
+        let conditions = self.conditions();
+        let condition = &conditions.list[index];
+        let details = condition.details();
+        let required = details.required(&conditions.bodies);
+        let measured = |t: f64| details.slack_at(&conditions.bodies, &motion.at(t));
+        let worst = least(measured).1.min(slack);
+        Violation {
+            at,
+            kind: details.kind(),
+            culprits: conditions.culprits(condition),
+            gap: Some(worst + required),
+            required: Some(required),
+            margin: Some(worst.min(0.0)),
+            unproved: worst >= -TOUCH_DEPTH,
+            wrench: None,
+        }
+    }
+}
+
+/// The least of samples of a function on [0, 1], refined around it, and where it is.
+fn least(value: impl Fn(f64) -> f64) -> (f64, f64) {
+    const SAMPLES: usize = 32;
+    let (mut at, mut least) = (0.0, f64::INFINITY);
+    let mut consider = |t: f64| {
+        let found = value(t);
+        if found < least {
+            (at, least) = (t, found);
+        }
+        (at, least)
+    };
+    (0..=SAMPLES).for_each(|k| {
+        consider(k as f64 / SAMPLES as f64);
+    });
+    let mut step = 0.5 / SAMPLES as f64;
+    for _ in 0..20 {
+        let (around, _) = consider(0.0);
+        consider((around - step).max(0.0));
+        consider((around + step).min(1.0));
+        step *= 0.5;
+    }
+    (at, least)
+}

@@ -1,0 +1,212 @@
+//! Motions with a turn: what the engine calls free is walked in small steps, each pose judged by the engine for translations at
+//! the pose's own orientation, which shares only the list of conditions with it. What it refuses must come close to contact.
+//!
+//! `CDPR_VERIFY=n` runs n times as many cases.
+
+use cdpr_core::collision::{Checker, GjkEngine, Interference, Kind as Broken, Validity, Violation};
+use cdpr_core::geometry::{Pose, Rotation, Vector};
+use cdpr_core::model::OrientationSource;
+use cdpr_core::numerics::GAP_TOLERANCE;
+use cdpr_core::plan::turning_engine;
+use cdpr_core::planning::{StateSpace, TranslationSpace};
+use cdpr_core::turning::TurningEngine;
+use cdpr_core::watch::Watch;
+use cdpr_core::{Scene, testing};
+use cdpr_tests::scenes::{Kind, scene};
+use cdpr_tests::{built_scene, direction, rng, uniform};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+/// Largest gap at which a motion of at most 0.1 m and 5° may be refused although it is free, m.
+const NEAR: f64 = 1e-4;
+
+fn effort() -> u64 {
+    std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
+}
+
+fn turned(scene: &Scene, orientation: &Rotation) -> GjkEngine {
+    let quaternion = [orientation.w, orientation.i, orientation.j, orientation.k];
+    let scene = scene.turned(OrientationSource::Quaternion(quaternion)).unwrap();
+    GjkEngine::new(&scene, Interference::Exact).unwrap()
+}
+
+/// What a pose breaks by more than the tolerance, judged at its own orientation. Cables that cannot keep their distance at the
+/// orientation of the scene need not keep it at others.
+fn broken(scene: &Scene, engine: &TurningEngine, pose: &Pose) -> Vec<Violation> {
+    let required = |found: &Violation| {
+        let same = engine.conditions().list.iter().filter(|condition| {
+            engine.conditions().kind(condition) == found.kind
+                && engine.conditions().culprits(condition) == found.culprits
+        });
+        same.map(|condition| engine.conditions().required(condition).unwrap_or(0.0)).fold(f64::INFINITY, f64::min)
+    };
+    let found = turned(scene, &pose.orientation).violations(&pose.position, &pose.position).into_iter();
+    let found = found.filter(|violation| match violation.kind {
+        Broken::CableCable => violation.gap.unwrap() < required(violation) - 1e-6,
+        _ => violation.margin.unwrap() < -1e-6,
+    });
+    found.collect()
+}
+
+/// Whether two cables have changed sides between two poses: the volume that they span changes its sign where they cross.
+fn crossed(scene: &Scene, from: &Pose, to: &Pose) -> Option<[usize; 2]> {
+    let cables = scene.robot().cables();
+    let spanned = |pose: &Pose, i: usize, j: usize| {
+        let [a, b] = [i, j].map(|k| pose.position + pose.orientation * cables[k].attachment.coords);
+        let (p, q, w) = (a - cables[i].outlet, b - cables[j].outlet, cables[j].outlet - cables[i].outlet);
+        let normal = p.cross(&q);
+        let area = normal.norm_squared();
+        // Where the lines come nearest, as shares of the cables.
+        let [s, r] = [w.cross(&q).dot(&normal) / area, w.cross(&p).dot(&normal) / area];
+        (w.dot(&normal), [s, r].iter().all(|share| (0.01..0.99).contains(share)))
+    };
+    let pairs = (0..cables.len()).flat_map(|i| (i + 1..cables.len()).map(move |j| [i, j]));
+    let mut pairs = pairs.filter(|[i, j]| {
+        let apart = |p: &nalgebra::Point3<f64>, q: &nalgebra::Point3<f64>| (p - q).norm() > 1e-6;
+        apart(&cables[*i].outlet, &cables[*j].outlet) && apart(&cables[*i].attachment, &cables[*j].attachment)
+    });
+    pairs.find(|[i, j]| {
+        let [(a, inside_a), (b, inside_b)] = [from, to].map(|pose| spanned(pose, *i, *j));
+        a * b < 0.0 && inside_a && inside_b
+    })
+}
+
+/// Walks a motion that was called free.
+fn assert_free(scene: &Scene, engine: &TurningEngine, from: &Pose, to: &Pose, steps: usize, seed: u64) {
+    let motion = from.toward(to);
+    let mut before = *from;
+    for k in 0..=steps {
+        let pose = motion.at(k as f64 / steps as f64);
+        let found = broken(scene, engine, &pose);
+        assert!(found.is_empty(), "seed {seed}: {from:?} to {to:?} is called free, but at {k}/{steps}: {found:?}");
+        let pair = crossed(scene, &before, &pose);
+        assert!(
+            pair.is_none(),
+            "seed {seed}: {from:?} to {to:?} is called free, but cables {pair:?} cross at {k}/{steps}"
+        );
+        before = pose;
+    }
+}
+
+fn any_turn(rng: &mut ChaCha8Rng, angle: f64) -> Rotation {
+    let axis = match rng.random_range(0..3) {
+        0 => Vector::ith(rng.random_range(0..3), 1.0),
+        _ => direction(rng),
+    };
+    Rotation::from_scaled_axis(axis * angle)
+}
+
+/// A pose that is valid, at the orientation of the scene or up to 30° from it; `None` if there seems to be none.
+fn place(engine: &TurningEngine, rng: &mut ChaCha8Rng) -> Option<Pose> {
+    let space = TranslationSpace::of(engine.conditions());
+    (0..60).find_map(|_| {
+        let angle = [0.0, uniform(rng, 0.0, 0.5)][rng.random_range(0..2)];
+        let pose = Pose::new(space.sample(rng)?, any_turn(rng, angle) * engine.reference());
+        engine.state_valid(&pose).then_some(pose)
+    })
+}
+
+/// Motions free, refused, and refused at more than [`NEAR`] among those of at most 0.1 m and 5°.
+fn judged(scene: &Scene, seed: u64, motions: usize, steps: usize) -> [usize; 3] {
+    let mut rng = rng(seed);
+    let engine = turning_engine(scene, &Watch::NONE).unwrap();
+    let mut count = [0; 3];
+    for _ in 0..motions {
+        let Some(from) = place(&engine, &mut rng) else { return count };
+        let (length, angle) = (10f64.powf(uniform(&mut rng, -6.0, 0.0)), 10f64.powf(uniform(&mut rng, -6.0, 0.45)));
+        let mut to =
+            Pose::new(from.position + direction(&mut rng) * length, any_turn(&mut rng, angle) * from.orientation);
+        if rng.random_bool(0.1) {
+            to.orientation = Rotation::new_unchecked(-to.orientation.into_inner());
+        }
+        let mut valid = engine.motion_valid(&from, &to);
+        assert_eq!(valid, engine.motion_valid(&to, &from), "seed {seed}: {from:?} to {to:?}: the way back differs");
+        assert_eq!(valid, engine.violations(&from, &to).is_empty(), "seed {seed}: the explanation contradicts");
+        if !valid && rng.random_bool(0.5) {
+            // The longest free part: it ends next to contact.
+            let whole = from.toward(&to);
+            let (mut free, mut refused) = (0.0, 1.0);
+            for _ in 0..30 {
+                let middle = 0.5 * (free + refused);
+                let part = engine.motion_valid(&from, &whole.at(middle));
+                *(if part { &mut free } else { &mut refused }) = middle;
+            }
+            let (shorter, longer) = (whole.at(free), whole.at(refused));
+            assert_near(&engine, &from, &longer, &mut count);
+            (to, valid) = (shorter, engine.motion_valid(&from, &shorter));
+        }
+        count[usize::from(!valid)] += 1;
+        if valid {
+            assert_free(scene, &engine, &from, &to, steps, seed);
+        } else {
+            assert_near(&engine, &from, &to, &mut count);
+        }
+    }
+    count
+}
+
+/// Counts a refused motion that stays clear of contact.
+fn assert_near(engine: &TurningEngine, from: &Pose, to: &Pose, count: &mut [usize; 3]) {
+    let short = (to.position - from.position).norm() <= 0.1 && from.angle_to(to) <= 5f64.to_radians();
+    let found = engine.violations(from, to);
+    let clear = found.iter().all(|violation| violation.gap.unwrap() - violation.required.unwrap() > NEAR);
+    count[2] += usize::from(short && clear && !found.is_empty());
+}
+
+fn judge(first: u64, scenes: u64, motions: usize, kind: impl Fn(u64) -> Kind + Sync) {
+    let one = |seed: u64| judged(&scene(&mut rng(first + seed), kind(seed)), first + seed, motions, 24);
+    let counts: Vec<[usize; 3]> = (0..scenes * effort()).into_par_iter().map(one).collect();
+    let [free, refused, far] = [0, 1, 2].map(|k| counts.iter().map(|count| count[k]).sum::<usize>());
+    eprintln!("{free} free, {refused} refused, of which {far} by a bound although nothing is near");
+    assert!(free > 200 && refused > 200 && far == 0);
+}
+
+#[test]
+fn free_motions_meet_nothing() {
+    judge(7 << 40, 200, 30, |_| Kind::default());
+}
+
+#[test]
+fn free_motions_keep_clearances_and_limits() {
+    judge(8 << 40, 200, 30, |seed| {
+        let clearance = [0.001, 0.02, 0.1, 0.0][seed as usize % 4];
+        let diameter = [0.0, 0.01, 0.05][seed as usize % 3];
+        Kind { clearance, diameter, special: seed % 2 == 0, mixed: seed % 5 == 0 }
+    });
+}
+
+#[test]
+fn free_motions_of_built_robots_meet_nothing() {
+    let mut free = 0;
+    for (seed, scene) in
+        [testing::hard1(), testing::hard3(), built_scene("cogiro"), built_scene("forest")].iter().enumerate()
+    {
+        let bare = Scene::new(cdpr_core::model::SceneSpec { wrench: None, ..scene.spec().clone() }).unwrap();
+        free += judged(&bare, seed as u64, 60, 16)[0];
+    }
+    assert!(free > 60, "{free}");
+}
+
+#[test]
+fn a_motion_without_a_turn_is_judged_alike_at_any_orientation() {
+    for seed in 0..20 {
+        let mut rng = rng(9 << 40 | seed);
+        let scene = scene(&mut rng, Kind::default());
+        let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+        let orientation = any_turn(&mut rng, 0.4) * engine.reference();
+        let there = turned(&scene, &orientation);
+        let space = TranslationSpace::of(there.conditions());
+        for _ in 0..50 {
+            let Some(ends) = space.sample(&mut rng).zip(space.sample(&mut rng)) else { break };
+            let [from, to] = [ends.0, ends.1].map(|position| Pose::new(position, orientation));
+            let (valid, exact) = (engine.motion_valid(&from, &to), there.motion_valid(&ends.0, &ends.1));
+            assert!(exact || !valid, "seed {seed}: {from:?} to {to:?} is called free");
+            if exact && !valid {
+                let margins = engine.violations(&from, &to).iter().map(|v| v.margin.unwrap()).fold(0.0, f64::min);
+                let near = engine.violations(&from, &to).iter().any(|v| v.gap.unwrap() - v.required.unwrap() < NEAR);
+                assert!(near && margins > -GAP_TOLERANCE, "seed {seed}: {from:?} to {to:?} is refused");
+            }
+        }
+    }
+}
