@@ -5,12 +5,13 @@
 
 use cdpr_core::collision::{Checker, GjkEngine, Interference, Kind as Broken, Validity, Violation};
 use cdpr_core::geometry::{Pose, Rotation, Vector};
-use cdpr_core::model::OrientationSource;
+use cdpr_core::model::{MarginSpec, OrientationSource, SceneSpec, WrenchSpec};
 use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::plan::turning_engine;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
-use cdpr_core::turning::TurningEngine;
+use cdpr_core::turning::{TurningEngine, TurningWrench};
 use cdpr_core::watch::Watch;
+use cdpr_core::wrench::measures;
 use cdpr_core::{Scene, testing};
 use cdpr_tests::scenes::{Kind, scene};
 use cdpr_tests::{built_scene, direction, rng, uniform};
@@ -182,7 +183,7 @@ fn free_motions_of_built_robots_meet_nothing() {
     for (seed, scene) in
         [testing::hard1(), testing::hard3(), built_scene("cogiro"), built_scene("forest")].iter().enumerate()
     {
-        let bare = Scene::new(cdpr_core::model::SceneSpec { wrench: None, ..scene.spec().clone() }).unwrap();
+        let bare = Scene::new(SceneSpec { wrench: None, ..scene.spec().clone() }).unwrap();
         free += judged(&bare, seed as u64, 60, 16)[0];
     }
     assert!(free > 60, "{free}");
@@ -209,4 +210,38 @@ fn a_motion_without_a_turn_is_judged_alike_at_any_orientation() {
             }
         }
     }
+}
+
+/// How much more than required the cables can exert at a pose, N, by definition at its own orientation.
+fn slack(scene: &Scene, pose: &Pose) -> f64 {
+    let quaternion = [pose.orientation.w, pose.orientation.i, pose.orientation.j, pose.orientation.k];
+    let scene = scene.turned(OrientationSource::Quaternion(quaternion)).unwrap();
+    let limits = measures(&scene).unwrap().into_iter().map(|measure| measure.limit(&pose.position).unwrap().margin);
+    limits.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn required_wrenches_are_kept_all_along_a_free_motion() {
+    let cogiro = built_scene("cogiro");
+    let projected = WrenchSpec { margin: Some(MarginSpec::Projected), ..cogiro.wrench().unwrap().clone() };
+    let projected = Scene::new(SceneSpec { wrench: Some(projected), ..cogiro.spec().clone() }).unwrap();
+    let mut count = [0; 2];
+    for (scene, motions) in [(&cogiro, 150), (&projected, 20)] {
+        let mut rng = rng(11);
+        let wrench = TurningWrench::of(scene).unwrap().unwrap();
+        let space = TranslationSpace::of(turning_engine(scene, &Watch::NONE).unwrap().conditions());
+        for _ in 0..motions * effort() {
+            let from = Pose::new(space.sample(&mut rng).unwrap(), any_turn(&mut rng, 0.1) * scene.orientation());
+            let (length, angle) = (10f64.powf(uniform(&mut rng, -3.0, 0.5)), 10f64.powf(uniform(&mut rng, -3.0, 0.0)));
+            let to =
+                Pose::new(from.position + direction(&mut rng) * length, any_turn(&mut rng, angle) * from.orientation);
+            let (kept, motion) = (wrench.keeps(&from, &to), from.toward(&to));
+            let least = (0..=40).map(|k| slack(scene, &motion.at(f64::from(k) / 40.0))).fold(f64::INFINITY, f64::min);
+            assert!(!kept || least > -1e-6, "{from:?} to {to:?} is called feasible, but lacks {least} N");
+            assert!(kept || least < 10.0, "{from:?} to {to:?} is refused, but keeps {least} N");
+            assert_eq!(kept, wrench.violation(&from, &to).is_none());
+            count[usize::from(kept)] += 1;
+        }
+    }
+    assert!(count.iter().all(|count| *count > 20), "{count:?}");
 }

@@ -66,6 +66,8 @@ pub struct Bodies {
     pub platform: Vec<Polytope>,
     /// How many of [`Bodies::platform`] are parts; the rest close seams.
     pub platform_parts: usize,
+    /// Distance of each of [`Bodies::platform`] from the platform's origin, to its farthest corner, m.
+    pub platform_reach: Vec<f64>,
     /// Obstacle parts and seams.
     pub obstacles: Vec<ObstacleBody>,
 }
@@ -76,9 +78,13 @@ impl Bodies {
         let rotation = scene.orientation();
         let robot = scene.robot();
         let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
+        let platform: Vec<Polytope> =
+            robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect();
+        let reach = |body: &Polytope| body.vertices().iter().map(|v| v.coords.norm()).fold(0.0, f64::max);
         Bodies {
             cables: cables_at(scene, rotation),
-            platform: robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect(),
+            platform_reach: platform.iter().map(reach).collect(),
+            platform,
             platform_parts: robot.parts().len(),
             obstacles: obstacle_bodies(scene),
         }

@@ -251,13 +251,29 @@ impl CableCable {
         (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
     }
 
+    /// Whether the second cable stays above the first by the required distance along a unit direction, if the direction is one
+    /// (not NaN). It does if all four pairs of their ends do.
+    #[inline]
+    fn apart_along(&self, across: &Vector, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        let height = |point: &Point| across.dot(&point.coords);
+        let (outlet_i, outlet_j) = (height(&i.outlet), height(&j.outlet));
+        let ([first_i, last_i], [first_j, last_j]) = (piece.points(&i.arm), piece.points(&j.arm));
+        let at_i = [height(&first_i), height(&last_i)];
+        let at_j = [height(&first_j), height(&last_j)];
+        let share = piece.share_along(across);
+        let apart = |room: f64, sag: f64| room - share * sag > 0.0 && room - share * sag >= self.gap - TOUCH_DEPTH;
+        apart(outlet_j - outlet_i, 0.0)
+            && apart(outlet_j - at_i[0].max(at_i[1]), piece.sag(&i.arm))
+            && apart(at_j[0].min(at_j[1]) - outlet_i, piece.sag(&j.arm))
+            && apart((at_j[0] - at_i[0]).min(at_j[1] - at_i[1]), piece.sag(&(j.arm - i.arm)))
+    }
+
     /// The outlets and attachments of both cables at a pose.
     #[inline]
     fn lines(&self, bodies: &Bodies, at: &Placed) -> [(Point, Point); 2] {
-        [self.first, self.second].map(|k| {
-            let CableAt { outlet, arm, .. } = &bodies.cables[k];
-            (*outlet, at.point(arm))
-        })
+        let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        [(i.outlet, at.point(&i.arm)), (j.outlet, at.point(&j.arm))]
     }
 
     /// The distance between axes that the swept rule requires, m.
@@ -357,25 +373,17 @@ impl PhysicalCondition for CableCable {
         segment_segment::closest(&a, &p, &b, &q).distance - self.gap
     }
 
-    /// Along a fixed direction, the common normal halfway: a point of one cable is above one of the other if all four pairs of
-    /// their ends are.
+    /// Along a fixed direction: the common normal halfway, or the shortest way from one cable to the other.
     #[inline]
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
-        let nearest = segment_segment::closest(&a, &p, &b, &q);
-        let Some(across) = nearest.offset.try_normalize(TOUCH_DEPTH) else { return false };
-        let [first, second] = [self.first, self.second].map(|k| &bodies.cables[k].arm);
-        let share = piece.share_along(&across);
-        let height = |point: &Point| across.dot(&point.coords);
-        let [i, j] = [first, second].map(|arm| piece.ends.each_ref().map(|end| height(&end.point(arm))));
-        let (i_highest, j_lowest) = (i[0].max(i[1]), j[0].min(j[1]));
-        let apart = [
-            height(&b) - height(&a),
-            height(&b) - i_highest - share * piece.sag(first),
-            j_lowest - height(&a) - share * piece.sag(second),
-            (j[0] - i[0]).min(j[1] - i[1]) - share * piece.sag(&(second - first)),
-        ];
-        apart.iter().all(|room| *room > 0.0 && *room >= self.gap - TOUCH_DEPTH)
+        let normal = (p - a).cross(&(q - b));
+        let normal = if normal.dot(&(b - a)) < 0.0 { -normal } else { normal };
+        if self.apart_along(&(normal / normal.norm()), bodies, piece) {
+            return true;
+        }
+        let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
+        nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), bodies, piece)
     }
 
     /// The triangles may meet although no position in between is forbidden.

@@ -88,7 +88,7 @@ impl PhysicalCondition for CableLength {
 
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let cable = &bodies.cables[self.cable];
-        let [p, q] = piece.ends.each_ref().map(|end| end.point(&cable.arm));
+        let [p, q] = piece.points(&cable.arm);
         let (first, last) = ((p - cable.outlet).norm(), (q - cable.outlet).norm());
         let sag = piece.sag(&cable.arm) - TOUCH_DEPTH;
         // The length changes by no more than the way; half of it from the nearer end.

@@ -164,7 +164,7 @@ impl PhysicalCondition for CableObstacle {
     #[inline]
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
-        let [from, to] = piece.ends.each_ref().map(|end| end.point(arm));
+        let [from, to] = piece.points(arm);
         let sag = piece.sag(arm);
         let chord = || (Triangle::new(*outlet, from, to), sag);
         let along = |normal: &Vector| sag * piece.share_along(normal);

@@ -152,7 +152,7 @@ impl PhysicalCondition for CablePlatform {
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let end = Point::from(*arm);
-        let [from, to] = piece.ends.each_ref().map(|pose| pose.seen(outlet) - end);
+        let (from, to) = (piece.ends[0].seen(outlet) - end, piece.ends[1].seen(outlet) - end);
         let sag = piece.sag_seen(outlet);
         let body = &bodies.platform[self.body];
         let chord = || {

@@ -129,7 +129,7 @@ impl PhysicalCondition for PlatformObstacle {
     #[inline]
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let (part, obstacle) = (&bodies.platform[self.part], &bodies.obstacles[self.body].body);
-        let reach = part.vertices().iter().map(|v| v.coords.norm()).fold(0.0, f64::max);
+        let reach = bodies.platform_reach[self.part];
         let bounds = Aabb::around(&piece.ends.map(|end| end.position));
         if bounds.distance(obstacle.aabb()) > self.gap + reach {
             return true;

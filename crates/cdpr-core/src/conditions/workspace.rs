@@ -101,15 +101,16 @@ impl PhysicalCondition for Workspace {
     }
 
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
-        let corners = || bodies.platform.iter().flat_map(|part| part.vertices());
-        let sag = piece.sag_within(corners().map(|v| v.coords.norm()).fold(0.0, f64::max));
-        let sags = Vector::from_fn(|axis, _| sag * piece.share_along(&Vector::ith(axis, 1.0)));
-        piece.ends.iter().all(|end| {
-            let Aabb { min, max } = &self.limits;
-            corners()
-                .map(|v| end.point(&v.coords))
-                .all(|v| (v - min).inf(&(max - v)).zip_map(&sags, |room, sag| room - sag).min() >= -TOUCH_DEPTH)
-        })
+        let reach = bodies.platform_reach.iter().copied().fold(0.0, f64::max);
+        let Aabb { min, max } = &self.limits;
+        let room = |point: &Point| (point - min).inf(&(max - point));
+        if piece.ends.iter().all(|end| room(&end.position).min() > reach) {
+            return true;
+        }
+        let sags = Vector::from_fn(|axis, _| piece.sag_within(reach) * piece.share_along(&Vector::ith(axis, 1.0)));
+        let inside = |corner: &Point| (room(corner) - sags).min() >= -TOUCH_DEPTH;
+        let mut corners = bodies.platform.iter().flat_map(|part| part.vertices());
+        corners.all(|corner| piece.ends.iter().all(|end| inside(&end.point(&corner.coords))))
     }
 
     /// It forbids only positions outside the box of positions.

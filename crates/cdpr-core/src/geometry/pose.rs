@@ -131,13 +131,30 @@ impl Placed {
     /// Where a point of the platform is in the world.
     #[inline]
     pub fn point(&self, arm: &Vector) -> Point {
-        self.position + self.turn * arm
+        self.position + self.turned(arm)
+    }
+
+    /// A vector of the platform in world axes.
+    // Written out, since the product of the library is not inlined into hot loops.
+    #[inline]
+    pub fn turned(&self, v: &Vector) -> Vector {
+        let m = &self.turn;
+        let row = |k: usize| m[(k, 0)] * v.x + m[(k, 1)] * v.y + m[(k, 2)] * v.z;
+        Vector::new(row(0), row(1), row(2))
+    }
+
+    /// A vector of the world in the axes of the platform.
+    #[inline]
+    pub fn turned_back(&self, v: &Vector) -> Vector {
+        let m = &self.turn;
+        let column = |k: usize| m[(0, k)] * v.x + m[(1, k)] * v.y + m[(2, k)] * v.z;
+        Vector::new(column(0), column(1), column(2))
     }
 
     /// Where a point of the world is in the frame of the platform.
     #[inline]
     pub fn seen(&self, point: &Point) -> Point {
-        Point::from(self.turn.tr_mul(&(point - self.position)))
+        Point::from(self.turned_back(&(point - self.position)))
     }
 }
 
@@ -225,6 +242,13 @@ pub struct TurningPiece {
 }
 
 impl TurningPiece {
+    /// Where a point of the platform is at both ends.
+    // Here and in hot loops written out, since `map` of arrays is not always inlined.
+    #[inline]
+    pub fn points(&self, arm: &Vector) -> [Point; 2] {
+        [self.ends[0].point(arm), self.ends[1].point(arm)]
+    }
+
     /// The most by which a point of the platform deviates from its chord, m.
     #[inline]
     pub fn sag(&self, arm: &Vector) -> f64 {
@@ -277,10 +301,8 @@ pub struct TurnedSweep<'a> {
 impl SupportMap for TurnedSweep<'_> {
     #[inline]
     fn support(&self, direction: &Vector) -> Point {
-        let [a, b] = self
-            .ends
-            .each_ref()
-            .map(|end| end.point(&farthest(self.body.vertices(), &end.turn.tr_mul(direction)).coords));
+        let [first, last] = &self.ends;
+        let (a, b) = (support_at(self.body, first, direction), support_at(self.body, last, direction));
         if b.coords.dot(direction) > a.coords.dot(direction) { b } else { a }
     }
 
@@ -288,6 +310,12 @@ impl SupportMap for TurnedSweep<'_> {
         let [a, b] = self.ends.each_ref().map(|end| end.point(&self.body.centroid().coords));
         nalgebra::center(&a, &b)
     }
+}
+
+/// The point of a body at a pose that is farthest along a direction.
+#[inline]
+fn support_at(body: &Polytope, at: &Placed, direction: &Vector) -> Point {
+    at.point(&farthest(body.vertices(), &at.turned_back(direction)).coords)
 }
 
 /// A body at a pose.
@@ -302,7 +330,7 @@ pub struct PlacedBody<'a> {
 impl SupportMap for PlacedBody<'_> {
     #[inline]
     fn support(&self, direction: &Vector) -> Point {
-        self.at.point(&farthest(self.body.vertices(), &self.at.turn.tr_mul(direction)).coords)
+        support_at(self.body, self.at, direction)
     }
 
     fn center(&self) -> Point {
@@ -312,11 +340,11 @@ impl SupportMap for PlacedBody<'_> {
 
 impl ConvexShape for PlacedBody<'_> {
     fn normals(&self) -> impl Iterator<Item = Vector> {
-        self.body.normal_axes().iter().map(|normal| self.at.turn * normal)
+        self.body.normal_axes().iter().map(|normal| self.at.turned(normal))
     }
 
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
-        self.body.edge_axes().iter().map(|edge| self.at.turn * edge)
+        self.body.edge_axes().iter().map(|edge| self.at.turned(edge))
     }
 
     fn boundary(&self) -> Boundary {

@@ -95,21 +95,20 @@ impl TurningEngine {
         pose.orientation.angle_to(&self.reference) <= SAME_TURN
     }
 
-    fn kept(&self, index: usize, motion: &Turning) -> bool {
+    fn kept(&self, index: usize, motion: &Turning, whole: &TurningPiece) -> bool {
         let Conditions { list, bodies, .. } = self.conditions();
         let condition = list[index].details();
-        let whole = motion.whole();
-        condition.kept_while_turning(bodies, &whole)
-            || verdict(motion, whole, &Measured { condition, bodies }, 1.0) == Verdict::Kept
+        condition.kept_while_turning(bodies, whole)
+            || verdict(motion, *whole, &Measured { condition, bodies }, 1.0) == Verdict::Kept
     }
 
     fn keeps_conditions(&self, motion: &Turning) -> bool {
-        let count = self.conditions().list.len();
+        let (count, whole) = (self.conditions().list.len(), motion.whole());
         let hint = self.hint.load(Ordering::Relaxed).min(count - 1);
-        if !self.kept(hint, motion) {
+        if !self.kept(hint, motion, &whole) {
             return false;
         }
-        match (0..count).find(|&index| index != hint && !self.kept(index, motion)) {
+        match (0..count).find(|&index| index != hint && !self.kept(index, motion, &whole)) {
             Some(refused) => {
                 self.hint.store(refused, Ordering::Relaxed);
                 false

@@ -6,10 +6,11 @@
 
 use crate::collision::{Kind, Violation};
 use crate::error::Error;
-use crate::geometry::{Pose, PoseMotion};
+use crate::geometry::{Placed, Pose, PoseMotion, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
+use crate::numerics::simd::WIDTH;
 use crate::numerics::{TURNING_PLACE, WRENCH_PIECES};
-use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures_by, required, sagging};
+use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures, measures_by, required, sagging};
 
 /// Wrench feasibility as a scene requires it, at any orientation.
 #[derive(Debug, Clone)]
@@ -18,15 +19,20 @@ pub struct TurningWrench {
     loads: Loads,
     required: Required,
     margin: MarginSpec,
+    /// The measures at the orientation of the scene.
+    measures: Vec<Measure>,
 }
 
-/// A pose of a motion and what is known there.
+/// A pose of a motion, and for each measure how much more than required the cables can exert there.
+#[derive(Debug, Clone)]
 struct Known {
     at: f64,
     pose: Pose,
-    measures: Vec<Measure>,
-    slack: Vec<f64>,
+    slack: Slack,
 }
+
+/// The slack by each measure; there are at most two.
+type Slack = [f64; 2];
 
 impl TurningWrench {
     /// The requirement of a scene; `None` if it has none.
@@ -37,78 +43,118 @@ impl TurningWrench {
         let Some(spec) = scene.wrench() else { return Ok(None) };
         if spec.rule == Some(RuleSpec::Grid) {
             let problem =
-                "found the rule \"grid\", which is for one orientation; expected \"certified\" if the platform turns";
+                "found \"grid\", which is a rule for one orientation; expected \"certified\" if the platform turns";
             return Err(Error::invalid("wrench.rule", problem));
         }
-        crate::wrench::measures(scene)?;
-        let margin = spec.margin.unwrap_or(MarginSpec::Capacity);
         Ok(Some(TurningWrench {
             robot: scene.robot().clone(),
             loads: Loads::of(scene),
             required: required(spec)?,
-            margin,
+            margin: spec.margin.unwrap_or(MarginSpec::Capacity),
+            measures: measures(scene)?,
         }))
-    }
-
-    /// The measures at an orientation.
-    fn measures(&self, pose: &Pose) -> Vec<Measure> {
-        let loads = Loads { orientation: pose.orientation, ..self.loads.clone() };
-        let statics = Statics::new(&self.robot, &loads).expect("checked at the orientation of the scene");
-        measures_by(&statics, &self.required, self.margin).unwrap_or_default()
-    }
-
-    /// How much more than required the cables can exert at a pose, N: the least of its measures; NaN where a cable has no
-    /// direction.
-    pub fn slack(&self, pose: &Pose) -> f64 {
-        let slack = self.measures(pose).iter().map(|measure| measure.slack(&pose.position)).collect::<Vec<_>>();
-        slack
-            .into_iter()
-            .fold(f64::INFINITY, |least, slack| if slack < least || slack.is_nan() { slack } else { least })
-    }
-
-    fn known(&self, motion: &PoseMotion, at: f64) -> Known {
-        let pose = motion.at(at);
-        let measures = self.measures(&pose);
-        let slack = measures.iter().map(|measure| measure.slack(&pose.position) - measure.floor()).collect();
-        Known { at, pose, measures, slack }
     }
 
     /// Whether a motion is proved to satisfy the requirement.
     pub fn keeps(&self, from: &Pose, to: &Pose) -> bool {
-        self.first_refused(&from.toward(to), 1.0).is_none()
+        let motion = from.toward(to);
+        let still = from == to;
+        let shares = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|share| if still { 0.0 } else { share });
+        let first = self.known(&motion, &shares);
+        if !first.iter().all(|known| self.holds(known)) {
+            return false;
+        }
+        if still {
+            return true;
+        }
+        let mut open: Vec<[Known; 2]> = first.windows(2).map(|ends| [ends[0].clone(), ends[1].clone()]).collect();
+        for _ in 0..WRENCH_PIECES {
+            open.retain(|piece| !self.proved(&motion, piece));
+            if open.is_empty() {
+                return true;
+            }
+            // The middles of up to four pieces at once; the last ones again if there are fewer.
+            let taken = open.split_off(open.len().saturating_sub(WIDTH));
+            let middle = |k: usize| {
+                let [from, to] = &taken[k.min(taken.len() - 1)];
+                0.5 * (from.at + to.at)
+            };
+            let middles = self.known(&motion, &std::array::from_fn(middle));
+            for (piece, middle) in taken.into_iter().zip(middles) {
+                if !self.holds(&middle) {
+                    return false;
+                }
+                let [from, to] = piece;
+                open.extend([[from, middle.clone()], [middle, to]]);
+            }
+        }
+        false
     }
 
-    /// The fraction of a motion at which the requirement is not proved, to the accuracy `place`.
-    fn first_refused(&self, motion: &PoseMotion, place: f64) -> Option<f64> {
-        let first = self.known(motion, 0.0);
-        if !first.holds() {
-            return Some(0.0);
-        }
-        if motion.from == motion.to {
-            return None;
-        }
-        let (mut from, mut ahead) = (first, vec![self.known(motion, 1.0)]);
-        for _ in 0..WRENCH_PIECES {
-            let to = ahead.last()?;
-            if to.holds() && self.proved(motion, &from, to) {
-                from = ahead.pop().expect("just seen");
-                continue;
+    fn holds(&self, known: &Known) -> bool {
+        (self.measures.iter().zip(&known.slack)).all(|(measure, slack)| *slack >= measure.floor())
+    }
+
+    /// The poses at four fractions of a motion, and their slack.
+    fn known(&self, motion: &PoseMotion, shares: &[f64; WIDTH]) -> [Known; WIDTH] {
+        let poses = shares.map(|share| motion.at(share));
+        let slack = self.slack_at_four(&poses);
+        std::array::from_fn(|lane| Known { at: shares[lane], pose: poses[lane], slack: slack[lane] })
+    }
+
+    fn slack_at_four(&self, poses: &[Pose; WIDTH]) -> [Slack; WIDTH] {
+        let fast = match &self.measures[..] {
+            [Measure::Capacity(margin)] => {
+                let placed = poses.map(|pose| Placed::new(&pose, &self.loads.orientation));
+                margin.at_four_poses(&placed, &poses.map(|pose| self.balance(&pose)))
             }
-            if !to.holds() && to.at - from.at <= place {
-                return Some(from.at);
-            }
-            ahead.push(self.known(motion, 0.5 * (from.at + to.at)));
+            _ => None,
+        };
+        std::array::from_fn(|lane| match fast {
+            Some(margins) if !margins[lane].is_nan() => [margins[lane], f64::INFINITY],
+            _ => self.slack(&poses[lane]),
+        })
+    }
+
+    /// The slack at a pose by definition; NaN where a cable has no direction.
+    fn slack(&self, pose: &Pose) -> Slack {
+        let mut slack = [f64::INFINITY; 2];
+        for (slack, measure) in slack.iter_mut().zip(self.measures_at(pose)) {
+            *slack = measure.limit(&pose.position).map_or(f64::NAN, |limit| limit.margin);
         }
-        Some(from.at)
+        slack
+    }
+
+    /// The measures at the orientation of a pose.
+    fn measures_at(&self, pose: &Pose) -> Vec<Measure> {
+        let loads = Loads { orientation: pose.orientation, ..self.loads.clone() };
+        let checked = "checked at the orientation of the scene";
+        let statics = Statics::new(&self.robot, &loads).expect(checked);
+        measures_by(&statics, &self.required, self.margin).expect(checked)
+    }
+
+    /// The wrench that the cables must exert for balance, [force; moment / ℓ], N.
+    fn balance(&self, pose: &Pose) -> [f64; 6] {
+        let weight = self.weight();
+        let moment = (pose.orientation * self.robot.center_of_mass().coords).cross(&weight);
+        let load = &self.loads.load;
+        let [force, moment] = [weight + load.fixed_rows::<3>(0), moment + load.fixed_rows::<3>(3)];
+        let moment = moment / self.loads.characteristic_length;
+        [-force.x, -force.y, -force.z, -moment.x, -moment.y, -moment.z]
+    }
+
+    fn weight(&self) -> Vector {
+        self.loads.gravity * self.robot.mass().unwrap_or(0.0)
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
-    fn proved(&self, motion: &PoseMotion, from: &Known, to: &Known) -> bool {
+    fn proved(&self, motion: &PoseMotion, [from, to]: &[Known; 2]) -> bool {
         let share = to.at - from.at;
         let (step, angle) = ((motion.to.position - motion.from.position).norm() * share, motion.angle * share);
-        (from.measures.iter().enumerate()).all(|(k, measure)| {
+        self.measures.iter().enumerate().all(|(k, measure)| {
+            let floor = measure.floor();
             let sag = self.sag(measure, [&from.pose, &to.pose], step, angle);
-            sagging(from.slack[k], to.slack[k], sag) >= 0.0
+            sagging(from.slack[k] - floor, to.slack[k] - floor, sag) >= 0.0
         })
     }
 
@@ -123,44 +169,45 @@ impl TurningWrench {
         let sag = |cable: &Cable| {
             let arm = cable.attachment.coords.norm();
             let speed = step + angle * arm;
-            let line =
-                |pose: &&Pose| (pose.position + pose.orientation * cable.attachment.coords - cable.outlet).norm();
-            let shortest = ends.iter().map(line).fold(f64::INFINITY, f64::min) - 0.5 * speed;
+            let line = |pose: &Pose| (pose.position + pose.orientation * cable.attachment.coords - cable.outlet).norm();
+            let shortest = line(ends[0]).min(line(ends[1])) - 0.5 * speed;
             if !(shortest > 0.0) {
                 return f64::INFINITY;
             }
             // First and second derivative of the direction of the cable, and of its moment.
-            let turn = (speed / shortest).min(2.0);
-            let bend = BEND * (speed / shortest).powi(2) + angle * angle * arm / shortest;
+            let turn = speed / shortest;
+            let bend = BEND * turn * turn + angle * angle * arm / shortest;
             let moment = [angle * arm + arm * turn, angle * angle * arm + 2.0 * angle * arm * turn + arm * bend];
             let [least, largest] = cable.tension.unwrap_or_default();
             0.25 * (largest - least) * parts(turn, moment[0]) + 0.125 * largest * parts(bend, moment[1])
         };
-        let weight =
-            self.loads.gravity.norm() * self.robot.mass().unwrap_or(0.0) * self.robot.center_of_mass().coords.norm();
         let cables: f64 = self.robot.cables().iter().map(sag).sum();
+        let weight = self.weight().norm() * self.robot.center_of_mass().coords.norm();
         cables + 0.125 * angle * angle * parts(0.0, weight)
     }
 
     /// The violation of a motion, if it is not proved to satisfy the requirement; marked as unproved if no failure is known.
     pub fn violation(&self, from: &Pose, to: &Pose) -> Option<Violation> {
+        if self.keeps(from, to) {
+            return None;
+        }
         let motion = from.toward(to);
-        let at = self.first_refused(&motion, TURNING_PLACE)?;
+        let places = (1.0 / TURNING_PLACE) as usize;
+        let failed = |k: &usize| {
+            let at = *k as f64 * TURNING_PLACE;
+            let pose = motion.at(at);
+            !self.holds(&Known { at, pose, slack: self.slack(&pose) })
+        };
+        let at = (0..=places).find(failed).map_or(0.0, |k| k as f64 * TURNING_PLACE);
         const SAMPLES: usize = 64;
         let limits = (0..=SAMPLES).flat_map(|k| {
             let pose = motion.at(at + (1.0 - at) * k as f64 / SAMPLES as f64);
-            self.measures(&pose).iter().map(|measure| limit_at(measure, &pose.position)).collect::<Vec<_>>()
+            self.measures_at(&pose).iter().map(|measure| limit_at(measure, &pose.position)).collect::<Vec<_>>()
         });
         let limit = limits.min_by(|a, b| a.order().total_cmp(&b.order()))?;
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
         let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
         let wrench = Some(limit);
         Some(Violation { at, kind: Kind::Wrench, culprits, gap: None, required: None, margin: None, unproved, wrench })
-    }
-}
-
-impl Known {
-    fn holds(&self) -> bool {
-        self.slack.iter().all(|slack| *slack >= 0.0)
     }
 }

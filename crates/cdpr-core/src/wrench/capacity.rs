@@ -4,7 +4,7 @@ use super::kernel::{FourMargins, KernelRobot};
 use super::margins::{BindingFacet, Required, capacity_limit};
 use super::statics::Statics;
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point};
 use crate::numerics::simd::{Kernel, WIDTH};
 
 /// Capacity margins of a robot for a set of required wrenches; see [`capacity_limit`] for the definition.
@@ -87,6 +87,14 @@ impl CapacityMargin {
             }
         }
         margins
+    }
+
+    /// The margins at four poses by the kernel, N, with the wrenches [force; moment / ℓ] to balance there; NaN where the kernel is
+    /// not sure. `None` if it does not support this robot and requirement.
+    pub fn at_four_poses(&self, poses: &[Placed; WIDTH], balances: &[[f64; 6]; WIDTH]) -> Option<[f64; WIDTH]> {
+        let robot = self.robot.as_ref()?.at_orientations(&self.statics, poses, balances);
+        let positions = [poses[0].position, poses[1].position, poses[2].position, poses[3].position];
+        Some(self.kernel.run(FourMargins { robot: &robot, positions }))
     }
 
     /// The nearest facet, by definition rather than by the kernel; `None` if a cable has no direction.

@@ -13,7 +13,7 @@
 //! [`super::margins`].
 
 use super::statics::Statics;
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point, Vector};
 use crate::numerics::simd::{Lanes, Task, WIDTH};
 use crate::numerics::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
 
@@ -44,18 +44,21 @@ const fn triples() -> [[usize; 3]; 56] {
     all
 }
 
-/// A robot in the kernel's layout.
+/// A number for each of four poses.
+type Four = [f64; WIDTH];
+
+/// A robot in the kernel's layout, at four poses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KernelRobot {
     /// Outlet minus arm of each cable, m; the cable vector is this minus the position.
-    anchors: [[f64; 3]; CABLES],
+    anchors: [[Four; 3]; CABLES],
     /// From the platform's origin to the attachment, divided by the characteristic length.
-    arms: [[f64; 3]; CABLES],
+    arms: [[Four; 3]; CABLES],
     /// Centre and half-width of the tensions, N.
     middle: [f64; CABLES],
     half: [f64; CABLES],
     cables: usize,
-    balance: [f64; ROWS],
+    balance: [Four; ROWS],
     /// Radii of the required balls of [force; moment / ℓ], N.
     radii: [f64; 2],
 }
@@ -70,17 +73,40 @@ impl KernelRobot {
         }
         let each =
             |number: &dyn Fn(&super::StaticCable) -> f64| std::array::from_fn(|k| cables.get(k).map_or(0.0, number));
-        let triple = |v: crate::geometry::Vector| [v.x, v.y, v.z];
+        let triple = |v: Vector| [[v.x; WIDTH], [v.y; WIDTH], [v.z; WIDTH]];
         let length = statics.characteristic_length();
         Some(KernelRobot {
-            anchors: std::array::from_fn(|k| cables.get(k).map_or([0.0; 3], |c| triple(c.outlet.coords - c.arm))),
-            arms: std::array::from_fn(|k| cables.get(k).map_or([0.0; 3], |c| triple(c.arm / length))),
+            anchors: std::array::from_fn(|k| {
+                cables.get(k).map_or([[0.0; WIDTH]; 3], |c| triple(c.outlet.coords - c.arm))
+            }),
+            arms: std::array::from_fn(|k| cables.get(k).map_or([[0.0; WIDTH]; 3], |c| triple(c.arm / length))),
             middle: each(&|c| 0.5 * (c.tension[0] + c.tension[1])),
             half: each(&|c| 0.5 * (c.tension[1] - c.tension[0])),
             cables: cables.len(),
-            balance: (*statics.balance()).into(),
+            balance: std::array::from_fn(|row| [statics.balance()[row]; WIDTH]),
             radii,
         })
+    }
+
+    /// The same robot at four orientations instead of that of `statics`, with the wrenches to balance there.
+    pub fn at_orientations(&self, statics: &Statics, poses: &[Placed; WIDTH], balances: &[[f64; ROWS]; WIDTH]) -> Self {
+        let mut robot = self.clone();
+        let length = statics.characteristic_length();
+        for (k, cable) in statics.cables().iter().enumerate() {
+            for lane in 0..WIDTH {
+                let arm = poses[lane].turned(&cable.arm);
+                for axis in 0..3 {
+                    robot.anchors[k][axis][lane] = cable.outlet[axis] - arm[axis];
+                    robot.arms[k][axis][lane] = arm[axis] / length;
+                }
+            }
+        }
+        for row in 0..ROWS {
+            for lane in 0..WIDTH {
+                robot.balance[row][lane] = balances[lane][row];
+            }
+        }
+        robot
     }
 }
 
@@ -181,7 +207,7 @@ fn transposed_wrench_matrix<L: Lanes>(
         let (anchor, arm) = (&robot.anchors[k], &robot.arms[k]);
         let mut u = [l.splat(0.0); 3];
         for axis in 0..3 {
-            u[axis] = l.sub(l.splat(anchor[axis]), at[axis]);
+            u[axis] = l.sub(l.load(&anchor[axis]), at[axis]);
         }
         let length = l.sqrt(dot(l, &u, &u));
         *sure = unless(l, l.sub(length, l.splat(MIN_CABLE_LENGTH)), *sure);
@@ -189,7 +215,7 @@ fn transposed_wrench_matrix<L: Lanes>(
         for x in &mut u {
             *x = l.mul(*x, inverse);
         }
-        let [ax, ay, az] = [l.splat(arm[0]), l.splat(arm[1]), l.splat(arm[2])];
+        let [ax, ay, az] = [l.load(&arm[0]), l.load(&arm[1]), l.load(&arm[2])];
         let [ux, uy, uz] = u;
         rows[k] = [
             ux,
@@ -314,7 +340,7 @@ impl<L: Lanes> Sides<L> {
         for k in 0..CABLES {
             let mut along = zero;
             for r in 0..ROWS {
-                along = l.add(along, l.mul(dual[k][r], l.splat(robot.balance[r])));
+                along = l.add(along, l.mul(dual[k][r], l.load(&robot.balance[r])));
             }
             offset[k] = l.sub(along, l.splat(robot.middle[k]));
             half[k] = l.splat(robot.half[k]);
