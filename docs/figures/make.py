@@ -25,7 +25,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
 from mpl_toolkits.mplot3d import Axes3D
 from playwright.sync_api import Page, sync_playwright
@@ -366,6 +366,37 @@ def trajectory() -> Figure:
     return figure
 
 
+def turning() -> Figure:
+    """The arc of a corner of a turning platform and its chord; the deviation over the angle."""
+    figure, (plan, chart) = charts(2, 2.4)
+    angle, step = np.radians(100), np.array([0.9, 0.0])
+    corners = np.array([[-0.35, -0.12], [0.35, -0.12], [0.35, 0.12], [-0.35, 0.12]])
+
+    def at(share: float) -> np.ndarray:
+        sine, cosine = np.sin(angle * share), np.cos(angle * share)
+        return corners @ np.array([[cosine, sine], [-sine, cosine]]) + share * step
+
+    for share in np.linspace(0, 1, 9):
+        ends = share in (0, 1)
+        plan.add_patch(Polygon(at(share), fill=False, edgecolor=BLACK if ends else LIGHT, linewidth=1.0 if ends else 0.6))
+    shares = np.linspace(0, 1, 101)
+    arc = np.array([at(share)[2] for share in shares])
+    chord = arc[0] + shares[:, None] * (arc[-1] - arc[0])
+    plan.plot(*arc.T, color=BLUE, label="way of a corner")
+    plan.plot(*chord.T, color=BLUE, linestyle="--", linewidth=0.8, label="chord")
+    plan.plot(*np.array([arc[50], chord[50]]).T, color=VERMILION, label="deviation, at most θ²ρ/8")
+    plan.set_aspect("equal")
+    plan.set_axis_off()
+    plan.legend(loc="upper center", bbox_to_anchor=(0.5, 0), frameon=False)
+    degrees = np.logspace(-1, 2, 50)
+    for reach, colour in ((0.1, SKY), (0.5, BLUE), (1.0, BLACK)):
+        chart.loglog(degrees, 1e3 * reach * np.radians(degrees) ** 2 / 8, color=colour, label=f"ρ = {reach:g} m")
+    chart.set_xlabel("turn (°)")
+    chart.set_ylabel("deviation (mm)")
+    chart.legend(frameon=False)
+    return figure
+
+
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     "fig1": fig1,
     "fig2": fig2,
@@ -384,6 +415,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "wrench-rules": wrench_rules,
     "no-path": no_path,
     "trajectory": trajectory,
+    "turning": turning,
 }
 
 
