@@ -151,19 +151,25 @@ impl Bounded for Measured<'_> {
     }
 }
 
-/// Divides a motion until a condition is proved, or refused on a piece of at most the share `place` of the motion: the first
-/// such piece.
+/// Divides a motion until a condition is proved, or refused where it is too close. Such a piece is searched for the first part
+/// of at most the share `place` of the motion that is refused as well.
 fn verdict(motion: &Turning, whole: TurningPiece, condition: &impl Bounded, place: f64) -> Verdict {
     let mut left = vec![whole];
+    let mut close = Verdict::Kept;
     for _ in 0..TURNING_PIECES {
-        let Some(piece) = left.pop() else { return Verdict::Kept };
+        let Some(piece) = left.pop() else { return close };
         if condition.kept(&piece) {
             continue;
         }
         let slack = condition.slack(&piece.middle);
         let [from, to] = piece.during;
-        if !(slack >= TOO_CLOSE_TO_TURN) && to - from <= place {
-            return Verdict::Refused { at: from, slack };
+        if !(slack >= TOO_CLOSE_TO_TURN) {
+            if to - from <= place {
+                return Verdict::Refused { at: from, slack };
+            }
+            if close == Verdict::Kept {
+                close = Verdict::Refused { at: 0.5 * (from + to), slack };
+            }
         }
         let [first, second] = motion.halves(&piece);
         left.extend([second, first]);
