@@ -88,7 +88,7 @@ export function createRoute(waypoints, turns = null) {
   return {
     timed: false,
     length,
-    axis: { title: `distance along the path${turns ? ', with turns' : ''}`, ...lengthAxis(length) },
+    axis: { title: turns ? 'distance and turns' : 'distance along the path', ...lengthAxis(length) },
     positionAt,
     orientationAt,
     placeOf,

@@ -176,9 +176,8 @@ fn shown_scene(scene: &Scene, [start, goal]: [Pose; 2]) -> Result<Scene, Error> 
     let query = spec.query.get_or_insert_default();
     (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
     let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
-    if !keep_orientation(scene, &[start, goal]) {
-        (query.start_orientation, query.goal_orientation) = (turned(&start), turned(&goal));
-    }
+    (query.start_orientation, query.goal_orientation) =
+        if keep_orientation(scene, &[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
     Scene::new(spec)
 }
 
