@@ -100,6 +100,7 @@ fn path() -> Value {
         "waypoints": [[0, 0, 0], [1, 1, 1]],
         "raw_waypoints": [[0, 0, 0], [1, 0, 1], [1, 1, 1]],
         "orientation": [1, 0, 0, 0],
+        "orientations": [[1, 0, 0, 0], [0, 0, 0, 1]],
     })
 }
 
@@ -129,7 +130,7 @@ fn formats() -> Vec<(&'static str, Value, Reader, usize)> {
         ("scene", scene(), |text, notation| scene_from_text(text, notation, None).map(drop), 42),
         ("robot", robot_file(), |text, notation| robot_from_text(text, notation, None).map(drop), 10),
         ("experiment", experiment(), |text, notation| experiment_from_text(text, notation, None).map(drop), 45),
-        ("path", path(), |text, _| waypoints_from_text(text, true).map(drop), 6),
+        ("path", path(), |text, _| waypoints_from_text(text, true).map(drop), 8),
         ("run", run_file(), |text, _| read_in_folder("run.json", text), 2),
         ("summary", summary_file(), |text, _| read_in_folder("summary.json", text), 2),
     ]

@@ -3,7 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cdpr_files::{load_robot, load_scene, load_waypoints, scene_of_path};
+use cdpr_files::text::Notation;
+use cdpr_files::{
+    PathFile, load_robot, load_scene, load_waypoints, save_path, scene_from_text, scene_of_path, waypoints_from_text,
+};
 
 fn testdata(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../testdata").join(name)
@@ -180,6 +183,10 @@ fn paths_that_make_no_sense_are_refused() {
         ("k2.csv", "x,y,z\n1,2,3\n0,5,1,2\n", "line 3: found 4 numbers, expected 3"),
         ("l.csv", "x,y,z\n1,2,3\n1,2,nan\n", "waypoints[1]"),
         ("m.txt", "x,y,z\n1,2,3\n1,2,4\n", ".json or .csv"),
+        ("n.csv", "x,y,z,qw,qx,qy\n1,2,3,1,0,0\n", "expected \"x,y,z\" or, if the platform turns"),
+        ("o.csv", "x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n1,2,3\n", "line 3: found 3 numbers, expected 7"),
+        ("p.csv", "x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n1,2,4,2,0,0,0\n", "orientations[1]"),
+        ("q.csv", "x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n", "found 1 waypoint,"),
     ] {
         let path = folder.path().join(name);
         fs::write(&path, text).unwrap();
@@ -188,6 +195,72 @@ fn paths_that_make_no_sense_are_refused() {
             .unwrap_err()
             .to_string();
         assert!(message.contains(expected) && message.contains(name), "{name}: expected \"{expected}\" in: {message}");
+    }
+}
+
+#[test]
+fn orientations_that_make_no_sense_are_refused() {
+    for (orientations, expected) in [
+        ("[[1, 0, 0, 0]]", "orientations: found 1, expected one for each of the 2 waypoints"),
+        ("[]", "orientations: found 0, expected one for each of the 2 waypoints"),
+        ("[[1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]]", "orientations: found 3, expected"),
+        ("[[1, 0, 0, 0], [1, 1, 0, 0]]", "orientations[1]: found a quaternion of length"),
+        ("[[0, 0, 0, 0], [1, 0, 0, 0]]", "orientations[0]: found a quaternion of length 0"),
+        ("[[1, 0, 0, 0], [1e200, 0, 0, 0]]", "orientations[1]"),
+        ("[[1, 0, 0, 0], [NaN, 0, 0, 0]]", "line 1"),
+        ("[[1, 0, 0, 0], [null, 0, 0, 0]]", "orientations[1][0]: found null, expected a number"),
+        ("[[1, 0, 0, 0], [1, 0, 0]]", "expected an array of length 4"),
+        ("[\"along\", \"across\"]", "orientations[0]"),
+        ("\"along\"", "invalid type: string \"along\""),
+    ] {
+        let text = format!("{{\"waypoints\": [[0, 0, 0], [1, 1, 1]], \"orientations\": {orientations}}}");
+        let message = waypoints_from_text(&text, true).unwrap_err().to_string();
+        assert!(message.contains(expected), "{orientations}: expected \"{expected}\" in: {message}");
+    }
+    for number in ["NaN", "inf", "-1e400"] {
+        let text = format!("x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n1,2,3,{number},0,0,0\n");
+        let message = waypoints_from_text(&text, false).unwrap_err().to_string();
+        assert!(message.contains("orientations[1]"), "{number}: {message}");
+    }
+}
+
+#[test]
+fn a_path_that_turns_is_written_and_read_back_in_both_formats() {
+    let folder = tempfile::tempdir().unwrap();
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let orientations = vec![[1.0, 0.0, 0.0, 0.0], [half, 0.0, 0.0, half]];
+    let waypoints = vec![[0.0, 0.1, 1.0 / 3.0], [1.0, 2.0, 3.0]];
+    let file = PathFile { waypoints, orientations: Some(orientations), ..PathFile::default() };
+    let expected = file.poses().unwrap().unwrap();
+    for name in ["path.json", "path.csv"] {
+        let path = folder.path().join(name);
+        save_path(&path, &file).unwrap();
+        let loaded = load_waypoints(&path).unwrap();
+        assert_eq!((loaded.waypoints, loaded.poses), (file.points(), Some(expected.clone())), "{name}");
+    }
+}
+
+#[test]
+fn turning_tables_that_make_no_sense_are_refused() {
+    let text = fs::read_to_string(testdata("scenes/empty.toml")).unwrap();
+    for (key, expected) in [
+        ("axis = \"x\"", "expected \"free\" or an axis [x, y, z]"),
+        ("axis = [0, 0, 0]", "turning.axis: found [0.0, 0.0, 0.0], expected \"free\" or an axis that is not zero"),
+        ("axis = [0, 1]", "turning.axis"),
+        ("axis = [0, 1, nan]", "turning.axis"),
+        ("axis = 3", "turning.axis"),
+        ("max_tilt = 200", "turning.max_tilt: found 200, expected an angle from 0 to 180 degrees"),
+        ("max_tilt = -1", "turning.max_tilt: found -1"),
+        ("max_tilt = nan", "turning.max_tilt: found NaN"),
+        ("weight = -0.5", "turning.weight: found -0.5"),
+        ("weight = 0", "turning.weight: found 0"),
+        ("weight = inf", "turning.weight: found inf"),
+        ("tilt = 3", "unknown field `tilt`"),
+    ] {
+        let message =
+            scene_from_text(&format!("{text}\n[turning]\n{key}\n"), Notation::Toml, Some(&testdata("scenes")));
+        let message = message.unwrap_err().to_string();
+        assert!(message.contains(expected), "{key}: expected \"{expected}\" in: {message}");
     }
 }
 

@@ -39,12 +39,24 @@ function readTree(tree) {
   return { ends, count: numberOrNull(tree.count) ?? ends.length / 6, every: numberOrNull(tree.every) ?? 1 };
 }
 
+const isOrientation = (q) =>
+  Array.isArray(q) && q.length === 4 && q.every(Number.isFinite) && Math.hypot(...q) > 0;
+
+// The orientation at each waypoint and the weight of turns, m/rad; null if the platform keeps its orientation.
+function readTurns({ orientations, waypoints, turn_weight: weight }) {
+  const count = list(orientations).length;
+  if (count === 0 || count !== list(waypoints).length) return null;
+  if (!orientations.every(isOrientation) || !waypoints.every(isPoint)) return null;
+  return { orientations, weight: Math.max(0, numberOrNull(weight) ?? 0) };
+}
+
 function readPath(path) {
   if (!path) return null;
   return {
     status: text(path.status, 'unknown'),
     planner: text(path.planner, null),
     waypoints: list(path.waypoints).filter(isPoint),
+    turns: readTurns(path),
     rawWaypoints: list(path.raw_waypoints).filter(isPoint),
     cost: numberOrNull(path.cost),
     rawCost: numberOrNull(path.raw_cost),
@@ -179,23 +191,23 @@ function readWorkspace(workspace) {
   return isPoint(min) && isPoint(max) ? { min, max } : null;
 }
 
-function readOrientation(q) {
-  const valid = Array.isArray(q) && q.length === 4 && q.every(Number.isFinite) && Math.hypot(...q) > 0;
-  return valid ? q : [1, 0, 0, 0];
-}
+const readOrientation = (q, fallback = [1, 0, 0, 0]) => (isOrientation(q) ? q : fallback);
 
 /** The model of a page from its raw data. */
 export function readModel(raw) {
   const cables = list(raw?.cables).map(readCable);
+  const orientation = readOrientation(raw?.orientation);
   return {
     title: text(raw?.title, 'untitled scene'),
     workspace: readWorkspace(raw?.workspace),
-    orientation: readOrientation(raw?.orientation),
+    orientation,
     platform: readParts(raw?.platform),
     cables: cables.filter((cable) => cable.outlet && cable.attachment),
     obstacles: list(raw?.obstacles).map(readObstacle),
     start: pointOrNull(raw?.start),
     goal: pointOrNull(raw?.goal),
+    startOrientation: readOrientation(raw?.start_orientation, orientation),
+    goalOrientation: readOrientation(raw?.goal_orientation, orientation),
     path: readPath(raw?.path),
     regions: readRegions(raw?.regions),
     motion: readMotion(raw?.motion),

@@ -12,7 +12,7 @@ import { createFinalPath, createRawPath, createSearchTree, createViolations } fr
 import { createPlayback } from './playback.js';
 import { createPlots } from './plots.js';
 import { createRegions } from './regions.js';
-import { createCables, createGhost, createOutlets, createPlatform, platformShapes } from './robot.js';
+import { createCables, createGhost, createOutlets, createPlatform, platformShapes, rotationOf } from './robot.js';
 import { createRoute } from './route.js';
 import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
@@ -30,13 +30,14 @@ function restingPosition({ start, workspace }) {
 function routeOf(model) {
   if (model.trajectory) return createTimedRoute(model.trajectory);
   const waypoints = model.path?.waypoints ?? [];
-  return createRoute(waypoints.length > 0 ? waypoints : [restingPosition(model)]);
+  return waypoints.length > 0 ? createRoute(waypoints, model.path.turns) : createRoute([restingPosition(model)]);
 }
 
 function createGhosts(model, frame, shapes, theme) {
-  const stops = [['start', model.start], ['goal', model.goal]].filter(([, point]) => point);
-  return stops.map(([name, point]) => {
-    const ghost = createGhost(shapes, model.orientation, theme);
+  const { start, goal, startOrientation, goalOrientation } = model;
+  const stops = [['start', start, startOrientation], ['goal', goal, goalOrientation]].filter(([, point]) => point);
+  return stops.map(([name, point, orientation]) => {
+    const ghost = createGhost(shapes, orientation, theme);
     ghost.name = name;
     ghost.position.copy(frame.point(point));
     return ghost;
@@ -63,7 +64,7 @@ const SAME_PLACE = 1e-3;
 // Everything drawn, and a function that moves the robot.
 function fillScene(model, route, frame, stage, theme) {
   const shapes = platformShapes(model, frame);
-  const platform = createPlatform(shapes, model.orientation, theme);
+  const platform = createPlatform(shapes, theme);
   const cables = createCables(model, frame, theme);
   const ghosts = createGhosts(model, frame, shapes, theme);
   const obstacles = createObstacles(model, frame, theme);
@@ -89,12 +90,15 @@ function fillScene(model, route, frame, stage, theme) {
     feasible: createFeasible(model, frame),
     regions: regions.map(({ group }) => group),
   };
-  const move = (position, nearest) => {
+  const isAt = (ghost) =>
+    ghost.position.distanceTo(platform.position) <= SAME_PLACE && ghost.quaternion.angleTo(platform.quaternion) <= SAME_PLACE;
+  const move = (position, orientation, nearest) => {
     frame.point(position, platform.position);
-    cables.move(platform.position);
+    platform.quaternion.copy(rotationOf(orientation));
+    cables.move(platform.position, platform.quaternion);
     highlight.move(platform.position);
     highlight.show(nearest);
-    for (const ghost of ghosts) ghost.visible = ghost.position.distanceTo(platform.position) > SAME_PLACE;
+    for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();
   };
   return { contents, obstacles, ghosts, regions, noPath, move };
@@ -226,12 +230,14 @@ function connect(model, view) {
   let route = planned;
   let showPlots = () => null;
   const size = sizeOf(model);
+  const resting = model.path ? model.orientation : model.startOrientation;
+  const orientationAt = (distance) => route.orientationAt?.(distance) ?? resting;
   const playback = createPlayback(
     route.length,
     route.timed,
     (distance) => {
       const position = route.positionAt(distance);
-      view.move(position, showPlots(distance));
+      view.move(position, orientationAt(distance), showPlots(distance));
       panel.showPosition(position, size);
       panel.showDistance(distance, route.length, route.describe(distance));
     },
@@ -255,11 +261,13 @@ function connect(model, view) {
   if (view.look) panel.connectTools(view);
   panel.connectKeys(playback, view);
   playback.setDistance(0);
-  return { playback, timed: route.timed, position: () => route.positionAt(playback.distance()) };
+  const position = () => route.positionAt(playback.distance());
+  const orientation = () => orientationAt(playback.distance());
+  return { playback, timed: route.timed, position, orientation };
 }
 
 // The interface for scripts that drive the page.
-function publish(view, { playback, timed, position }) {
+function publish(view, { playback, timed, position, orientation }) {
   const { distance: time, setDistance: setTime } = playback;
   const place = { distance: playback.distance, setDistance: playback.setDistance };
   window.cdprViewer = {
@@ -267,6 +275,7 @@ function publish(view, { playback, timed, position }) {
     get duration() { return timed ? playback.length() : null; },
     ...(timed ? { time, setTime } : place),
     position,
+    orientation,
     layers: view.layers,
     look: view.look,
     picture: view.picture ?? null,

@@ -25,10 +25,9 @@ function solidPlatform(shapes, theme) {
   return new Mesh(solidGeometry(shapes), theme.paint(material, 'platform'));
 }
 
-/** The platform; its group moves with the position. */
-export function createPlatform(shapes, orientation, theme) {
+/** The platform; its group has its position and its quaternion. */
+export function createPlatform(shapes, theme) {
   const group = new Group();
-  group.quaternion.copy(rotationOf(orientation));
   const edges = hairlines(shapes.edges);
   theme.paint(edges.material, 'platformEdge');
   const bars = wideLines(shapes.segments, { linewidth: 4 });
@@ -81,10 +80,9 @@ function tubeMatrix(from, to, radius, matrix) {
 }
 
 function layCables(model, frame) {
-  const rotation = rotationOf(model.orientation);
   return model.cables.map((cable) => ({
     outlet: frame.point(cable.outlet),
-    arm: frame.vector(cable.attachment).applyQuaternion(rotation),
+    arm: frame.vector(cable.attachment),
     end: new Vector3(),
     radius: (cable.diameter / 2) * frame.scale,
   }));
@@ -102,7 +100,7 @@ export function createOutlets(model, frame, theme) {
   return [marks, edges];
 }
 
-/** The cables; `move` brings the platform end of the cables to a position of the platform. */
+/** The cables; `move` brings the platform end of the cables to a position and rotation of the platform. */
 export function createCables(model, frame, theme) {
   const cables = layCables(model, frame);
   const thick = cables.filter((cable) => cable.radius > 0);
@@ -112,8 +110,8 @@ export function createCables(model, frame, theme) {
   theme.paint(lines.material, 'cable');
   const matrix = new Matrix4();
 
-  function move(position) {
-    for (const cable of cables) cable.end.copy(position).add(cable.arm);
+  function move(position, rotation) {
+    for (const cable of cables) cable.end.copy(cable.arm).applyQuaternion(rotation).add(position);
     moveWideLines(lines, ends);
     thick.forEach((cable, i) => tubes.setMatrixAt(i, tubeMatrix(cable.outlet, cable.end, cable.radius, matrix)));
     tubes.instanceMatrix.needsUpdate = true;

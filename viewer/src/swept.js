@@ -1,19 +1,19 @@
 // The triangles that the cables sweep along the segments of the final path.
 
-import { BufferGeometry, DoubleSide, Float32BufferAttribute, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { BufferGeometry, DoubleSide, Float32BufferAttribute, Mesh, MeshBasicMaterial } from 'three';
 import { rotationOf } from './robot.js';
+import { posesOf } from './route.js';
 import { REGION_COLORS } from './theme.js';
 
 /** A translucent fan for each cable. */
 export function createSwept(model, frame, theme) {
   const waypoints = model.path?.waypoints ?? [];
   if (waypoints.length < 2) return [];
-  const rotation = rotationOf(model.orientation);
-  const places = waypoints.map((p) => frame.point(p));
+  const poses = posesOf(model.path, model.orientation);
+  const places = poses.map(({ position, orientation }) => ({ at: frame.point(position), turn: rotationOf(orientation) }));
   return model.cables.map((cable, index) => {
     const outlet = frame.point(cable.outlet);
-    const arm = frame.vector(cable.attachment).applyQuaternion(rotation);
-    const ends = places.map((place) => new Vector3().addVectors(place, arm));
+    const ends = places.map(({ at, turn }) => frame.vector(cable.attachment).applyQuaternion(turn).add(at));
     const corners = ends.slice(1).flatMap((end, i) => [outlet, ends[i], end]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute(corners.flatMap((p) => p.toArray()), 3));

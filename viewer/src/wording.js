@@ -227,6 +227,7 @@ const SENTENCES = {
   workspace: (who) => `${who[0] ?? 'platform'} leaves the workspace`,
   'cable-length': (who) => `${who[0] ?? 'a cable'} is too short or too long`,
   wrench: () => 'the cables cannot balance the platform',
+  tilt: () => 'the platform tilts further than the scene allows',
 };
 
 function describeEvent({ kind, culprits, gap }) {

@@ -18,7 +18,7 @@ pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
-pub use shared::{Format, PathArgs, SceneArgs, Strict};
+pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
 pub use values::Trials;
 
 use crate::output::{Talk, is_standard_output};
@@ -69,6 +69,7 @@ pub enum Command {
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
   cdpr plan hall.toml --budget-ms 100
   cdpr plan hall.toml --orientation tilted -o path.json
+  cdpr plan hall.toml --start-orientation along --goal-orientation across -o path.json
   cdpr plan hall.toml --trajectory motion.csv --speed 1 --acceleration 2 --minimise time
   cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]

@@ -5,8 +5,10 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
+use cdpr_core::plan::{Query, engine_within};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::TrajectoryFile;
+use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
@@ -16,7 +18,7 @@ use cdpr_files::{scene_of_trajectory, trajectory_from_text, waypoints_from_text}
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
-use crate::args::{PathArgs, SceneArgs, Strict};
+use crate::args::{CheckerArgs, PathArgs, SceneArgs, Strict};
 use crate::interruption::interrupted;
 use crate::output::{Console, count, is_dash};
 
@@ -57,17 +59,51 @@ pub fn selects_orientation(scene: &Scene, args: &SceneArgs) -> Result<(), Error>
     Err(Error::invalid("orientation", problem).with_hints(&[hint]).in_file(&args.scene))
 }
 
-/// A path, and its scene at the path's orientation.
-pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+/// Refuses a scene whose platform may turn, which proofs that there is no path do not cover.
+pub fn never_turns(scene: &Scene, args: &SceneArgs) -> Result<(), Error> {
+    if !Query::of(scene).turns() {
+        return Ok(());
+    }
+    let problem = "found a scene whose platform may turn, expected one whose platform keeps its orientation: a proof is for one \
+                   orientation";
+    Err(Error::invalid("turning", problem).in_file(&args.scene))
+}
+
+/// The engine for motions from pose to pose.
+pub fn turning_engine(scene: &Scene, file: &Path, checker: CheckerArgs) -> Result<TurningEngine, Error> {
+    let engine = engine_within(scene, checker.engine, checker.interference, &Watch::on(&interrupted));
+    engine.and_then(|engine| TurningEngine::new(scene, engine)).map_err(|e| in_scene_file(e, file))
+}
+
+/// The error with the name of the scene file, unless it is about the option --interference.
+pub fn in_scene_file(error: Error, file: &Path) -> Error {
+    if error.place() == Some("interference") { error } else { error.in_file(file) }
+}
+
+/// A path along which the platform keeps its orientation, and its scene at that orientation; `why` tells what needs this.
+pub fn scene_and_level_path(args: &PathArgs, why: &str, out: &Console) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
         return Err(only_one());
     }
     let scene = scene(&args.scene, out)?;
-    path(&scene, &args.scene, &args.path, args.strict, out)
+    level_path(&scene, &args.scene, &args.path, (args.strict, why), out)
 }
 
 fn only_one() -> Error {
     Error::invalid("", "found - for both scene and path; only one of them can be standard input")
+}
+
+/// As [`path`], for commands that only know paths along which the platform keeps its orientation.
+pub fn level_path(
+    scene: &Scene,
+    args: &SceneArgs,
+    file: &Path,
+    (strict, why): (Strict, &str),
+    out: &Console,
+) -> Result<(Scene, LoadedPath), Error> {
+    let (scene, loaded) = path(scene, args, file, strict, out)?;
+    loaded.refuse_turns(why).map_err(|e| e.in_file(name_of(file)))?;
+    Ok((scene, loaded))
 }
 
 /// A path of a scene, and the scene at the path's orientation. Warns if the path was planned for another scene.
@@ -184,6 +220,11 @@ pub fn experiment(path: &Path) -> Result<Experiment, Error> {
         Some(stream) => stream.parse(|text| experiment_from_text_by(&loader(), text, notation(text), None)),
         None => load_experiment_by(&loader(), path),
     }
+}
+
+/// The name of a file in messages.
+fn name_of(path: &Path) -> &Path {
+    if is_standard_input(path) { Path::new(STANDARD_INPUT) } else { path }
 }
 
 fn is_standard_input(path: &Path) -> bool {

@@ -7,7 +7,8 @@ use std::path::Path;
 use anstyle::{AnsiColor, Style};
 use cdpr_core::collision::Conditions;
 use cdpr_core::error::printable;
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Rotation};
+use cdpr_core::numerics::SAME_TURN;
 use cdpr_core::{Error, Scene};
 
 pub use cdpr_core::words::count;
@@ -248,12 +249,34 @@ pub fn thousandths(number: f64) -> String {
     format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0)
 }
 
+/// An angle as readable text.
+pub fn degrees(angle: f64) -> String {
+    format!("{:.1}°", angle.to_degrees())
+}
+
+/// An orientation as a quaternion w x y z.
+pub fn wxyz(orientation: &Rotation) -> [f64; 4] {
+    [orientation.w, orientation.i, orientation.j, orientation.k]
+}
+
+/// An orientation of the scene as readable text: its name, or its quaternion.
+pub fn orientation(scene: &Scene, orientation: &Rotation) -> String {
+    let named = scene.orientations().iter().find(|(_, known)| known.angle_to(orientation) <= SAME_TURN);
+    let numbers = || wxyz(orientation).map(short).join(",");
+    named.map_or_else(numbers, |(name, _)| format!("{name:?}"))
+}
+
 /// One line about a scene.
 pub fn scene_line(scene: &Scene) -> String {
-    let robot = scene.robot();
     let turned = scene.orientation_name().map_or(String::new(), |name| format!(", at \"{name}\""));
+    format!("{}{turned}", robot_line(scene))
+}
+
+/// One line about a scene without its orientation.
+pub fn robot_line(scene: &Scene) -> String {
+    let robot = scene.robot();
     format!(
-        "{}: {} with {}, {}{turned}",
+        "{}: {} with {}, {}",
         scene.name(),
         robot.name(),
         count(robot.cables().len(), "cable"),

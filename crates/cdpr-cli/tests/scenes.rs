@@ -191,3 +191,51 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
     };
     assert!(size("across") != size("along"));
 }
+
+#[test]
+fn a_bar_that_no_fixed_orientation_lets_through_turns_on_its_way() {
+    let folder = folder();
+    let turn = testdata("scenes/turn.toml");
+    for (orientation, end) in [("along", "goal"), ("across", "start")] {
+        let ends = ["--start-orientation", orientation, "--goal-orientation", orientation];
+        let planned = cdpr(&[&["plan", &turn, "--orientation", orientation][..], &ends].concat());
+        assert_eq!(status(&planned), 1, "{}", stderr(&planned));
+        assert!(stdout(&planned).contains(&format!("the {end} of turn is not valid")), "{}", stdout(&planned));
+    }
+    for seed in ["0", "1", "2", "3"] {
+        for (name, page) in [("path.json", "plan.html"), ("path.csv", "csv.html")] {
+            let planned = cdpr_in(folder.path(), &["plan", &turn, "--seed", seed, "-o", name, "--html", page]);
+            assert_eq!(status(&planned), 0, "{}{}", stdout(&planned), stderr(&planned));
+            let checked = cdpr_in(folder.path(), &["check", &turn, name, "--format", "json"]);
+            assert_eq!(json(&checked)["valid"], true, "{}", stdout(&checked));
+        }
+        let written: Value = serde_json::from_slice(&fs::read(folder.path().join("path.json")).unwrap()).unwrap();
+        let orientations = written["orientations"].as_array().unwrap();
+        assert_eq!(orientations.len(), written["waypoints"].as_array().unwrap().len());
+        assert_eq!(orientations[0], serde_json::json!([1.0, 0.0, 0.0, 0.0]));
+    }
+    let viewed = cdpr_in(folder.path(), &["view", &turn, "path.csv", "-o", "view.html"]);
+    assert_eq!(status(&viewed), 0, "{}", stderr(&viewed));
+    for name in ["view.html", "plan.html"] {
+        let page = fs::read_to_string(folder.path().join(name)).unwrap();
+        assert!(page.contains("\"orientations\":[[1.0,0.0,0.0,0.0],") && page.contains("\"turn_weight\":"), "{name}");
+    }
+}
+
+#[test]
+fn a_proof_for_one_orientation_says_nothing_about_a_platform_that_may_turn() {
+    let folder = folder();
+    let closed = testdata("scenes/closed.toml");
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", &closed, "--proof", "proof.json"])), 1);
+    let robot = testdata("robots/paper.toml");
+    let text =
+        fs::read_to_string(&closed).unwrap().replace("../robots/paper.toml", &robot) + "\n[turning]\nmax_tilt = 0\n";
+    fs::write(folder.path().join("turning.toml"), text).unwrap();
+    for arguments in
+        [&["check", "turning.toml", "proof.json"][..], &["view", "turning.toml", "proof.json", "-o", "a.html"]]
+    {
+        let refused = cdpr_in(folder.path(), arguments);
+        assert_eq!(status(&refused), 2, "{}", stdout(&refused));
+        assert!(stderr(&refused).contains("turning.toml: turning: found a scene whose platform may turn"));
+    }
+}

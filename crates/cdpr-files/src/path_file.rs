@@ -1,4 +1,5 @@
-//! Path files: the JSON that planning writes, and CSV of waypoints (header `x,y,z`, m).
+//! Path files: the JSON that planning writes, and CSV of waypoints (header `x,y,z`, m; `x,y,z,qw,qx,qy,qz` if the platform
+//! turns).
 
 use std::path::Path;
 
@@ -8,7 +9,7 @@ use serde_json::json;
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
 use cdpr_core::error::{Error, printable};
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
@@ -44,13 +45,22 @@ fn is_json(path: &Path) -> Result<bool, Error> {
     }
 }
 
+/// The columns of a path along which the platform keeps its orientation.
+const POSITION: [&str; 3] = ["x", "y", "z"];
+/// The columns of a path along which it turns.
+const POSE: [&str; 7] = ["x", "y", "z", "qw", "qx", "qy", "qz"];
+
 fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let problem = |e: csv::Error| Error::invalid("", e.to_string());
-    writer.write_record(["x", "y", "z"]).map_err(problem)?;
     let waypoints: Vec<[f64; 3]> = serde_json::from_value(json["waypoints"].clone()).unwrap_or_default();
-    for waypoint in waypoints {
-        writer.write_record(waypoint.map(|x| x.to_string())).map_err(problem)?;
+    let orientations: Option<Vec<[f64; 4]>> = serde_json::from_value(json["orientations"].clone()).unwrap_or_default();
+    let columns = if orientations.is_some() { &POSE[..] } else { &POSITION };
+    writer.write_record(columns).map_err(problem)?;
+    let orientations = orientations.unwrap_or_default();
+    for (k, waypoint) in waypoints.iter().enumerate() {
+        let numbers = waypoint.iter().chain(orientations.get(k).into_iter().flatten());
+        writer.write_record(numbers.map(f64::to_string)).map_err(problem)?;
     }
     writer.into_inner().map_err(|e| Error::invalid("", e.to_string()))
 }
@@ -60,8 +70,26 @@ fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
 pub struct LoadedPath {
     /// At least two positions, m.
     pub waypoints: Vec<Point>,
+    /// The pose at each of them if the platform turns; `None` if it keeps its orientation.
+    pub poses: Option<Vec<Pose>>,
     /// The whole contents of the file, if it is JSON.
     pub file: Option<PathFile>,
+}
+
+impl LoadedPath {
+    /// Refuses a path on which the platform turns, for what is only known without turns.
+    ///
+    /// # Errors
+    /// A path with orientations; `why` tells what needs one without.
+    pub fn refuse_turns(&self, why: &str) -> Result<(), Error> {
+        let Some(poses) = &self.poses else { return Ok(()) };
+        let problem = format!(
+            "found one for each of the {} waypoints, expected none: {why} for platforms that keep their \
+             orientation",
+            poses.len()
+        );
+        Err(Error::invalid("orientations", problem))
+    }
 }
 
 /// Loads a path of at least two waypoints from JSON or CSV.
@@ -78,7 +106,7 @@ pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
 /// # Errors
 /// Names the key or line, what was found and what was expected.
 pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> {
-    if json { from_json(text) } else { from_csv(text).map(|waypoints| LoadedPath { waypoints, file: None }) }
+    if json { from_json(text) } else { from_csv(text) }
 }
 
 /// The scene at the orientation of a path, and a warning if the path was planned for another scene. The orientation is
@@ -133,26 +161,39 @@ fn from_json(text: &str) -> Result<LoadedPath, Error> {
     let why =
         file.status.as_deref().filter(|s| *s != "solved").map_or(String::new(), |s| format!(" (its status is {s})"));
     let waypoints = checked(&file.waypoints, &why)?;
-    Ok(LoadedPath { waypoints, file: Some(file) })
+    Ok(LoadedPath { waypoints, poses: file.poses()?, file: Some(file) })
 }
 
-fn from_csv(text: &str) -> Result<Vec<Point>, Error> {
+fn from_csv(text: &str) -> Result<LoadedPath, Error> {
     let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header: Vec<String> = reader.headers().map_err(csv_problem)?.iter().map(str::to_string).collect();
-    if header != ["x", "y", "z"] {
-        return Err(Error::invalid("header", format!("found \"{}\", expected \"x,y,z\"", header.join(","))));
+    let turns = header == POSE;
+    if header != POSITION && !turns {
+        let expected = "expected \"x,y,z\" or, if the platform turns, \"x,y,z,qw,qx,qy,qz\"";
+        return Err(Error::invalid("header", format!("found \"{}\", {expected}", header.join(","))));
     }
-    let rows = reader.records().map(|row| csv_row(&row.map_err(csv_problem)?)).collect::<Result<Vec<_>, _>>()?;
-    checked(&rows, "")
+    let mut records = reader.records().map(|row| row.map_err(csv_problem));
+    if !turns {
+        let rows = records.map(|row| csv_row(&row?)).collect::<Result<Vec<_>, _>>()?;
+        return Ok(LoadedPath { waypoints: checked(&rows, "")?, poses: None, file: None });
+    }
+    let mut file = PathFile { orientations: Some(Vec::new()), ..PathFile::default() };
+    records.try_for_each(|row| {
+        let [x, y, z, quaternion @ ..] = csv_row::<7>(&row?)?;
+        file.waypoints.push([x, y, z]);
+        file.orientations.get_or_insert_default().push(quaternion);
+        Ok(())
+    })?;
+    Ok(LoadedPath { waypoints: checked(&file.waypoints, "")?, poses: file.poses()?, file: None })
 }
 
-fn csv_row(row: &csv::StringRecord) -> Result<[f64; 3], Error> {
+fn csv_row<const N: usize>(row: &csv::StringRecord) -> Result<[f64; N], Error> {
     let problem = |problem: String| Error::invalid(line_of(row.position()), problem);
     let number = |text: &str| {
         text.parse::<f64>().map_err(|_| problem(format!("found \"{text}\", expected a number with a decimal point")))
     };
     let numbers = row.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
-    <[f64; 3]>::try_from(numbers).map_err(|row| problem(format!("found {} numbers, expected 3", row.len())))
+    <[f64; N]>::try_from(numbers).map_err(|row| problem(format!("found {} numbers, expected {N}", row.len())))
 }
 
 fn line_of(position: Option<&csv::Position>) -> String {

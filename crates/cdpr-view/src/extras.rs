@@ -8,11 +8,12 @@ use super::region;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Clearance, Conditions, WrenchLimit, tightest};
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::geometry::{Aabb, Point, Pose};
 use cdpr_core::model::Scene;
 use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::planning::SearchTree;
 use cdpr_core::regions::{RegionOptions, Regions, regions_within};
+use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::constraint::limit_at;
 use cdpr_core::wrench::map::Grid;
@@ -46,6 +47,23 @@ pub(super) struct Motion {
     margins: Vec<Margins>,
 }
 
+impl Motion {
+    /// The cable lengths alone, m, one row for each place.
+    fn of_lengths(s: Vec<f32>, rows: Vec<Vec<f32>>) -> Self {
+        Motion {
+            s,
+            lengths: by_cable(rows),
+            clearance: Vec::new(),
+            required: Vec::new(),
+            tightest: Vec::new(),
+            pairs: Vec::new(),
+            tensions: Vec::new(),
+            tension_limits: Vec::new(),
+            margins: Vec::new(),
+        }
+    }
+}
+
 /// Wrench margins along a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Margins {
@@ -75,6 +93,24 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     Ok(Some(motion))
 }
 
+/// The cable lengths along a path of poses, whose length counts the turns; `None` for a path of length zero.
+pub(super) fn turning_motion(scene: &Scene, poses: &[Pose]) -> Option<Motion> {
+    let whole = pose_path_length(scene, poses);
+    if !(whole > 0.0) {
+        return None;
+    }
+    let (mut places, mut before) = (vec![(0.0, poses[0])], 0.0);
+    for pair in poses.windows(2) {
+        let (motion, length) = (pair[0].toward(&pair[1]), pose_path_length(scene, pair));
+        let steps = (length / whole * STEPS).ceil();
+        let shares = (1..=steps as usize).map(|k| k as f64 / steps);
+        places.extend(shares.map(|share| (before + share * length, motion.at(share))));
+        before += length;
+    }
+    let s = places.iter().map(|(s, _)| *s as f32).collect();
+    Some(Motion::of_lengths(s, places.iter().map(|(_, pose)| lengths(scene, pose)).collect()))
+}
+
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.
 ///
 /// # Errors
@@ -93,17 +129,9 @@ pub(super) fn timed_motion(
 /// Everything but tensions at these positions.
 fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> Result<Motion, Error> {
     let conditions = Conditions::within(scene, watch)?;
-    let mut motion = Motion {
-        s,
-        lengths: by_cable(positions.iter().map(|position| lengths(scene, position)).collect()),
-        clearance: Vec::new(),
-        required: Vec::new(),
-        tightest: Vec::new(),
-        pairs: Vec::new(),
-        tensions: Vec::new(),
-        tension_limits: Vec::new(),
-        margins: margins(scene, positions, watch)?,
-    };
+    let at = |position: &Point| lengths(scene, &Pose::new(*position, *scene.orientation()));
+    let margins = margins(scene, positions, watch)?;
+    let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
     let tightest: Result<Vec<_>, Error> =
         positions.par_iter().map(|position| watch.check().map(|()| tightest(&conditions, position))).collect();
     for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
@@ -154,9 +182,9 @@ fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Marg
     measures.iter().map(along).collect()
 }
 
-fn lengths(scene: &Scene, position: &Point) -> Vec<f32> {
+fn lengths(scene: &Scene, pose: &Pose) -> Vec<f32> {
     let length = |cable: &cdpr_core::model::Cable| {
-        (cable.outlet - (position + scene.orientation() * cable.attachment.coords)).norm() as f32
+        (cable.outlet - (pose.position + pose.orientation * cable.attachment.coords)).norm() as f32
     };
     scene.robot().cables().iter().map(length).collect()
 }

@@ -15,11 +15,12 @@ use serde_json::{Value, json};
 
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::error::{Error, ErrorClass};
-use cdpr_core::geometry::{Point, Polytope};
+use cdpr_core::geometry::{Point, Polytope, Pose, Rotation};
 use cdpr_core::model::{Obstacle, Scene};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::regions::{NamedMesh, Regions};
 use cdpr_core::trajectory_file::TrajectoryFile;
+use cdpr_core::turning::turn_weight;
 use cdpr_core::watch::Watch;
 
 const TEMPLATE: &str = include_str!("assets/template.html");
@@ -47,7 +48,11 @@ pub fn page_within(
     violations: &[PathViolation],
     watch: &Watch,
 ) -> Result<String, Error> {
-    let motion = path.map(|path| extra(extras::motion(scene, &path.points(), watch))).transpose()?.flatten();
+    let motion = |path: &PathFile| match poses(path) {
+        Some(poses) => Ok(extras::turning_motion(scene, &poses)),
+        None => extra(extras::motion(scene, &path.points(), watch)),
+    };
+    let motion = path.map(motion).transpose()?.flatten();
     let mut data = data(scene, path, violations);
     data["motion"] = json!(motion);
     complete(scene, data, watch)
@@ -113,7 +118,11 @@ fn filled(scene: &Scene, data: &Value) -> String {
 }
 
 fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> Value {
-    let q = scene.orientation();
+    let [at_start, at_goal] = scene.end_orientations();
+    let poses = path.and_then(poses);
+    let ends =
+        poses.as_deref().map(|poses| [poses.first(), poses.last()].map(|pose| pose.map(|pose| pose.orientation)));
+    let [first, last] = ends.unwrap_or_default();
     let waypoints = path.map_or(&[][..], |path| &path.waypoints);
     let no_path = path.and_then(|path| path.no_path.as_deref());
     let asked = no_path.map(|no_path| [no_path.proof.start, no_path.proof.goal]);
@@ -127,23 +136,52 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
         "version": 1,
         "title": scene.name(),
         "workspace": { "min": xyz(&scene.workspace().min), "max": xyz(&scene.workspace().max) },
-        "orientation": [q.w, q.i, q.j, q.k],
+        "orientation": wxyz(scene.orientation()),
         "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
         "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
         "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
         "start": end(waypoints.first(), asked.map(|ends| ends[0]), scene.start()),
         "goal": end(waypoints.last(), asked.map(|ends| ends[1]), scene.goal()),
-        "path": path.map(path_value),
+        "start_orientation": wxyz(&first.unwrap_or(at_start)),
+        "goal_orientation": wxyz(&last.unwrap_or(at_goal)),
+        "path": path.map(|path| path_value(scene, path)),
         "no_path": no_path.map(no_path::shown),
         "violations": violations,
     })
 }
 
+/// The poses of a path on which the platform turns.
+fn poses(path: &PathFile) -> Option<Vec<Pose>> {
+    path.poses().ok().flatten().filter(|poses| !poses.is_empty())
+}
+
+/// Quaternions of poses, with the signs between which interpolation turns as the platform does.
+fn quaternions(poses: &[Pose]) -> Vec<Rotation> {
+    let mut all: Vec<Rotation> = poses.iter().take(1).map(|pose| pose.orientation).collect();
+    for pair in poses.windows(2) {
+        let motion = pair[0].toward(&pair[1]);
+        let reached = Rotation::from_scaled_axis(motion.axis * motion.angle) * all[all.len() - 1];
+        let same = reached.coords.dot(&pair[1].orientation.coords) >= 0.0;
+        let digits = pair[1].orientation.into_inner();
+        all.push(Rotation::new_unchecked(if same { digits } else { -digits }));
+    }
+    all
+}
+
 /// The keys of a path file that users write as well, and the search tree.
-fn path_value(path: &PathFile) -> Value {
-    let mut value = json!(PathFile { planned: None, ..path.clone() });
+fn path_value(scene: &Scene, path: &PathFile) -> Value {
+    let orientations: Option<Vec<[f64; 4]>> = poses(path).map(|poses| quaternions(&poses).iter().map(wxyz).collect());
+    let turns = orientations.is_some();
+    let mut value = json!(PathFile { planned: None, orientations, ..path.clone() });
+    if turns {
+        value["turn_weight"] = json!(turn_weight(scene));
+    }
     value["tree"] = json!(extras::tree(&path.tree));
     value
+}
+
+fn wxyz(q: &Rotation) -> [f64; 4] {
+    [q.w, q.i, q.j, q.k]
 }
 
 fn xyz(p: &Point) -> [f64; 3] {
@@ -197,7 +235,10 @@ fn fill(template: &str, parts: &[(&str, &str)]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
+    use cdpr_core::geometry::Vector;
     use cdpr_core::regions::{RegionOptions, regions};
     use cdpr_core::testing::{block, paper_scene, scene};
 
@@ -208,6 +249,21 @@ mod tests {
         let page = page(&scene, None, &[]);
         assert!(!page.contains("<script>alert(1)"));
         assert_eq!(page.matches(SCRIPT).count(), 1);
+    }
+
+    #[test]
+    fn quaternions_of_the_page_turn_as_the_platform_does() {
+        let yaw = |angle: f64, sign: f64| {
+            let turned = Rotation::from_scaled_axis(Vector::z() * angle).into_inner();
+            Pose::new(Point::origin(), Rotation::new_unchecked(turned * sign))
+        };
+        let poses = [yaw(0.1, 1.0), yaw(3.0, -1.0), yaw(3.0 - PI, 1.0), yaw(-2.0, 1.0), yaw(2.0, -1.0)];
+        let numbers = quaternions(&poses);
+        for (k, pair) in poses.windows(2).enumerate() {
+            let middle = Rotation::new_normalize(numbers[k].into_inner() + numbers[k + 1].into_inner());
+            let expected = pair[0].toward(&pair[1]).at(0.5).orientation;
+            assert!(middle.angle_to(&expected) < 1e-12, "{k}");
+        }
     }
 
     #[test]

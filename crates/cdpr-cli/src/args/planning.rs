@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cdpr_core::geometry::Point;
-use cdpr_core::model::body;
 use cdpr_core::model::spec::MotionSpec;
+use cdpr_core::model::{OrientationSource, body};
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::trajectory::Minimise;
@@ -14,7 +14,7 @@ use clap::{Args, ValueHint};
 
 use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
-use super::values::{budget, choice, positive, something};
+use super::values::{budget, choice, orientation, positive, something};
 
 #[derive(Debug, Args)]
 pub struct PlanArgs {
@@ -45,13 +45,19 @@ pub struct PlanArgs {
     /// Goal instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub goal: Option<Vec<f64>>,
+    /// Orientation at the start instead of the scene's, for a platform that turns on its way.
+    #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
+    pub start_orientation: Option<OrientationSource>,
+    /// Orientation at the goal instead of the scene's, for a platform that turns on its way.
+    #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
+    pub goal_orientation: Option<OrientationSource>,
     /// Only search: do not decide, beside the search, if there is a path at all.
     #[arg(long, conflicts_with = "proof")]
     pub no_proof: bool,
     /// If there is no path, write the proof here (.json); `cdpr check` checks it.
     #[arg(long, value_name = "PROOF", value_hint = ValueHint::FilePath)]
     pub proof: Option<PathBuf>,
-    /// Write the result here (.json, or .csv for the waypoints alone).
+    /// Write the result here (.json, or .csv for the waypoints alone, with their orientations if the platform turns).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
     /// Write a page that shows the result here.
@@ -160,7 +166,15 @@ impl PlanArgs {
         let end = |option: &str, given: &Option<Vec<f64>>| {
             given.as_deref().map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
         };
-        Ok(Query { start: end("--start", &self.start)?, goal: end("--goal", &self.goal)?, ..Query::of(scene) })
+        let turned = |option: &str, given: &Option<OrientationSource>| {
+            given.as_ref().map(|source| scene.named_orientation(option, source)).transpose()
+        };
+        let orientations = [
+            turned("--start-orientation", &self.start_orientation)?,
+            turned("--goal-orientation", &self.goal_orientation)?,
+        ];
+        let [start, goal] = [end("--start", &self.start)?, end("--goal", &self.goal)?];
+        Ok(Query { start, goal, ..Query::of(scene) }.oriented(orientations))
     }
 }
 

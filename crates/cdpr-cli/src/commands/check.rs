@@ -3,8 +3,10 @@
 use cdpr_certify::Summary;
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason};
+use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{CheckReport, check, engine_within};
+use cdpr_core::turning::check_poses;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
@@ -16,7 +18,7 @@ use crate::Answer;
 use crate::args::{CheckArgs, Format, PathArgs};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
-use crate::output::{Console, Verdict, count, scene_line, short, thousandths};
+use crate::output::{Console, Verdict, count, degrees, robot_line, scene_line, short, thousandths};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
@@ -35,6 +37,9 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
 }
 
 fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Console) -> Result<Answer, Error> {
+    if let Some(poses) = &path.poses {
+        return check_turning(args, scene, poses, out);
+    }
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
     let engine = engine_within(scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
     out.notes(engine.conditions());
@@ -44,13 +49,36 @@ fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Cons
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
             out.result(&scene_line(scene));
-            out.verdict(&verdict(report, path.waypoints.len()));
-            report.violations.iter().for_each(|v| out.result(&violation_line(v)));
-            nearest_lines(&report.nearest).iter().for_each(|line| out.result(line));
+            out.verdict(&verdict(report, &count(path.waypoints.len(), "waypoint")));
+            report_lines(report).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
+}
+
+/// Checks a path along which the platform turns; its wrench margins are not measured.
+fn check_turning(args: &PathArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
+    let engine = input::turning_engine(scene, &args.scene.scene, args.checker)?;
+    out.notes(engine.conditions());
+    let check = |stop: &Interrupt| check_poses(scene, &engine, poses, &Watch::on(stop));
+    let report = with_sign_of_life(out, "checking", check)?;
+    match args.scene.format {
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
+        Format::Text => {
+            let waypoints = format!("{}, {}", count(poses.len(), "waypoint"), turns(poses));
+            out.result(&robot_line(scene));
+            out.verdict(&verdict(&report, &waypoints));
+            report_lines(&report).iter().for_each(|line| out.result(line));
+        }
+    }
+    Ok(if report.valid { Answer::Yes } else { Answer::No })
+}
+
+/// How far the platform turns on its way.
+pub fn turns(poses: &[Pose]) -> String {
+    let angle: f64 = poses.windows(2).map(|pair| pair[0].angle_to(&pair[1])).sum();
+    format!("turns by {} in all", degrees(angle))
 }
 
 /// Checks a proof that there is no path, in exact arithmetic and without the code that made it.
@@ -59,6 +87,7 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     let scene = input::scene(&args.scene, out)?;
     let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
     input::selects_orientation(&scene, &args.scene)?;
+    input::never_turns(&scene, &args.scene)?;
     let check = |_: &Interrupt| certificate.check(&scene);
     let found = with_sign_of_life(out, "checking", check).map_err(in_proof)?;
     let Summary { boxes, closed, regions, margin } = found;
@@ -80,13 +109,17 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     Ok(Answer::Yes)
 }
 
-fn verdict(report: &PathReport, waypoints: usize) -> Verdict {
-    let path = format!(" {} m, {}", short(report.length), count(waypoints, "waypoint"));
+fn verdict(report: &PathReport, waypoints: &str) -> Verdict {
+    let path = format!(" {} m, {waypoints}", short(report.length));
     if report.valid {
         Verdict::yes("valid:", path)
     } else {
         Verdict::no("not valid:", format!("{path}, {}", count(report.violations.len(), "violation")))
     }
+}
+
+fn report_lines(report: &PathReport) -> Vec<String> {
+    report.violations.iter().map(violation_line).chain(nearest_lines(&report.nearest)).collect()
 }
 
 fn violation_line(v: &PathViolation) -> String {

@@ -1,18 +1,21 @@
 //! `cdpr plan`
 
+use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::{Member, OrientationSource, PairRule};
-use cdpr_core::numerics::TOUCH_DEPTH;
-use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
+use cdpr_core::numerics::{SAME_TURN, TOUCH_DEPTH};
+use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Query, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::trajectory::kept_plan;
+use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::small_length;
 use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::page;
 
+use super::check::turns;
 use super::post::{check_path_name, save_path};
 use super::trajectory::{Timed, check_trajectory_name, save_trajectory};
 use super::view::IN_BROWSER;
@@ -20,7 +23,8 @@ use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
 use crate::interruption::interrupted;
-use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, position, scene_line, short};
+use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, orientation, position, robot_line};
+use crate::output::{scene_line, short, wxyz};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
@@ -37,8 +41,9 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
     let scene = input::scene(&args.scene, out)?;
     let options = args.options()?;
-    let in_scene = |e: Error| e.in_file(&args.scene.scene);
+    let in_scene = |e: Error| input::in_scene_file(e, &args.scene.scene);
     let query = args.query(&scene)?;
+    refuse_timed_turns(args, &query)?;
     query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
@@ -50,10 +55,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Ok((planned, timed, appraisal))
     };
     let (planned, timed, appraisal) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
-    let ends = query.ends().map_err(in_scene)?;
     planned.checker().iter().for_each(|checker| out.notes(checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let scene = turned.unwrap_or(scene);
+    let ends = args.query(&scene)?.poses().map_err(in_scene)?;
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
     match args.scene.format {
@@ -93,8 +98,18 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let page = page(&shown_scene(&scene, ends)?, Some(&file), &[]);
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
-    say_next(args, &scene, &found, out);
+    say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// Refuses `--trajectory` for a platform that may turn on its way.
+fn refuse_timed_turns(args: &PlanArgs, query: &Query) -> Result<(), Error> {
+    if args.trajectory.is_none() || !query.turns() {
+        return Ok(());
+    }
+    let problem =
+        "found a platform that may turn on its way, expected one that keeps its orientation, as timed motions do";
+    Err(Error::invalid("--trajectory", problem))
 }
 
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
@@ -156,21 +171,34 @@ fn excess_line(cost: f64, bound: f64) -> String {
 }
 
 /// The scene with the start and goal of the query.
-fn shown_scene(scene: &Scene, [start, goal]: [Point; 2]) -> Result<Scene, Error> {
+fn shown_scene(scene: &Scene, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
     let mut spec = scene.spec().clone();
     let query = spec.query.get_or_insert_default();
-    (query.start, query.goal) = (Some(start.into()), Some(goal.into()));
+    (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
+    let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
+    (query.start_orientation, query.goal_orientation) =
+        if keep_orientation(scene, &[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
     Scene::new(spec)
 }
 
-fn question(scene: &Scene, [start, goal]: [Point; 2]) -> String {
-    format!("{}; from {} to {}", scene_line(scene), position(&start), position(&goal))
+/// Whether start and goal have the orientation of the scene.
+fn keep_orientation(scene: &Scene, ends: &[Pose; 2]) -> bool {
+    ends.iter().all(|end| end.orientation.angle_to(scene.orientation()) <= SAME_TURN)
+}
+
+fn question(scene: &Scene, ends: [Pose; 2]) -> String {
+    let [start, goal] = ends.map(|end| position(&end.position));
+    if keep_orientation(scene, &ends) {
+        return format!("{}; from {start} to {goal}", scene_line(scene));
+    }
+    let [at_start, at_goal] = ends.map(|end| orientation(scene, &end.orientation));
+    format!("{}; from {start} at {at_start} to {goal} at {at_goal}", robot_line(scene))
 }
 
 fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     let reason = || found.reason.as_ref().map_or(String::new(), |r| format!(": {}", r.sentence()));
     match found.status {
-        Status::Solved => solved(options, found),
+        Status::Solved => solved(scene, options, found),
         Status::BudgetSpent if found.stats.samples == 0 => {
             Verdict::no("no path found", ": the time budget ran out while the scene was being compiled".to_string())
         }
@@ -190,13 +218,17 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     }
 }
 
-fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
-    let PlanResult { waypoints, stats, .. } = found;
-    let straight = (waypoints[waypoints.len() - 1] - waypoints[0]).norm();
-    let (before, done) = match options.post() {
-        Post::None => ("", ""),
-        Post::StringPulling => ("before string pulling, ", "string pulling"),
-        _ => ("before rewinding, ", "rewinding"),
+fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
+    let PlanResult { waypoints, stats, orientations, .. } = found;
+    let poses = found.poses(scene.orientation());
+    let (before, done) = match options.post {
+        Some(Post::None) => ("", ""),
+        _ if !orientations.is_empty() => ("before shortening, ", "shortening"),
+        _ => match options.post() {
+            Post::None => ("", ""),
+            Post::StringPulling => ("before string pulling, ", "string pulling"),
+            _ => ("before rewinding, ", "rewinding"),
+        },
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
@@ -205,17 +237,34 @@ fn solved(options: &PlanOptions, found: &PlanResult) -> Verdict {
         FoundBy::Decision => format!("; found by the decision, not by {}", options.planner.planner().name()),
     };
     let rest = format!(
-        " {} m with {} ({before}{} m in a straight line){rescued}\n\
+        " {} m with {} ({before}{}){}{rescued}\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment rechecked",
         short(found.cost),
         count(waypoints.len(), "waypoint"),
-        short(straight),
+        straight_words(scene, &poses),
+        turn_words(scene, found, &poses),
         stats.planning_seconds * 1e3,
         count(stats.nodes, "node"),
         count(stats.motion_checks, "motion check"),
         options.seed,
     );
     Verdict::yes("solved:", rest)
+}
+
+/// The length of the motion straight from the first pose to the last.
+fn straight_words(scene: &Scene, poses: &[Pose]) -> String {
+    let ends = [poses[0], poses[poses.len() - 1]];
+    let turn = if ends[0].angle_to(&ends[1]) > SAME_TURN { " with a turn" } else { "" };
+    format!("{} m in a straight line{turn}", short(pose_path_length(scene, &ends)))
+}
+
+/// How far the platform turns, and what this adds to the length; nothing if it keeps its orientation.
+fn turn_words(scene: &Scene, found: &PlanResult, poses: &[Pose]) -> String {
+    if found.orientations.is_empty() {
+        return String::new();
+    }
+    let added = pose_path_length(scene, poses) - path_length(&found.waypoints);
+    format!("; {}, which counts as {} m", turns(poses), short(added))
 }
 
 /// An orientation as given on the command line.
@@ -226,7 +275,8 @@ fn words(orientation: &OrientationSource) -> String {
     }
 }
 
-fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
+/// Says what to do next; `turns` tells whether the platform may turn on its way.
+fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool), out: &Console) {
     let scene = args.scene.scene.display();
     let turned =
         args.scene.orientation.as_ref().map_or(String::new(), |turn| format!(" --orientation {}", words(turn)));
@@ -255,8 +305,9 @@ fn say_next(args: &PlanArgs, asked: &Scene, found: &PlanResult, out: &Console) {
                     "next: only the platform may touch {obstacle}; to let {cable} do so as well, add {pair} to `touch`"
                 ));
             }
+            let turned = if turns { " or orientation (--start-orientation, --goal-orientation)" } else { "" };
             out.say(&format!(
-                "next: choose another position (--start, --goal), or inspect it: cdpr view {scene} -o view.html"
+                "next: choose another position (--start, --goal){turned}, or inspect it: cdpr view {scene} -o view.html"
             ));
         }
         _ => {}

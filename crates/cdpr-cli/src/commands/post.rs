@@ -36,7 +36,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     let out = &out.beside(args.output.as_deref());
     let given = &args.path;
-    let (scene, path) = input::scene_and_path(given, out)?;
+    let (scene, path) = input::scene_and_level_path(given, "rewinding and string pulling are", out)?;
     let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))
         .map_err(|e| e.in_file(&given.scene.scene))?;
     out.remarks(engine.conditions());

@@ -40,7 +40,8 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     check_trajectory_name(args.output.as_deref())?;
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
-    let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let level = (args.strict, "timed motions are");
+    let (scene, path) = input::level_path(&scene, &args.scene, &args.path, level, out)?;
     let limits = args.timing.limits.spec();
     Limits::of(&scene, &limits).map_err(|e| e.in_file(&args.scene.scene))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path.waypoints, &limits, args.timing.rate, &Watch::on(stop));

@@ -5,6 +5,7 @@ use std::path::Path;
 use cdpr_core::collision::{Checker, check_path};
 use cdpr_core::plan::{NoPath, PlanOptions, engine_within};
 use cdpr_core::proof::certificate_ends;
+use cdpr_core::turning::check_poses;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
@@ -14,7 +15,7 @@ use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input::{self, Motion};
 use crate::interruption::interrupted;
-use crate::output::{Console, is_stream, lossy};
+use crate::output::{Console, is_stream, lossy, wxyz};
 
 /// What the user can do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";
@@ -33,13 +34,20 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
         (None, _) => (page_within(&scene, None, &[], &watch)?, Vec::new()),
         (Some(path), Some(text)) => {
             input::selects_orientation(&scene, &args.scene)?;
+            input::never_turns(&scene, &args.scene)?;
             let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
             (page_within(&scene, Some(&shown), &[], &watch)?, Vec::new())
         }
         (Some(path), None) => match input::motion(&scene, &args.scene, path, args.strict, out)? {
             Motion::Path(found) => {
                 let (scene, loaded) = *found;
-                let report = check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?;
+                let report = match &loaded.poses {
+                    None => check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?,
+                    Some(poses) => {
+                        let engine = input::turning_engine(&scene, &args.scene.scene, args.checker)?;
+                        check_poses(&scene, &engine, poses, &watch)?
+                    }
+                };
                 let shown = shown(&loaded, report.length);
                 (page_within(&scene, Some(&shown), &report.violations, &watch)?, report.violations)
             }
@@ -88,5 +96,6 @@ fn proved_again(
 /// The path as its file tells it, with the length found now.
 fn shown(loaded: &LoadedPath, length: f64) -> PathFile {
     let waypoints = loaded.waypoints.iter().map(|p| (*p).into()).collect();
-    PathFile { waypoints, cost: Some(length), ..loaded.file.clone().unwrap_or_default() }
+    let orientations = loaded.poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect());
+    PathFile { waypoints, orientations, cost: Some(length), ..loaded.file.clone().unwrap_or_default() }
 }

@@ -54,7 +54,8 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     let named = args.output.as_deref().filter(|output| !is_stream(output));
     named.map(cdpr_files::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
-    let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
+    let level = (args.strict, "tensions along a path are");
+    let (scene, path) = input::level_path(scene, &args.scene, path, level, out)?;
     let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
     match asked(args, &scene) {
         Err(lacking) if !scene.robot().knows_its_forces() && !demanded => {
