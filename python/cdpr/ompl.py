@@ -265,7 +265,7 @@ def simple_setup(
     ------
     InputError
         No start or goal, neither in the scene nor as an argument; a scene that lists several orientations and selects
-        none; a workspace into which the platform does not fit.
+        none, or in which the platform may turn; a workspace into which the platform does not fit.
 
     Examples
     --------
@@ -275,6 +275,8 @@ def simple_setup(
     'Exact solution'
     """
     instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL has no orientation: an error if the scene selects none
+    if scene._core.turns():
+        raise InputError("turning: found a scene in which the platform may turn, expected one in which it keeps its orientation")
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
     space = StateSpace(scene)
     information = base.SpaceInformation(space)

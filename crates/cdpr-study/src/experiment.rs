@@ -11,7 +11,7 @@ use cdpr_core::fingerprint::fingerprint_of;
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::model::{Scene, body};
 use cdpr_core::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
-use cdpr_core::plan::{PlanOptions, Post, Processing};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::watch::{TimeUnit, time_budget};
@@ -239,6 +239,10 @@ impl Scenario {
         if scene.orientation_is_open() {
             let expected = "expected query.orientation: all methods plan at the same one";
             return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
+        }
+        if Query::of(&scene).turns() {
+            let problem = "found a platform that may turn, expected one that keeps its orientation: trials measure translations";
+            return Err(Error::invalid("scene.turning", problem));
         }
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
         let random = random.transpose().map_err(|e| e.under("random"))?;
