@@ -450,9 +450,9 @@ def check(
     False
     >>> check(scene, [0.3, 1, 0.3])
     Report(valid, 0.0000 m)
-    >>> quarter_turn = [0.5**0.5, 0.0, 0.0, 0.5**0.5]
-    >>> check(scene, [[0.3, 1, 0.3], [0.3, 1, 0.3]], [[1, 0, 0, 0], quarter_turn]).violations[0].kind
-    'cable-platform'
+    >>> half_turn = [0, 0, 0, 1]  # about the vertical
+    >>> check(scene, [[0.3, 1, 0.3], [0.3, 1, 0.3]], [[1, 0, 0, 0], half_turn]).violations[0].kind
+    'cable-cable'
     """
     core = core_for(scene, waypoints, strict=strict)
     positions, turns = _path_or_position(waypoints), _turns_along(waypoints, orientations)

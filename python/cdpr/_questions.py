@@ -59,8 +59,8 @@ def states_valid(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> bool(scene.states_valid([0.3, 1.0, 0.3])), scene.states_valid([[0.3, 1.0, 0.3], [1.0, 1.0, 1.0]])
     (True, array([ True, False]))
-    >>> quarter_turn = [0.5**0.5, 0.0, 0.0, 0.5**0.5]
-    >>> scene.states_valid([0.3, 1.0, 0.3], [[1.0, 0.0, 0.0, 0.0], quarter_turn])
+    >>> half_turn = [0.0, 0.0, 0.0, 1.0]  # about the vertical: cables cross
+    >>> scene.states_valid([0.3, 1.0, 0.3], [[1.0, 0.0, 0.0, 0.0], half_turn])
     array([ True, False])
     """
     flat, turns, shape = _poses(points, orientations)
@@ -107,7 +107,7 @@ def motions_valid(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> scene.motions_valid([[0.3, 1.0, 0.3], [0.3, 1.0, 0.3]], [[1.7, 1.0, 1.7], [0.3, 1.0, 0.8]])
     array([False,  True])
-    >>> yaw = np.radians([2.0, 20.0])
+    >>> yaw = np.radians([20.0, 180.0])
     >>> turned = np.stack([np.cos(yaw / 2), 0 * yaw, 0 * yaw, np.sin(yaw / 2)], axis=-1)
     >>> scene.motions_valid([0.3, 1.0, 0.3], [0.3, 1.0, 0.8], end_orientations=turned)
     array([ True, False])
@@ -258,6 +258,8 @@ def explain_motion(
     >>> found = scene.explain_motion([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])
     >>> found.kind, found.culprits
     ('cable-obstacle', ('cable 1', 'pillar'))
+    >>> scene.explain_motion([0.3, 1.0, 0.3], [0.3, 1.0, 0.3], end_orientation=[0.0, 0.0, 0.0, 1.0]).kind
+    'cable-cable'
     """
     found = violations(
         self, start, end, start_orientation, end_orientation, engine=engine, interference=interference

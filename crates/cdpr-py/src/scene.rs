@@ -8,8 +8,8 @@ use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
-    shorten_path, trace_rewinding,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound,
+    plan, shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;

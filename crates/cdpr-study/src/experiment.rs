@@ -241,7 +241,8 @@ impl Scenario {
             return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
         }
         if Query::of(&scene).turns() {
-            let problem = "found a platform that may turn, expected one that keeps its orientation: trials measure translations";
+            let problem =
+                "found a platform that may turn, expected one that keeps its orientation: trials measure translations";
             return Err(Error::invalid("scene.turning", problem));
         }
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
