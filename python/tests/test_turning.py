@@ -239,6 +239,13 @@ def test_a_platform_that_keeps_its_orientation_has_no_orientations(hard1: cdpr.S
     assert own.orientations is None and own.cost == cdpr.plan(hard1).cost
 
 
+def test_ctrl_c_ends_planning_with_the_best_path(beside: cdpr.Scene) -> None:
+    scene = beside.replace(turning=FLAT, start=PLACE, goal=PLACE, goal_orientation=yaw(np.pi / 2))
+    found: list[cdpr.Result] = []
+    interrupted_after(0.5, lambda: found.append(cdpr.plan(scene, budget=30.0)), raises=None)
+    assert cdpr.check(scene, found[0]).valid
+
+
 def test_start_and_goal_that_are_not_valid_are_explained(beside: cdpr.Scene) -> None:
     scene = beside.replace(start=PLACE, goal=[-0.5, 0.0, 1.0])
     result = cdpr.plan(scene, start_orientation=yaw(np.pi / 4))
@@ -351,10 +358,41 @@ def test_the_page_shows_what_a_turn_breaks(beside: cdpr.Scene) -> None:
     assert "platform-obstacle" in cdpr._view.view(beside, path).html
 
 
-def test_ompl_refuses_scenes_that_turn(hard1: cdpr.Scene) -> None:
+def test_ompl_plans_poses(beside: cdpr.Scene, tmp_path: Path) -> None:
     adapter = pytest.importorskip("cdpr.ompl")
-    with pytest.raises(cdpr.InputError, match="^turning: found a scene in which the platform may turn"):
-        adapter.simple_setup(hard1.replace(turning={}))
+    from ompl import geometric
+
+    scene = beside.replace(turning={"weight": 0.1}, start=PLACE, goal=PLACE)
+    setup = adapter.simple_setup(scene, goal_orientation=yaw(np.pi / 2))
+    setup.setPlanner(geometric.RRTConnect(setup.getSpaceInformation()))
+    assert adapter.solve(setup, 20.0)
+    path = adapter.path(setup)
+    assert path.orientations is not None and len(path.waypoints) > 2
+    assert np.allclose(path.orientations[[0, -1]], [LEVEL, yaw(np.pi / 2)])
+    report = cdpr.check(scene.replace(goal_orientation=yaw(np.pi / 2)), path)
+    assert report.valid and report.length == path.cost
+    path.save(tmp_path / "path.json")
+    assert np.array_equal(cdpr.load_path(tmp_path / "path.json").orientations, path.orientations)
+
+
+def test_ompl_checks_motions_with_a_turn(beside: cdpr.Scene) -> None:
+    adapter = pytest.importorskip("cdpr.ompl")
+    angle = touching(0.12)
+    scene = beside.replace(turning={"weight": 0.1}, start=PLACE, goal=PLACE)
+    information = adapter.simple_setup(scene).getSpaceInformation()
+    space, motions = information.getStateSpace(), information.getMotionValidator()
+    states = information.getStateValidityChecker()
+    level, free, across = (space.state(PLACE, yaw(turn)) for turn in (0.0, 0.9 * angle, 2 * angle))
+    assert states.isValid(free) and not states.isValid(across)
+    assert states.clearance(free) == pytest.approx(0.12 - reach(0.9 * angle), abs=1e-9)
+    assert space.distance(level, free) == pytest.approx(0.1 * 0.9 * angle)
+    assert motions.checkMotion(level, free) and not motions.checkMotion(level, space.state(PLACE, yaw(np.pi / 2)))
+    until = space.allocState()
+    valid, fraction = motions.checkMotionWithLastValid(level, across, until)
+    assert not valid and fraction == pytest.approx(0.5, abs=3e-3) and states.isValid(until)
+    assert 2 * np.arctan2(until.rotation().z, until.rotation().w) == pytest.approx(fraction * 2 * angle)
+    with pytest.raises(cdpr.InputError, match="^turning.axis: found one axis"):
+        adapter.simple_setup(scene.replace(turning={"axis": [0, 0, 1]}))
 
 
 def test_scene_files_with_turning_are_kept(tmp_path: Path) -> None:

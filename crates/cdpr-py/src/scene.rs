@@ -14,7 +14,7 @@ use cdpr_core::plan::{
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
-use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length};
+use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, turn_weight};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
@@ -200,7 +200,8 @@ impl Scene {
         })
     }
 
-    /// Whether one straight motion is valid.
+    /// Whether one straight motion is valid, at the scene's orientation or from one orientation to another.
+    #[pyo3(signature = (start, end, engine, interference, orientations=None))]
     fn motion_valid(
         &self,
         py: Python<'_>,
@@ -208,7 +209,12 @@ impl Scene {
         end: [f64; 3],
         engine: &str,
         interference: &str,
+        orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<bool> {
+        if let Some((first, last)) = orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            return answered(|| Ok(engine.motion_valid(&pose(start, first), &pose(end, last))));
+        }
         let engine = engine_of(py, self, engine, interference)?;
         answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
     }
@@ -226,6 +232,11 @@ impl Scene {
     /// Whether the platform may turn on its way from start to goal.
     fn turns(&self) -> bool {
         Query::of(&self.0).turns()
+    }
+
+    /// Length of a turn by one radian, m.
+    fn turn_weight(&self) -> f64 {
+        turn_weight(&self.0)
     }
 
     /// Smallest and largest coordinates of the positions at which the platform is inside the workspace.
