@@ -3,7 +3,7 @@
 use cdpr_core::Error;
 use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::collision::Validity;
-use cdpr_core::geometry::{Pose, Rotation};
+use cdpr_core::geometry::{Pose, Rotation, rotation_as_written};
 use cdpr_core::model::{OrientationSource, Scene};
 use cdpr_core::turning::TurningEngine;
 use pyo3::prelude::*;
@@ -37,7 +37,7 @@ pub struct PoseRows<'a> {
 impl PoseRows<'_> {
     pub fn pose(&self, k: usize) -> Pose {
         let quaternion = [0, 1, 2, 3].map(|digit| self.quaternions[4 * k + digit]);
-        Pose::new(row(self.positions, k), rotation(quaternion))
+        Pose::new(row(self.positions, k), rotation_as_written(quaternion))
     }
 
     pub fn poses(&self) -> Vec<Pose> {
@@ -47,11 +47,7 @@ impl PoseRows<'_> {
 
 /// The pose at a position with a quaternion whose length has been checked.
 pub fn pose(position: [f64; 3], quaternion: [f64; 4]) -> Pose {
-    Pose::new(point(position), rotation(quaternion))
-}
-
-fn rotation([w, x, y, z]: [f64; 4]) -> Rotation {
-    Rotation::from_quaternion([x, y, z, w].into()) // nalgebra has the real part last
+    Pose::new(point(position), rotation_as_written(quaternion))
 }
 
 /// Whether each motion from pose to pose is valid; with equal ends, whether each pose is.
