@@ -8,7 +8,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._core import MAX_COORDINATE
+from ._core import MAX_COORDINATE, UNIT_QUATERNION
 from .exceptions import InputError
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -49,6 +49,52 @@ def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
     _in_reach(name, array)
     x, y, z = array.tolist()
     return x, y, z
+
+
+def flat_quaternions(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
+    """Return a (..., 4) array of unit quaternions w x y z as rows (n, 4), and the leading shape (...)."""
+    array = as_numbers(name, values)
+    if array.ndim == 0 or array.shape[-1] != 4:
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (..., 4): w x y z")
+    with np.errstate(over="ignore"):
+        lengths = np.asarray(np.linalg.norm(array, axis=-1))
+    good = np.abs(lengths - 1.0) <= UNIT_QUATERNION
+    if not good.all():
+        index = tuple(int(i) for i in np.argwhere(~good)[0])
+        place = name + "".join(f"[{i}]" for i in index)
+        expected = f"expected length 1 within {UNIT_QUATERNION:g} (w x y z)"
+        raise InputError(f"{place}: found a quaternion of length {lengths[index]}, {expected}")
+    return array.reshape(-1, 4), array.shape[:-1]
+
+
+def quaternion(name: str, values: ArrayLike) -> tuple[float, float, float, float]:
+    """One unit quaternion w x y z."""
+    found, shape = flat_quaternions(name, values)
+    if shape != ():
+        raise InputError(f"{name}: found an array of shape {(*shape, 4)}, expected (4,): w x y z")
+    w, x, y, z = found[0].tolist()
+    return w, x, y, z
+
+
+def alike(of: str, *several: tuple[str, tuple[Floats, Shape]]) -> tuple[list[Floats], Shape]:
+    """Broadcast the rows of several arguments to one leading shape; none is copied that has it. `of` names an entry of the first."""
+    shape: Shape = several[0][1][1]
+    for name, (array, own) in several[1:]:
+        try:
+            shape = np.broadcast_shapes(shape, own)
+        except ValueError:
+            found, expected = (*own, array.shape[1]), (*shape, array.shape[1])
+            problem = f"found an array of shape {found}, expected {expected}, one for each {of}, or a single one"
+            raise InputError(f"{name}: {problem}") from None
+    return [_spread(array, own, shape) for _, (array, own) in several], shape
+
+
+def _spread(array: Floats, own: Shape, shape: Shape) -> Floats:
+    columns = array.shape[1]
+    if own == shape:
+        return array
+    spread = np.broadcast_to(array.reshape(*own, columns), (*shape, columns))
+    return np.ascontiguousarray(spread).reshape(-1, columns)
 
 
 def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:

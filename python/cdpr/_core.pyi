@@ -13,6 +13,7 @@ __all__ = [
     "Scene",
     "Statics",
     "Trajectory",
+    "UNIT_QUATERNION",
     "WrenchMap",
     "__version__",
     "check_robot",
@@ -31,8 +32,10 @@ __all__ = [
 __version__: str
 GRAVITY: list[float]
 MAX_COORDINATE: float
+UNIT_QUATERNION: float
 
 _Point = tuple[float, float, float]
+_Turn = tuple[float, float, float, float]
 _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
 _Maybe = _Floats | None
@@ -51,13 +54,34 @@ class Scene:
     def notes(self) -> list[str]: ...
     def good_notes(self) -> list[str]: ...
     def states_valid(
-        self, positions: _Floats, engine: str, interference: str, threads: int | None
+        self,
+        positions: _Floats,
+        engine: str,
+        interference: str,
+        threads: int | None,
+        orientations: _Floats | None = None,
     ) -> NDArray[np.bool_]: ...
     def motions_valid(
-        self, starts: _Floats, ends: _Floats, engine: str, interference: str, threads: int | None
+        self,
+        starts: _Floats,
+        ends: _Floats,
+        engine: str,
+        interference: str,
+        threads: int | None,
+        orientations: tuple[_Floats, _Floats] | None = None,
     ) -> NDArray[np.bool_]: ...
-    def motion_valid(self, start: Sequence[float], end: Sequence[float], engine: str, interference: str) -> bool: ...
+    def motion_valid(
+        self,
+        start: Sequence[float],
+        end: Sequence[float],
+        engine: str,
+        interference: str,
+        orientations: tuple[Sequence[float], Sequence[float]] | None = None,
+    ) -> bool: ...
     def orientation(self) -> list[float]: ...
+    def end_orientations(self) -> list[list[float]]: ...
+    def turns(self) -> bool: ...
+    def turn_weight(self) -> float: ...
     def orientations(self) -> list[tuple[str, list[float]]]: ...
     def for_path(
         self,
@@ -67,9 +91,18 @@ class Scene:
         strict: bool = False,
     ) -> tuple[Scene | None, str | None]: ...
     def position_box(self) -> tuple[list[float], list[float]]: ...
-    def clearance(self, positions: _Floats, threads: int | None) -> _Floats: ...
-    def violations(self, start: _Point, end: _Point, engine: str, interference: str) -> str: ...
-    def check(self, waypoints: _Floats, engine: str, interference: str) -> str: ...
+    def clearance(self, positions: _Floats, threads: int | None, orientations: _Floats | None = None) -> _Floats: ...
+    def violations(
+        self,
+        start: _Point,
+        end: _Point,
+        engine: str,
+        interference: str,
+        orientations: tuple[_Turn, _Turn] | None = None,
+    ) -> str: ...
+    def check(
+        self, waypoints: _Floats, engine: str, interference: str, orientations: _Floats | None = None
+    ) -> str: ...
     def wrench_at(self, position: _Point, force: float | None, moment: float | None) -> str: ...
     def tensions_along(self, waypoints: _Floats, step: float, reference: list[float] | None) -> str: ...
     def plan(
@@ -80,6 +113,8 @@ class Scene:
         seed: int,
         start: _Point | None,
         goal: _Point | None,
+        start_orientation: str | _Turn | None,
+        goal_orientation: str | _Turn | None,
         step: float,
         post: str | None,
         repeats: int,

@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, flat_points, number, point, rows, shown, whole
+from ._arrays import Floats, finite, flat_points, number, point, quaternion, rows, shown, whole
 from ._given import file_name, flag, instance, text
 from ._questions import Engine, Interference, judges
 from ._proof import proof_from
-from ._results import Milestone, Path, Report, Result, SearchTree
+from ._results import Milestone, Path, Report, Result, SearchTree, turns_of
 from ._scene import Scene
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, InputError
@@ -55,6 +55,8 @@ def plan(
     goal_bias: float | None = None,
     near_radius: float | None = None,
     orientation: ArrayLike | str | None = None,
+    start_orientation: ArrayLike | str | None = None,
+    goal_orientation: ArrayLike | str | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
     proof: bool = True,
@@ -106,6 +108,9 @@ def plan(
     orientation : array_like (4,) or str, optional
         World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, to use instead of
         the scene's. If neither selects one, the orientation with the shortest path is used.
+    start_orientation, goal_orientation : array_like (4,) or str, optional
+        World-from-platform unit quaternions w x y z, or names of the scene's orientations, at start and goal instead of
+        the scene's. If they differ, or the scene has ``turning``, the platform turns on its way.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     proof : bool
@@ -117,7 +122,7 @@ def plan(
     Returns
     -------
     Result
-        Every returned path has been rechecked as a whole.
+        Every returned path has been rechecked as a whole. ``orientations`` is None unless the platform turns.
 
     Raises
     ------
@@ -137,6 +142,10 @@ def plan(
     (True, True)
     >>> plan(Scene.load("testdata/scenes/plank.toml")).orientation_name
     'along'
+    >>> yawed = [0.9961946980917455, 0.0, 0.0, 0.08715574274765817]  # by 10°
+    >>> turning = plan(scene, goal_orientation=yawed, goal=[0.3, 1.0, 0.8], seed=1)
+    >>> turning.orientations[-1].round(3)
+    array([0.996, 0.   , 0.   , 0.087])
     """
     settings = {
         "max_samples": None if max_samples is None else whole("max_samples", max_samples),
@@ -158,6 +167,8 @@ def plan(
         whole("seed", seed),
         None if start is None else point("start", start),
         None if goal is None else point("goal", goal),
+        _turn("start_orientation", start_orientation),
+        _turn("goal_orientation", goal_orientation),
         number("step", step),
         None if post is None else text("post", post),
         whole("repeats", repeats),
@@ -169,6 +180,12 @@ def plan(
     return _result(written, SearchTree(*tree), certificate)
 
 
+def _turn(name: str, orientation: ArrayLike | str | None) -> str | tuple[float, float, float, float] | None:
+    if orientation is None:
+        return None
+    return text(name, orientation) if isinstance(orientation, str) else quaternion(name, orientation)
+
+
 def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
     """The result that JSON of the core describes: the keys that `Result` has, those of arrays and tuples converted."""
     found = json.loads(written)
@@ -176,6 +193,7 @@ def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
         "waypoints": _array(found["waypoints"]),
         "cost": _number(found["cost"]),
         "orientation": np.array(found["orientation"]),
+        "orientations": np.array(found["orientations"]) if "orientations" in found else None,
         "found_by": found.get("found_by", found["planner"]) if found["status"] == "solved" else None,
         "raw_waypoints": _array(found["raw_waypoints"]),
         "raw_cost": _number(found["raw_cost"]),
@@ -217,6 +235,14 @@ def _turned(scene: Scene, waypoints: ArrayLike | Path, strict: bool) -> tuple[_c
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
+    """The waypoints of a path on which the platform keeps its orientation."""
+    if isinstance(waypoints, Path) and waypoints.orientations is not None:
+        found = "found a path on which the platform turns, expected one on which it keeps its orientation"
+        raise InputError(f"{name}.orientations: {found}")
+    return _two_or_more(name, waypoints)
+
+
+def _two_or_more(name: str, waypoints: ArrayLike | Path) -> Floats:
     array = rows(name, waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
     if len(array) < 2:
         raise InputError(f"{name}: found {len(array)} waypoints, expected at least two")
@@ -384,6 +410,7 @@ def lower_bound(
 def check(
     scene: Scene,
     waypoints: ArrayLike | Path,
+    orientations: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
@@ -396,6 +423,10 @@ def check(
     scene : Scene
     waypoints : array_like (k, 3) or (3,)
         Positions of the platform's origin, world, m; a single one is checked as a position.
+    orientations : array_like (k, 4) or (4,), optional
+        World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; between two of them
+        the platform takes the shorter turn at constant rate. Default those of the path or, if it has none, the scene's
+        orientation.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
@@ -404,6 +435,7 @@ def check(
     Returns
     -------
     Report
+        Without wrenches and tensions if the platform turns; required wrenches are checked.
 
     Raises
     ------
@@ -418,9 +450,14 @@ def check(
     False
     >>> check(scene, [0.3, 1, 0.3])
     Report(valid, 0.0000 m)
+    >>> half_turn = [0, 0, 0, 1]  # about the vertical
+    >>> check(scene, [[0.3, 1, 0.3], [0.3, 1, 0.3]], [[1, 0, 0, 0], half_turn]).violations[0].kind
+    'cable-cable'
     """
     core = core_for(scene, waypoints, strict=strict)
-    found = json.loads(core.check(_path_or_position(waypoints), *judges(engine, interference)))
+    positions, turns = _path_or_position(waypoints), _turns_along(waypoints, orientations)
+    along = None if turns is None else turns_of(positions, turns)
+    found = json.loads(core.check(positions, *judges(engine, interference), along))
     violations = tuple(violation_from(values) for values in found["violations"])
     exempt = tuple(exemption_from(values) for values in found["exempt"])
     return Report(**{**found, "violations": violations, "exempt": exempt})
@@ -429,9 +466,17 @@ def check(
 def _path_or_position(waypoints: ArrayLike | Path) -> Floats:
     """The rows of a path; a single position becomes a path that stays there."""
     if isinstance(waypoints, Path):
-        return path_rows("waypoints", waypoints)
+        return _two_or_more("waypoints", waypoints)
     flat, shape = flat_points("waypoints", waypoints)
-    return np.repeat(flat, 2, axis=0) if shape == () else path_rows("waypoints", waypoints)
+    return np.repeat(flat, 2, axis=0) if shape == () else _two_or_more("waypoints", waypoints)
+
+
+def _turns_along(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> ArrayLike | None:
+    """The orientations given for a path, or its own."""
+    own = waypoints.orientations if isinstance(waypoints, Path) else None
+    if own is not None and orientations is not None:
+        raise InputError("orientations: found some for a path that has its own, expected none")
+    return own if orientations is None else orientations
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False) -> Path:
@@ -475,7 +520,12 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
         warnings.warn(f"{file}: {warning}", AnotherSceneWarning, stacklevel=2)
     waypoints = _array(rows_of_file)
     cost = float(np.linalg.norm(np.diff(waypoints, axis=0), axis=1).sum())
-    return Path(waypoints, cost, None if turn is None else np.array(turn), _json=written)
+    known = json.loads(written)
+    turns = known.get("orientations")
+    if turns is not None:
+        cost = known.get("cost", cost)  # the weight of turns is that of the scene
+    orientation = None if turn is None else np.array(turn)
+    return Path(waypoints, cost, orientation, orientations=turns, _json=written)
 
 
 def schema(of: Literal["scene", "robot", "path", "experiment"] = "scene") -> dict[str, Any]:

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Floats, Shape, flat_points, point, rows, shaped, thread_count
+from ._arrays import Floats, Shape, alike, flat_points, flat_quaternions, point, quaternion, shaped, thread_count
 from ._given import text
 from ._violation import Violation, violation_from
-from .exceptions import InputError
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -29,17 +28,21 @@ def judges(engine: Engine, interference: Interference) -> tuple[Engine, Interfer
 def states_valid(
     self: Scene,
     points: ArrayLike,
+    orientations: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether each position of the platform is valid.
+    """Whether each position of the platform is valid, at the scene's orientation or at those given.
 
     Parameters
     ----------
     points : array_like (..., 3)
         Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+    orientations : array_like (..., 4), optional
+        World-from-platform unit quaternions w x y z, one for each position, or a single one for all; both signs are the
+        same rotation. Default the scene's orientation.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     threads : int, optional
@@ -56,30 +59,40 @@ def states_valid(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> bool(scene.states_valid([0.3, 1.0, 0.3])), scene.states_valid([[0.3, 1.0, 0.3], [1.0, 1.0, 1.0]])
     (True, array([ True, False]))
+    >>> half_turn = [0.0, 0.0, 0.0, 1.0]  # about the vertical: cables cross
+    >>> scene.states_valid([0.3, 1.0, 0.3], [[1.0, 0.0, 0.0, 0.0], half_turn])
+    array([ True, False])
     """
-    flat, shape = flat_points("points", points)
-    return shaped(self._core.states_valid(flat, *judges(engine, interference), thread_count(threads)), shape)
+    flat, turns, shape = _poses(points, orientations)
+    answers = self._core.states_valid(flat, *judges(engine, interference), thread_count(threads), turns)
+    return shaped(answers, shape)
 
 
 def motions_valid(
     self: Scene,
     starts: ArrayLike,
     ends: ArrayLike,
+    start_orientations: ArrayLike | None = None,
+    end_orientations: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether each straight motion of the platform, at fixed orientation, is valid.
+    """Whether each straight motion of the platform is valid, at fixed orientation or from one orientation to another.
 
     Parameters
     ----------
     starts, ends : array_like (..., 3)
         Positions of the platform's origin, world, m: one end for each start, or a single one for all. C-contiguous
         float64 is not copied.
+    start_orientations, end_orientations : array_like (..., 4), optional
+        World-from-platform unit quaternions w x y z, one for each motion, or a single one for all; both signs are the
+        same rotation. Default the scene's orientation. The platform takes the shorter turn, at constant rate; of two half
+        turns always the same one.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
-        "swept" is the paper's stricter rule for pairs of cables.
+        "swept" is the paper's stricter rule for pairs of cables, for motions without a turn.
     threads : int, optional
         Default all cores; the answers do not depend on it.
 
@@ -94,29 +107,51 @@ def motions_valid(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> scene.motions_valid([[0.3, 1.0, 0.3], [0.3, 1.0, 0.3]], [[1.7, 1.0, 1.7], [0.3, 1.0, 0.8]])
     array([False,  True])
+    >>> yaw = np.radians([20.0, 180.0])
+    >>> turned = np.stack([np.cos(yaw / 2), 0 * yaw, 0 * yaw, np.sin(yaw / 2)], axis=-1)
+    >>> scene.motions_valid([0.3, 1.0, 0.3], [0.3, 1.0, 0.8], end_orientations=turned)
+    array([ True, False])
     """
-    (first, shape), (last, other) = flat_points("starts", starts), flat_points("ends", ends)
-    if shape != other:
-        first, last, shape = _paired(first.reshape(*shape, 3), last.reshape(*other, 3))
-    return shaped(self._core.motions_valid(first, last, *judges(engine, interference), thread_count(threads)), shape)
+    ends_of = ("starts", flat_points("starts", starts)), ("ends", flat_points("ends", ends))
+    if start_orientations is None and end_orientations is None:
+        (first, last), shape = alike("start", *ends_of)
+        turns = None
+    else:
+        given = {"start_orientations": start_orientations, "end_orientations": end_orientations}
+        turned = [(name, _turns(self, name, turn)) for name, turn in given.items()]
+        (first, last, before, after), shape = alike("motion", *ends_of, *turned)
+        turns = (before, after)
+    answers = self._core.motions_valid(first, last, *judges(engine, interference), thread_count(threads), turns)
+    return shaped(answers, shape)
 
 
-def _paired(starts: Floats, ends: Floats) -> tuple[Floats, Floats, Shape]:
-    try:
-        first, last = np.broadcast_arrays(starts, ends)
-    except ValueError:
-        found = f"found an array of shape {ends.shape}"
-        raise InputError(f"ends: {found}, expected {starts.shape}, one for each start, or a single one") from None
-    return rows("starts", first.reshape(-1, 3)), rows("ends", last.reshape(-1, 3)), first.shape[:-1]
+def _turns(scene: Scene, name: str, orientations: ArrayLike | None) -> tuple[Floats, Shape]:
+    """Orientations as rows; by default the scene's."""
+    return flat_quaternions(name, scene.orientation if orientations is None else orientations)
 
 
-def clearance(self: Scene, points: ArrayLike, *, threads: int | None = None) -> Floats:
+def _poses(points: ArrayLike, orientations: ArrayLike | None) -> tuple[Floats, Floats | None, Shape]:
+    """Positions and orientations as rows, and their leading shape; no orientations if none are given."""
+    positions = flat_points("points", points)
+    if orientations is None:
+        return positions[0], None, positions[1]
+    turns = flat_quaternions("orientations", orientations)
+    (flat, quaternions), shape = alike("position", ("points", positions), ("orientations", turns))
+    return flat, quaternions, shape
+
+
+def clearance(
+    self: Scene, points: ArrayLike, orientations: ArrayLike | None = None, *, threads: int | None = None
+) -> Floats:
     """Signed clearance of each position: the smallest gap between bodies that must not touch.
 
     Parameters
     ----------
     points : array_like (..., 3)
         Positions of the platform's origin, world, m. C-contiguous float64 is not copied.
+    orientations : array_like (..., 4), optional
+        World-from-platform unit quaternions w x y z, one for each position, or a single one for all; default the scene's
+        orientation.
     threads : int, optional
         Default all cores; the answers do not depend on it.
 
@@ -135,14 +170,16 @@ def clearance(self: Scene, points: ArrayLike, *, threads: int | None = None) -> 
     >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
     array([0.05    , 0.024121])
     """
-    flat, shape = flat_points("points", points)
-    return shaped(self._core.clearance(flat, thread_count(threads)), shape)
+    flat, turns, shape = _poses(points, orientations)
+    return shaped(self._core.clearance(flat, thread_count(threads), turns), shape)
 
 
 def violations(
     self: Scene,
     start: ArrayLike,
     end: ArrayLike | None = None,
+    start_orientation: ArrayLike | None = None,
+    end_orientation: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
@@ -155,6 +192,9 @@ def violations(
         Position of the platform's origin, world, m.
     end : array_like (3,), optional
         End of a straight motion from ``start``, m; default: only the position is checked.
+    start_orientation, end_orientation : array_like (4,), optional
+        World-from-platform unit quaternions w x y z, for a platform that turns on its way; default the scene's
+        orientation, without ``end`` that at the start.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
@@ -174,7 +214,14 @@ def violations(
     """
     first = point("start", start)
     last = first if end is None else point("end", end)
-    found = json.loads(self._core.violations(first, last, *judges(engine, interference)))
+    if end is None and end_orientation is None:
+        end_orientation = start_orientation
+    turns = None
+    if start_orientation is not None or end_orientation is not None:
+        given = {"start_orientation": start_orientation, "end_orientation": end_orientation}
+        before, after = [quaternion(name, self.orientation if turn is None else turn) for name, turn in given.items()]
+        turns = (before, after)
+    found = json.loads(self._core.violations(first, last, *judges(engine, interference), turns))
     return tuple(violation_from(values) for values in found)
 
 
@@ -182,6 +229,8 @@ def explain_motion(
     self: Scene,
     start: ArrayLike,
     end: ArrayLike,
+    start_orientation: ArrayLike | None = None,
+    end_orientation: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
@@ -192,6 +241,9 @@ def explain_motion(
     ----------
     start, end : array_like (3,)
         Positions of the platform's origin, world, m; if they are equal, the position is checked.
+    start_orientation, end_orientation : array_like (4,), optional
+        World-from-platform unit quaternions w x y z, for a platform that turns on its way; default the scene's
+        orientation.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
@@ -206,5 +258,10 @@ def explain_motion(
     >>> found = scene.explain_motion([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])
     >>> found.kind, found.culprits
     ('cable-obstacle', ('cable 1', 'pillar'))
+    >>> scene.explain_motion([0.3, 1.0, 0.3], [0.3, 1.0, 0.3], end_orientation=[0.0, 0.0, 0.0, 1.0]).kind
+    'cable-cable'
     """
-    return next(iter(violations(self, start, end, engine=engine, interference=interference)), None)
+    found = violations(
+        self, start, end, start_orientation, end_orientation, engine=engine, interference=interference
+    )
+    return next(iter(found), None)

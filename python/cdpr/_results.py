@@ -9,9 +9,10 @@ from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Ints, numbers, rows, shown
+from ._arrays import Floats, Ints, alike, flat_quaternions, numbers, rows, shown
 from ._given import file_name
 from ._pandas import frame
 from ._proof import Proof
@@ -29,10 +30,13 @@ class Path(ByValue):
     waypoints : ndarray (k, 3)
         Positions of the platform's origin, world, m.
     cost : float
-        Length, m.
+        Length, m; if the platform turns, plus the weight of turns times their angles.
     orientation : ndarray (4,) or None
         World-from-platform unit quaternion w x y z, held along the whole path; None means the scene's orientation. If
         the scene selects no orientation, the path's is used.
+    orientations : ndarray (k, 4) or None
+        Unit quaternion w x y z at each waypoint, if the platform turns: between two of them it takes the shorter turn at
+        constant rate. ``orientation`` is then that of the scene.
 
     Examples
     --------
@@ -48,6 +52,7 @@ class Path(ByValue):
     waypoints: Floats
     cost: float
     orientation: Floats | None = None
+    orientations: Floats | None = field(default=None, kw_only=True)
     _json: str = field(default="{}", compare=False, kw_only=True)
 
     def __post_init__(self) -> None:
@@ -57,13 +62,15 @@ class Path(ByValue):
             raise InputError(f"cost: found {shown(self.cost)}, expected a number")
         if self.orientation is not None:
             object.__setattr__(self, "orientation", np.array(numbers("orientation", self.orientation, 4, "w x y z")))
+        if self.orientations is not None:
+            object.__setattr__(self, "orientations", turns_of(self.waypoints, self.orientations))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         """Return the waypoints, (k, 3), m."""
         return np.array(self.waypoints, dtype=dtype, copy=copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a path file: .json, or .csv for the waypoints alone.
+        """Write a path file: .json, or .csv for the waypoints alone, if the platform keeps its orientation.
 
         Parameters
         ----------
@@ -74,16 +81,25 @@ class Path(ByValue):
         ------
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
+        InputError
+            A path on which the platform turns, for .csv.
         """
-        _core.save_path(file_name(path), json.dumps(self._said()))
+        file = file_name(path)
+        if self.orientations is not None and file.lower().endswith(".csv"):
+            problem = "found a path on which the platform turns, which CSV files cannot hold"
+            raise InputError(f"orientations: {problem}; expected the extension .json")
+        _core.save_path(file, json.dumps(self._said()))
 
     def _said(self) -> dict[str, Any]:
         """The contents for the file: everything that is known about this path, and nothing about another one."""
         known: dict[str, Any] = json.loads(self._json)
         waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
-        if known.get("orientation") in (None, turn) and known.get("waypoints") == waypoints:
+        turned = None if self.orientations is None else self.orientations.tolist()
+        same_turns = known.get("orientation") in (None, turn) and known.get("orientations") == turned
+        if same_turns and known.get("waypoints") == waypoints:
             return known | {"orientation": turn}
         kept = {key: value for key, value in self._origin().items() if key == "scene"}
+        kept |= {} if turned is None else {"orientations": turned}
         cost = self.cost if np.isfinite(self.cost) else None
         return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
 
@@ -100,7 +116,8 @@ class Path(ByValue):
         Returns
         -------
         DataFrame
-            One row per waypoint: ``s``, the distance along the path, and ``x``, ``y``, ``z``, world, all in m.
+            One row per waypoint: ``s``, the distance along the path, and ``x``, ``y``, ``z``, world, all in m; if the
+            platform turns, also the quaternion ``qw``, ``qx``, ``qy``, ``qz``.
 
         Examples
         --------
@@ -111,11 +128,21 @@ class Path(ByValue):
         """
         steps = np.linalg.norm(np.diff(self.waypoints, axis=0), axis=1)
         along = np.concatenate([np.zeros(min(len(self.waypoints), 1)), np.cumsum(steps)])
-        return frame({"s": along, **_axes(self.waypoints)}, "waypoint")
+        turns = {} if self.orientations is None else dict(zip(("qw", "qx", "qy", "qz"), self.orientations.T, strict=True))
+        return frame({"s": along, **_axes(self.waypoints), **turns}, "waypoint")
 
     def __repr__(self) -> str:
         """Show length and size."""
         return f"{type(self).__name__}({self.cost:.4f} m, {_count(len(self.waypoints), 'waypoint')})"
+
+
+def turns_of(waypoints: Floats, orientations: ArrayLike) -> Floats:
+    """One quaternion for each waypoint, (k, 4), from as many or a single one."""
+    turns = flat_quaternions("orientations", orientations)
+    (_, found), shape = alike("waypoint", ("waypoints", (waypoints, waypoints.shape[:1])), ("orientations", turns))
+    if shape != waypoints.shape[:1]:
+        raise InputError(f"orientations: found an array of shape {(*turns[1], 4)}, expected {(len(waypoints), 4)}, one for each waypoint")
+    return found
 
 
 class Milestone(NamedTuple):
@@ -205,6 +232,8 @@ class Result(Path):
         Its length, m; NaN unless solved.
     orientation : ndarray (4,)
         World-from-platform unit quaternion w x y z, held along the whole path.
+    orientations : ndarray (k, 4) or None
+        Unit quaternion w x y z at each waypoint; None if the platform keeps its orientation.
     status : str
         "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid".
     found_by : str or None

@@ -43,6 +43,8 @@ class Scene(Immutable):
         orientation, and everything else uses the first, with a `CdprWarning`; without `orientations`, no rotation.
     orientations : mapping of str to array_like (4,) or mapping, optional
         Named orientations: quaternions as above, or tables of a scene file, such as ``{"rpy_degrees": [0, 0, 90]}``.
+    start_orientation, goal_orientation : array_like (4,) or str, optional
+        Orientations at start and goal, if the platform turns on its way; default ``orientation``.
     clearance : float, default 0
         Minimum distance between bodies that must not touch, m.
     clearances : mapping of str or tuple of str to float, optional
@@ -59,6 +61,10 @@ class Scene(Immutable):
         requires balls of 50 N and 5 N·m, ``{}`` the weight alone. If omitted, wrench feasibility is not checked.
     motion : mapping, optional
         Limits of `cdpr.trajectory`, as in the table ``[motion]`` of a scene file: ``{"speed": 1, "acceleration": 2}``.
+    turning : mapping, optional
+        How the platform may turn on its way, as in the table ``[turning]`` of a scene file: ``{"axis": [0, 0, 1]}`` for
+        turns about the vertical, ``{"max_tilt": 20}`` for tilts up to 20°, ``{}`` for any. If omitted, it only turns if
+        start and goal differ in orientation.
     name : str, optional
         Name used in messages and figures.
 
@@ -87,6 +93,8 @@ class Scene(Immutable):
         goal: ArrayLike | None = None,
         orientation: ArrayLike | str | None = None,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+        start_orientation: ArrayLike | str | None = None,
+        goal_orientation: ArrayLike | str | None = None,
         clearance: float = 0.0,
         clearances: Clearances | None = None,
         touch: Iterable[Names] = (),
@@ -94,10 +102,12 @@ class Scene(Immutable):
         gravity: ArrayLike | None = None,
         wrench: Mapping[str, Any] | None = None,
         motion: Mapping[str, Any] | None = None,
+        turning: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
         query = {"start": start, "goal": goal, "orientation": orientation}
+        query |= {"start_orientation": start_orientation, "goal_orientation": goal_orientation}
         spec: dict[str, Any] = {
             "version": 1,
             "robot": _robot_table(robot),
@@ -106,7 +116,8 @@ class Scene(Immutable):
             "query": {key: QUERY[key](value) for key, value in query.items() if value is not None},
         }
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
-        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion, "name": name}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
+        given |= {"turning": turning, "name": name}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
         self._adopt(_from_spec(spec))
@@ -203,6 +214,8 @@ class Scene(Immutable):
         goal: ArrayLike | None | Kept = KEPT,
         orientation: ArrayLike | str | None | Kept = KEPT,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None | Kept = KEPT,
+        start_orientation: ArrayLike | str | None | Kept = KEPT,
+        goal_orientation: ArrayLike | str | None | Kept = KEPT,
         clearance: float | None = None,
         clearances: Clearances | None | Kept = KEPT,
         touch: Iterable[Names] | None | Kept = KEPT,
@@ -210,6 +223,7 @@ class Scene(Immutable):
         gravity: ArrayLike | None | Kept = KEPT,
         wrench: Mapping[str, Any] | None | Kept = KEPT,
         motion: Mapping[str, Any] | None | Kept = KEPT,
+        turning: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Scene:
         """Return a copy of the scene with the given changes.
@@ -228,6 +242,8 @@ class Scene(Immutable):
             first of those, or no rotation.
         orientations : mapping or None, optional
             All named orientations, as in the class; None removes them.
+        start_orientation, goal_orientation : array_like (4,), str or None, optional
+            Orientations at start and goal, as in the class; None removes them.
         clearance : float, optional
             Metres.
         clearances : mapping or None, optional
@@ -240,6 +256,8 @@ class Scene(Immutable):
             Requirements on wrench feasibility, as in the class; None removes them.
         motion : mapping or None, optional
             Limits of motions, as in the class; None removes them.
+        turning : mapping or None, optional
+            How the platform may turn, as in the class; None removes it.
         name : str or None, optional
             None removes it.
 
@@ -263,13 +281,16 @@ class Scene(Immutable):
         if robot is not None:
             spec["robot"] = _robot_table(robot)
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
-        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion, "name": name}
+        given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
+        given |= {"turning": turning, "name": name}
         given |= {"workspace": KEPT if workspace is None else workspace}
         given |= {"clearance": KEPT if clearance is None else clearance}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
         query = spec.setdefault("query", {})
-        for key, value in (("start", start), ("goal", goal), ("orientation", orientation)):
+        asked = {"start": start, "goal": goal, "orientation": orientation}
+        asked |= {"start_orientation": start_orientation, "goal_orientation": goal_orientation}
+        for key, value in asked.items():
             put(query, key, value, QUERY[key])
         return self._edited(spec)
 
@@ -413,6 +434,12 @@ class Scene(Immutable):
         return None if limits is None else MappingProxyType(limits)
 
     @property
+    def turning(self) -> Mapping[str, Any] | None:
+        """How the platform may turn, read-only, as in the table of a scene file; None if the scene does not say."""
+        limits = self.to_dict().get("turning")
+        return None if limits is None else MappingProxyType(limits)
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """Remarks about the scene: the warnings issued, and how meshes were replaced by convex parts."""
         return tuple(self._core.notes())
@@ -482,6 +509,23 @@ class Scene(Immutable):
     def goal(self) -> Floats | None:
         """Goal of the query, (3,), m, if given."""
         return self._end("goal")
+
+    @property
+    def start_orientation(self) -> Floats:
+        """Unit quaternion w x y z at the start, (4,): that of the query, or `orientation`.
+
+        Examples
+        --------
+        >>> scene = Scene.load("testdata/scenes/hard1.toml").replace(goal_orientation=[0, 0, 0, 1])
+        >>> scene.start_orientation, scene.goal_orientation
+        (array([1., 0., 0., 0.]), array([0., 0., 0., 1.]))
+        """
+        return np.array(self._core.end_orientations()[0], dtype=np.float64)
+
+    @property
+    def goal_orientation(self) -> Floats:
+        """Unit quaternion w x y z at the goal, (4,): that of the query, or `orientation`."""
+        return np.array(self._core.end_orientations()[1], dtype=np.float64)
 
     def _end(self, key: str) -> Floats | None:
         end = self._spec.get("query", {}).get(key)

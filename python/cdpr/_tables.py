@@ -142,10 +142,17 @@ def box_table(workspace: ArrayLike) -> dict[str, list[float]]:
     return {"min": box[0].tolist(), "max": box[1].tolist()}
 
 
+def _orientation(key: str, value: Any) -> Any:
+    """A name or a quaternion."""
+    return text(key, value) if isinstance(value, str) else numbers(key, value, 4, "w x y z")
+
+
 QUERY: dict[str, Callable[[Any], Any]] = {
     "start": lambda value: point("start", value),
     "goal": lambda value: point("goal", value),
-    "orientation": lambda value: text("orientation", value) if isinstance(value, str) else numbers("orientation", value, 4, "w x y z"),
+    "orientation": lambda value: _orientation("orientation", value),
+    "start_orientation": lambda value: _orientation("start_orientation", value),
+    "goal_orientation": lambda value: _orientation("goal_orientation", value),
 }
 
 
@@ -169,6 +176,7 @@ SCENE: dict[str, Callable[[Any], Any]] = {
     "orientations": orientation_tables,
     "wrench": lambda value: plain("wrench", table("wrench", value)),
     "motion": lambda value: plain("motion", table("motion", value)),
+    "turning": lambda value: plain("turning", table("turning", value)),
     "workspace": box_table,
     "obstacles": lambda value: [
         part for name, body in table("obstacles", value).items() for part in obstacle_tables(name, body)

@@ -16,11 +16,12 @@ class Violation:
     at : float
         Fraction of the motion (of the segment, on a path) at which it begins, 0 to 1.
     kind : str
-        "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle" or "wrench".
+        "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle", "wrench" or
+        "tilt".
     culprits : tuple of str
         Names of the bodies involved; cables count from 0.
     margin : float or None
-        Gap minus the required gap, m: never positive.
+        Gap minus the required gap, m: never positive. None for the kinds "wrench" and "tilt".
     segment : int
         Segment of the path, counting from 0.
     wrench_margin : float or None
@@ -40,10 +41,11 @@ class Violation:
     corner : tuple of float or None
         Corner of the grid cell that the grid rule rejected, m.
     unproved : bool
-        For the kind "wrench": no deficit was found, but the margin is too small to prove that there is none.
+        No deficit was found, but the margin is too small to prove that there is none: of a wrench, or of a gap while the
+        platform turns.
     gap : float or None
         Smallest gap over the motion, m: between surfaces, or minus the penetration depth if bodies overlap; for the
-        workspace and cable lengths, the remaining room. None for the kind "wrench".
+        workspace and cable lengths, the remaining room. None for the kinds "wrench" and "tilt".
     required : float or None
         Required gap, m.
 

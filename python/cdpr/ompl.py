@@ -18,6 +18,7 @@ True
 
 from __future__ import annotations
 
+import json
 import signal
 import threading
 from collections.abc import Iterator
@@ -32,15 +33,16 @@ try:
 except ImportError as problem:
     raise ImportError("cdpr.ompl needs the bindings of OMPL 2: pip install 'cdpr[ompl]'") from problem
 
-from ._arrays import point, positive
-from ._planning import as_it_is
+from ._arrays import point, positive, quaternion
+from ._planning import as_it_is, check
 from ._results import Path
 from ._given import instance
 from ._questions import Engine, Interference, judges
 from ._scene import Scene
+from ._tables import KEPT
 from .exceptions import InputError
 
-__all__ = ["MotionValidator", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
+__all__ = ["MotionValidator", "PoseSpace", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
 
 # A motion is shortened by these fractions, smallest first, until the rest is certainly valid.
 _CUTS = [2.0**-k for k in range(40, -1, -1)]
@@ -100,13 +102,109 @@ class StateSpace(base.RealVectorStateSpace):
         return state
 
 
+class PoseSpace(base.SE3StateSpace):
+    """The poses of a platform that turns on its way: OMPL's SE(3).
+
+    Parameters
+    ----------
+    scene : Scene
+        The bounds of positions are those of the platform's centre in its workspace, world, m. A turn by one radian is as
+        long as in the scene, by default as the distance from the platform's origin to its farthest corner.
+
+    Raises
+    ------
+    InputError
+        A scene in which the platform turns about one axis only: OMPL samples turns about any.
+
+    Notes
+    -----
+    OMPL samples all orientations alike: where few are valid, as with a small ``max_tilt``, `cdpr.plan` is faster.
+
+    Examples
+    --------
+    >>> space = PoseSpace(Scene.load("testdata/scenes/hard1.toml"))
+    >>> half_turn = space.state([0.3, 1.0, 0.3]), space.state([0.3, 1.0, 0.3], [0.0, 0.0, 0.0, 1.0])
+    >>> round(space.distance(*half_turn) / np.pi, 4)  # the platform's corners are 0.109 m from its origin
+    0.109
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        """See the class."""
+        super().__init__()
+        if not isinstance((instance("scene", scene, Scene).turning or {}).get("axis", "free"), str):
+            raise InputError('turning.axis: found one axis, expected "free" for OMPL')
+        corners = np.vstack([part["vertices"] for part in json.loads(scene._core.bodies())["platform"]])
+        slack = np.linalg.norm(corners.mean(axis=0))  # the platform's origin may be outside of the platform
+        bounds = base.RealVectorBounds(3)
+        for axis, (low, high) in enumerate(scene.workspace.T):
+            bounds.setLow(axis, float(low - slack))
+            bounds.setHigh(axis, float(high + slack))
+        self.setBounds(bounds)
+        self.setSubspaceWeight(1, 2.0 * scene._core.turn_weight())  # its distance of rotations is half their angle
+        self.setName("poses")
+        self._level = tuple(scene.orientation.tolist())
+
+    def state(self, position: ArrayLike, orientation: ArrayLike | None = None) -> Any:
+        """Return a state at a pose.
+
+        Parameters
+        ----------
+        position : array_like (3,)
+            Of the platform's origin, world, m.
+        orientation : array_like (4,), optional
+            World-from-platform unit quaternion w x y z; default that of the scene.
+
+        Returns
+        -------
+        ompl.base.State
+            The state belongs to the space, which must outlive it.
+        """
+        state = self.allocState()
+        state.setXYZ(*point("position", position))
+        turn = state.rotation()
+        turn.w, turn.x, turn.y, turn.z = quaternion("orientation", self._level if orientation is None else orientation)
+        return state
+
+
+def _pose(state: Any) -> tuple[tuple[float, float, float], tuple[float, float, float, float]]:
+    turn = state.rotation()
+    return (state.getX(), state.getY(), state.getZ()), (turn.w, turn.x, turn.y, turn.z)
+
+
+class _Judge:
+    """Decides about motions between states of a space."""
+
+    def __init__(self, information: Any, scene: Scene, choice: tuple[Engine, Interference]) -> None:
+        self.space = instance("information", information, base.SpaceInformation).getStateSpace()
+        self.scene, self.choice = scene, choice
+        self.turns = isinstance(self.space, PoseSpace)
+
+    def valid(self, s1: Any, s2: Any) -> bool:
+        valid = self.scene._core.motion_valid
+        if not self.turns:
+            return valid((s1[0], s1[1], s1[2]), (s2[0], s2[1], s2[2]), *self.choice)
+        (start, first), (end, last) = _pose(s1), _pose(s2)
+        return valid(start, end, *self.choice, (first, last))
+
+    def violated_at(self, s1: Any, s2: Any) -> float:
+        """Up to which fraction nothing is violated; 0 if nothing is at all."""
+        engine, interference = self.choice
+        if self.turns:
+            (start, first), (end, last) = _pose(s1), _pose(s2)
+            found = self.scene.explain_motion(start, end, first, last, engine=engine, interference=interference)
+        else:
+            start, end = (s1[0], s1[1], s1[2]), (s2[0], s2[1], s2[2])
+            found = self.scene.explain_motion(start, end, engine=engine, interference=interference)
+        return 0.0 if found is None else found.at
+
+
 class StateValidityChecker(base.StateValidityChecker):
-    """Decides which positions of the platform are valid.
+    """Decides which positions or poses of the platform are valid.
 
     Parameters
     ----------
     information : ompl.base.SpaceInformation
-        Of a `StateSpace`.
+        Of a `StateSpace` or a `PoseSpace`.
     scene : Scene
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
@@ -125,8 +223,7 @@ class StateValidityChecker(base.StateValidityChecker):
         """See the class."""
         super().__init__(instance("information", information, base.SpaceInformation))
         self.scene = instance("scene", scene, Scene)
-        self._choice = judges(engine, interference)
-        self._valid = scene._core.motion_valid
+        self._judge = _Judge(information, scene, judges(engine, interference))
 
     def isValid(self, state: Any) -> bool:
         """Whether the state is valid.
@@ -139,8 +236,7 @@ class StateValidityChecker(base.StateValidityChecker):
         -------
         bool
         """
-        position = state[0], state[1], state[2]
-        return self._valid(position, position, *self._choice)
+        return self._judge.valid(state, state)
 
     def clearance(self, state: Any) -> float:
         """Signed clearance of a state, for planners that ask for it.
@@ -154,7 +250,10 @@ class StateValidityChecker(base.StateValidityChecker):
         float
             As `Scene.clearance`, m.
         """
-        return float(self.scene.clearance([[state[0], state[1], state[2]]], threads=1)[0])
+        if not self._judge.turns:
+            return float(self.scene.clearance([[state[0], state[1], state[2]]], threads=1)[0])
+        position, orientation = _pose(state)
+        return float(self.scene.clearance([position], orientation, threads=1)[0])
 
 
 class MotionValidator(base.MotionValidator):
@@ -163,7 +262,7 @@ class MotionValidator(base.MotionValidator):
     Parameters
     ----------
     information : ompl.base.SpaceInformation
-        Of a `StateSpace`.
+        Of a `StateSpace` or a `PoseSpace`.
     scene : Scene
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
@@ -184,8 +283,7 @@ class MotionValidator(base.MotionValidator):
         """See the class."""
         super().__init__(instance("information", information, base.SpaceInformation))
         self.scene = instance("scene", scene, Scene)
-        self._choice = judges(engine, interference)
-        self._valid = scene._core.motion_valid
+        self._judge = _Judge(information, scene, judges(engine, interference))
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
         """Whether the straight motion between two states is valid.
@@ -198,7 +296,7 @@ class MotionValidator(base.MotionValidator):
         -------
         bool
         """
-        return self._valid((s1[0], s1[1], s1[2]), (s2[0], s2[1], s2[2]), *self._choice)
+        return self._judge.valid(s1, s2)
 
     def checkMotionWithLastValid(self, s1: Any, s2: Any, last_valid: Any | None) -> tuple[bool, float]:
         """Check a motion and return up to where it is valid.
@@ -224,18 +322,18 @@ class MotionValidator(base.MotionValidator):
         """
         if self.checkMotion(s1, s2):
             return True, 1.0
-        start, end = (np.array([state[0], state[1], state[2]]) for state in (s1, s2))
-        engine, interference = self._choice
-        found = self.scene.explain_motion(start, end, engine=engine, interference=interference)
-        first = 0.0 if found is None else found.at
-        fractions = (first * (1.0 - cut) for cut in [0.0, *_CUTS])
-        fraction = next((f for f in fractions if self._valid_up_to(start, end, f)), 0.0)
+        judge, until = self._judge, self._judge.space.allocState()
+        first = judge.violated_at(s1, s2)
+        for fraction in (first * (1.0 - cut) for cut in [0.0, *_CUTS]):
+            judge.space.interpolate(s1, s2, fraction, until)
+            if judge.valid(s1, until):
+                break
+        else:
+            fraction = 0.0
+            judge.space.copyState(until, s1)
         if last_valid is not None:
-            last_valid[0], last_valid[1], last_valid[2] = (start + fraction * (end - start)).tolist()
+            judge.space.copyState(last_valid, until)
         return False, fraction
-
-    def _valid_up_to(self, start: Any, end: Any, fraction: float) -> bool:
-        return self._valid(start.tolist(), (start + fraction * (end - start)).tolist(), *self._choice)
 
 
 def simple_setup(
@@ -243,16 +341,22 @@ def simple_setup(
     *,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
+    start_orientation: ArrayLike | str | None = None,
+    goal_orientation: ArrayLike | str | None = None,
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Any:
     """Return OMPL's ``SimpleSetup`` of a scene: space, validity, start and goal; a planner is all that it lacks.
+
+    The space is a `PoseSpace` if the platform may turn, otherwise a `StateSpace`.
 
     Parameters
     ----------
     scene : Scene
     start, goal : array_like (3,), optional
         Instead of the scene's, m.
+    start_orientation, goal_orientation : array_like (4,) or str, optional
+        World-from-platform unit quaternions w x y z, or names of the scene's orientations, instead of the scene's.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
 
@@ -265,7 +369,7 @@ def simple_setup(
     ------
     InputError
         No start or goal, neither in the scene nor as an argument; a scene that lists several orientations and selects
-        none; a workspace into which the platform does not fit.
+        none, or in which the platform may turn about one axis only; a workspace into which the platform does not fit.
 
     Examples
     --------
@@ -275,16 +379,30 @@ def simple_setup(
     'Exact solution'
     """
     instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL has no orientation: an error if the scene selects none
+    if start_orientation is not None or goal_orientation is not None:
+        scene = scene.replace(
+            start_orientation=KEPT if start_orientation is None else start_orientation,
+            goal_orientation=KEPT if goal_orientation is None else goal_orientation,
+        )
     first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
-    space = StateSpace(scene)
+    space, ends = _space(scene, first, last)
     information = base.SpaceInformation(space)
     information.setStateValidityChecker(
         StateValidityChecker(information, scene, engine=engine, interference=interference)
     )
     information.setMotionValidator(MotionValidator(information, scene, engine=engine, interference=interference))
     setup = geometric.SimpleSetup(information)
-    setup.setStartAndGoalStates(space.state(first), space.state(last))
+    setup.setStartAndGoalStates(*ends)
     return setup
+
+
+def _space(scene: Scene, first: ArrayLike, last: ArrayLike) -> tuple[Any, tuple[Any, Any]]:
+    """The space of a scene, start and goal in it."""
+    if not scene._core.turns():
+        positions = StateSpace(scene)
+        return positions, (positions.state(first), positions.state(last))
+    poses = PoseSpace(scene)
+    return poses, (poses.state(first, scene.start_orientation), poses.state(last, scene.goal_orientation))
 
 
 def _end(key: str, given: ArrayLike | None, own: ArrayLike | None) -> tuple[float, float, float]:
@@ -368,7 +486,7 @@ def path(setup: Any) -> Path:
     -------
     Path
         ``waypoints`` (k, 3), world, m, and ``cost``, its length, m, for `check`, `rewind`, `refine`, `show`, and to
-        save. It has been rechecked as a whole.
+        save; with ``orientations`` (k, 4), w x y z, if the platform may turn. It has been rechecked as a whole.
 
     Raises
     ------
@@ -391,6 +509,17 @@ def path(setup: Any) -> Path:
     if not setup.haveExactSolutionPath():
         raise InputError("setup: found no path from start to goal, expected a solved one")
     states = setup.getSolutionPath().getStates()
-    engine, interference = motions._choice
+    engine, interference = motions._judge.choice
+    if motions._judge.turns:
+        return _turning_path(motions.scene, [_pose(state) for state in states], engine, interference)
     waypoints = np.array([[state[0], state[1], state[2]] for state in states])
     return as_it_is(motions.scene, waypoints, engine, interference)
+
+
+def _turning_path(scene: Scene, poses: list[Any], engine: Engine, interference: Interference) -> Path:
+    waypoints, turns = (np.array(rows) for rows in zip(*poses, strict=True))
+    report = check(scene, waypoints, turns, engine=engine, interference=interference)
+    if not report.valid:
+        raise InputError(f"setup: found a path that is not valid, expected one of valid motions: {report.violations[0]}")
+    planned_for = {"scene": {"name": scene.name, "fingerprint": scene._core.fingerprint()}}
+    return Path(waypoints, report.length, scene.orientation, orientations=turns, _json=json.dumps(planned_for))

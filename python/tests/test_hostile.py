@@ -21,6 +21,7 @@ matplotlib.use("Agg")
 
 CUBE = [[x, y, z] for x in (0.0, 0.2) for y in (0.0, 0.2) for z in (0.0, 0.2)]
 HERE, THERE = [0.3, 1.0, 0.3], [1.7, 1.0, 1.7]
+TURNED = [0.6, 0.0, 0.0, 0.8]
 EXPERIMENT = {"version": 1, "trials": 1, "scenarios": [{"name": "a", "scene": str(TESTDATA / "scenes/empty.toml")}]}
 EXPERIMENT["methods"] = [{"name": "RRT", "planner": "rrt"}]
 WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
@@ -89,6 +90,9 @@ def calls(tmp_path, monkeypatch, batch):
     threads = {"threads": 1}
     judges = {"engine": "cspace", "interference": "exact"}
     along = {"scene": scene, "waypoints": [HERE, [0.3, 1.0, 0.4]], "strict": False}
+    turns = {"start_orientation": [1.0, 0, 0, 0], "end_orientation": TURNED}
+    many_turns = {"start_orientations": [1.0, 0, 0, 0], "end_orientations": [TURNED]}
+    level = {"start_orientation": [1.0, 0, 0, 0], "goal_orientation": [1.0, 0, 0, 0]}
     regions = {"space": "attachment", "all_regions": False, "cables": "cable 1", "obstacles": ["pillar"]}
     end = {"start": HERE, "goal": THERE}
     cables = {
@@ -96,9 +100,10 @@ def calls(tmp_path, monkeypatch, batch):
         "center_of_mass": [0.0, 0.0, 0.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
     }  # fmt: skip
     said = {
-        "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
+        "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
-        "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "motion": {"speed": 1.0}, "name": "s", "obstacles": {"crate": CUBE},
+        "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "motion": {"speed": 1.0}, "turning": {"weight": 1.0},
+        "name": "s", "obstacles": {"crate": CUBE},
     }  # fmt: skip
     closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml").replace(**end)
     proof = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/closed.toml")).proof
@@ -115,7 +120,7 @@ def calls(tmp_path, monkeypatch, batch):
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
-        "near_radius": None, "orientation": None, **judges, "proof": False, "on_improvement": None,
+        "near_radius": None, "orientation": None, **level, **judges, "proof": False, "on_improvement": None,
     }  # fmt: skip
     return {
         "Robot": (cdpr.Robot, cables),
@@ -136,12 +141,15 @@ def calls(tmp_path, monkeypatch, batch):
             {"name": "crate", "obstacle": CUBE, "position": [0.0, 0, 0], "rpy": [0.0, 0, 0], "rpy_degrees": None, "quaternion": None},
         ),
         "Scene.without": (scene.without, {"names": "pillar"}),
-        "Scene.states_valid": (scene.states_valid, {"points": [HERE]} | judges | threads),
-        "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | judges | threads),
-        "Scene.clearance": (scene.clearance, {"points": [HERE]} | threads),
-        "Scene.violations": (scene.violations, {"start": HERE, "end": THERE} | judges),
-        "Scene.explain_motion": (scene.explain_motion, {"start": HERE, "end": THERE} | judges),
-        "Path": (cdpr.Path, {"waypoints": [HERE, THERE], "cost": 1.0, "orientation": [1.0, 0, 0, 0]}),
+        "Scene.states_valid": (scene.states_valid, {"points": [HERE], "orientations": TURNED} | judges | threads),
+        "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | many_turns | judges | threads),
+        "Scene.clearance": (scene.clearance, {"points": [HERE], "orientations": TURNED} | threads),
+        "Scene.violations": (scene.violations, {"start": HERE, "end": THERE} | turns | judges),
+        "Scene.explain_motion": (scene.explain_motion, {"start": HERE, "end": THERE} | turns | judges),
+        "Path": (
+            cdpr.Path,
+            {"waypoints": [HERE, THERE], "cost": 1.0, "orientation": [1.0, 0, 0, 0], "orientations": [TURNED, TURNED]},
+        ),
         "Path.save": (path.save, {"path": "path.csv"}),
         "Path.to_pandas": (path.to_pandas, {}),
         "Proof.save": (proof.save, {"path": "proof.json"}),
@@ -181,7 +189,7 @@ def calls(tmp_path, monkeypatch, batch):
         "plan": (cdpr.plan, {"scene": scene} | plan),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
         "refine": (cdpr.refine, along | judges),
-        "check": (cdpr.check, along | judges),
+        "check": (cdpr.check, along | judges | {"orientations": TURNED}),
         "lower_bound": (cdpr.lower_bound, {"scene": scene, "gap": 0.5, "budget": 5.0} | end),
         "load_path": (cdpr.load_path, {"path": "path.json", "scene": scene, "strict": False}),
         "schema": (cdpr.schema, {"of": "scene"}),
@@ -220,7 +228,8 @@ def calls(tmp_path, monkeypatch, batch):
         ),
         "figures.trajectory": (cdpr.figures.trajectory, {"trajectory": motion, "ax": None}),
         "figures.style": (cdpr.figures.style, {}),
-        "ompl.simple_setup": (cdpr.ompl.simple_setup, {"scene": scene} | end | judges),
+        "ompl.simple_setup": (cdpr.ompl.simple_setup, {"scene": scene} | end | level | judges),
+        "ompl.PoseSpace": (cdpr.ompl.PoseSpace, {"scene": scene}),
         "ompl.solve": (cdpr.ompl.solve, {"setup": solved(scene), "seconds": 0.01}),
         "ompl.path": (cdpr.ompl.path, {"setup": solved(scene)}),
         "ompl.StateSpace": (cdpr.ompl.StateSpace, {"scene": scene}),

@@ -61,6 +61,9 @@ SCENE_VALUES = {
     "start": [0.0, 0.0, 2.0],
     "goal": [1.0, 0.0, 2.0],
     "orientation": "tilted",
+    "turning": {"axis": [0.0, 0.0, 1.0], "max_tilt": 10.0, "weight": 0.5},
+    "start_orientation": [1.0, 0.0, 0.0, 0.0],
+    "goal_orientation": [0.6, 0.0, 0.0, 0.8],
 }
 
 
@@ -81,7 +84,8 @@ def test_scene_and_replace_write_the_same_for_every_key(robot, tmp_path):
     assert set(whole.obstacles) == {"crate", "box"} and list(whole.orientations) == ["level", "tilted"]
     whole.save(tmp_path / "hall.toml")
     assert cdpr.Scene.load(tmp_path / "hall.toml") == whole
-    for key in ("name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "start", "goal", "orientation"):
+    optional = {"name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "turning"}
+    for key in optional | keys(DEFINED["QuerySpec"]):
         taken = {"touch": None, "ignore": None, "clearances": None} if key == "obstacles" else {}
         without = whole.replace(**taken | {key: None}).to_dict()
         assert key not in without and key not in without.get("query", {}), key

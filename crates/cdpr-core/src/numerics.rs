@@ -77,6 +77,9 @@ pub const GRAZING: f64 = 1e-10;
 /// Maximum deviation of the length of an orientation quaternion from 1.
 pub const UNIT_QUATERNION: f64 = 1e-6;
 
+/// Maximum deviation of the length of a quaternion from 1 that products and normalizations of unit quaternions leave.
+pub const ROUNDED_UNIT: f64 = 1e-14;
+
 /// Orientations that differ by less than this, rad, are equal: far above rounding, far below the resolution of any
 /// encoder.
 pub const SAME_TURN: f64 = 1e-9;

@@ -11,7 +11,7 @@ use crate::choice::Choice;
 use crate::collision::path_check::{Nearest, path_length};
 use crate::collision::{Engine, Interference, Violation};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation};
+use crate::geometry::{Point, Pose, Rotation, rotation_as_written};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
@@ -224,7 +224,8 @@ impl PathFile {
             return Err(Error::invalid("orientations", problem));
         }
         let pose = |(k, (position, quaternion)): (usize, (Point, &[f64; 4]))| {
-            Ok(Pose::new(position, body::unit_quaternion(&format!("orientations[{k}]"), *quaternion)?))
+            body::unit_quaternion(&format!("orientations[{k}]"), *quaternion)?;
+            Ok(Pose::new(position, rotation_as_written(*quaternion)))
         };
         self.points().into_iter().zip(orientations).enumerate().map(pose).collect::<Result<_, _>>().map(Some)
     }

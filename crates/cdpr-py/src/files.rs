@@ -53,6 +53,9 @@ type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
 pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
     let (loaded, of_scene) = answered(|| {
         let loaded = cdpr_files::load_waypoints(&path)?;
+        if let Some(file) = &loaded.file {
+            file.poses().map_err(|e| e.in_file(&path))?;
+        }
         let of_scene =
             scene.map(|scene| cdpr_files::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
         Ok((loaded, of_scene.transpose()?))

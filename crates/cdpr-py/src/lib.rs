@@ -9,6 +9,7 @@ mod forked;
 mod scene;
 mod search;
 mod trajectory;
+mod turning;
 mod wrench;
 mod wrench_map;
 
@@ -76,6 +77,7 @@ mod _core {
         forked::loaded();
         module.add("GRAVITY", cdpr_core::model::GRAVITY)?;
         module.add("MAX_COORDINATE", cdpr_core::numerics::MAX_COORDINATE)?;
+        module.add("UNIT_QUATERNION", cdpr_core::numerics::UNIT_QUATERNION)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

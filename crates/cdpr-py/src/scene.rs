@@ -3,17 +3,18 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
-use cdpr_core::collision::{Checker, Conditions, Engine, Interference, check_path};
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{
-    NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound, plan,
-    shorten_path, trace_rewinding,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound,
+    plan, shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
+use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, turn_weight};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
@@ -26,43 +27,60 @@ use crate::convert::{
     answer_array, named, point, points, quaternion, row, serialized, serialized_as_in_files, triples,
 };
 use crate::drawing::drawn;
-use crate::errors::{answered, interruptible, raised};
+use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
+use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
-pub struct Scene(pub cdpr_core::Scene, Mutex<Vec<Compiled>>);
+pub struct Scene(pub cdpr_core::Scene, Engines<dyn Checker>, Engines<TurningEngine>);
 
-type Compiled = ((Engine, Interference), Arc<dyn Checker>);
+type Engines<E> = Mutex<Vec<((Engine, Interference), Arc<E>)>>;
 
 impl Scene {
     fn of(scene: cdpr_core::Scene) -> Self {
-        Scene(scene, Mutex::default())
+        Scene(scene, Mutex::default(), Mutex::default())
     }
 }
 
 /// The engine for a scene, compiled on first use and kept.
 fn engine_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
     let wanted = (named(engine)?, named(interference)?);
-    match known_engine(scene, wanted) {
+    match known(&scene.1, wanted) {
         Some(engine) => Ok(engine),
         None => interruptible(py, |stop| compiled(scene, wanted, &Watch::on(stop))),
     }
 }
 
-fn known_engine(scene: &Scene, wanted: (Engine, Interference)) -> Option<Arc<dyn Checker>> {
-    let known = scene.1.lock().unwrap_or_else(PoisonError::into_inner);
+/// The engine for motions from pose to pose, compiled on first use and kept.
+fn turning_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<TurningEngine>> {
+    let wanted = (named(engine)?, named(interference)?);
+    if let Some(engine) = known(&scene.2, wanted) {
+        return Ok(engine);
+    }
+    let compile = |watch: &Watch| {
+        let level = engine_within(&scene.0, wanted.0, wanted.1, watch)?;
+        Ok(kept(&scene.2, wanted, TurningEngine::new(&scene.0, level)?.into()))
+    };
+    interruptible(py, |stop| compile(&Watch::on(stop)))
+}
+
+fn known<E: ?Sized>(engines: &Engines<E>, wanted: (Engine, Interference)) -> Option<Arc<E>> {
+    let known = engines.lock().unwrap_or_else(PoisonError::into_inner);
     known.iter().find(|(key, _)| *key == wanted).map(|(_, engine)| engine.clone())
+}
+
+fn kept<E: ?Sized>(engines: &Engines<E>, wanted: (Engine, Interference), engine: Arc<E>) -> Arc<E> {
+    engines.lock().unwrap_or_else(PoisonError::into_inner).push((wanted, engine.clone()));
+    engine
 }
 
 /// The engine for a scene, compiled within a watch. Two threads may compile it at the same time; neither waits for the other.
 fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
-    if let Some(engine) = known_engine(scene, wanted) {
-        return Ok(engine);
+    match known(&scene.1, wanted) {
+        Some(engine) => Ok(engine),
+        None => Ok(kept(&scene.1, wanted, engine_within(&scene.0, wanted.0, wanted.1, watch)?.into())),
     }
-    let engine: Arc<dyn Checker> = engine_within(&scene.0, wanted.0, wanted.1, watch)?.into();
-    scene.1.lock().unwrap_or_else(PoisonError::into_inner).push((wanted, engine.clone()));
-    Ok(engine)
 }
 
 #[pymethods]
@@ -127,7 +145,9 @@ impl Scene {
         self.0.good_notes().to_vec()
     }
 
-    /// Whether each row of an (n, 3) array is a valid position.
+    /// Whether each row of an (n, 3) array is a valid position, at the scene's orientation or that in the same row of an (n, 4)
+    /// array.
+    #[pyo3(signature = (positions, engine, interference, threads, orientations=None))]
     fn states_valid<'py>(
         &self,
         py: Python<'py>,
@@ -135,15 +155,26 @@ impl Scene {
         engine: &str,
         interference: &str,
         threads: Option<usize>,
+        orientations: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let engine = engine_of(py, self, engine, interference)?;
         let rows = positions.as_slice()?;
+        if let Some(turns) = &orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
+            return answer_array(py, rows.len() / 3, threads, |answers, options| {
+                turning::motions_valid(&engine, [poses; 2], answers, options)
+            });
+        }
+        let engine = engine_of(py, self, engine, interference)?;
         answer_array(py, rows.len() / 3, threads, |answers, options| {
             states_valid(&*engine, |k| row(rows, k), answers, options)
         })
     }
 
-    /// Whether each straight motion between rows of two (n, 3) arrays is valid.
+    /// Whether each straight motion between rows of two (n, 3) arrays is valid, at the scene's orientation or from and to those in
+    /// two (n, 4) arrays.
+    #[allow(clippy::too_many_arguments)] // one per keyword of Scene.motions_valid
+    #[pyo3(signature = (starts, ends, engine, interference, threads, orientations=None))]
     fn motions_valid<'py>(
         &self,
         py: Python<'py>,
@@ -152,15 +183,25 @@ impl Scene {
         engine: &str,
         interference: &str,
         threads: Option<usize>,
+        orientations: Option<(PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>)>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let engine = engine_of(py, self, engine, interference)?;
         let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
+        if let Some((first, last)) = &orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            let starts = PoseRows { positions: starts, quaternions: first.as_slice()? };
+            let ends = PoseRows { positions: ends, quaternions: last.as_slice()? };
+            return answer_array(py, starts.positions.len() / 3, threads, |answers, options| {
+                turning::motions_valid(&engine, [starts, ends], answers, options)
+            });
+        }
+        let engine = engine_of(py, self, engine, interference)?;
         answer_array(py, starts.len() / 3, threads, |answers, options| {
             motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), answers, options)
         })
     }
 
-    /// Whether one straight motion is valid.
+    /// Whether one straight motion is valid, at the scene's orientation or from one orientation to another.
+    #[pyo3(signature = (start, end, engine, interference, orientations=None))]
     fn motion_valid(
         &self,
         py: Python<'_>,
@@ -168,7 +209,12 @@ impl Scene {
         end: [f64; 3],
         engine: &str,
         interference: &str,
+        orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<bool> {
+        if let Some((first, last)) = orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            return answered(|| Ok(engine.motion_valid(&pose(start, first), &pose(end, last))));
+        }
         let engine = engine_of(py, self, engine, interference)?;
         answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
     }
@@ -178,27 +224,54 @@ impl Scene {
         quaternion(self.0.orientation())
     }
 
+    /// Orientations at start and goal, w x y z.
+    fn end_orientations(&self) -> [[f64; 4]; 2] {
+        self.0.end_orientations().each_ref().map(quaternion)
+    }
+
+    /// Whether the platform may turn on its way from start to goal.
+    fn turns(&self) -> bool {
+        Query::of(&self.0).turns()
+    }
+
+    /// Length of a turn by one radian, m.
+    fn turn_weight(&self) -> f64 {
+        turn_weight(&self.0)
+    }
+
     /// Smallest and largest coordinates of the positions at which the platform is inside the workspace.
     fn position_box(&self, py: Python<'_>) -> PyResult<([f64; 3], [f64; 3])> {
         let (min, max) = interruptible(py, |stop| Conditions::within(&self.0, &Watch::on(stop)))?.position_box();
         Ok((min.into(), max.into()))
     }
 
-    /// The signed clearance of each row of an (n, 3) array, m.
+    /// The signed clearance of each row of an (n, 3) array, m, at the scene's orientation or that in the same row of an (n, 4)
+    /// array.
+    #[pyo3(signature = (positions, threads, orientations=None))]
     fn clearance<'py>(
         &self,
         py: Python<'py>,
         positions: PyReadonlyArray2<'py, f64>,
         threads: Option<usize>,
+        orientations: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
         let rows = positions.as_slice()?;
+        if let Some(turns) = &orientations {
+            let engine = turning_of(py, self, Engine::default().name(), Interference::default().name())?;
+            let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
+            return answer_array(py, rows.len() / 3, threads, |answers, options| {
+                turning::clearances(&engine, poses, answers, options)
+            });
+        }
+        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
         answer_array(py, rows.len() / 3, threads, |answers, options| {
             clearances(&*engine, |k| row(rows, k), answers, options)
         })
     }
 
-    /// The violations of a motion as JSON, in the order in which they begin.
+    /// The violations of a motion as JSON, in the order in which they begin; at the scene's orientation, or from one orientation to
+    /// another.
+    #[pyo3(signature = (start, end, engine, interference, orientations=None))]
     fn violations(
         &self,
         py: Python<'_>,
@@ -206,19 +279,33 @@ impl Scene {
         end: [f64; 3],
         engine: &str,
         interference: &str,
+        orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<String> {
+        if let Some((first, last)) = orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            let (start, end) = (pose(start, first), pose(end, last));
+            return abandonable(py, move || Ok(serialized(&engine.violations(&start, &end))));
+        }
         let engine = engine_of(py, self, engine, interference)?;
         answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
     }
 
-    /// The report on a path as JSON.
+    /// The report on a path as JSON, with the orientation at each waypoint if the platform turns.
+    #[pyo3(signature = (waypoints, engine, interference, orientations=None))]
     fn check(
         &self,
         py: Python<'_>,
         waypoints: PyReadonlyArray2<'_, f64>,
         engine: &str,
         interference: &str,
+        orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
+        if let Some(turns) = &orientations {
+            let engine = turning_of(py, self, engine, interference)?;
+            let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
+            let report = interruptible(py, |stop| check_poses(&self.0, &engine, &poses, &Watch::on(stop)))?;
+            return Ok(serialized(&report));
+        }
         let engine = engine_of(py, self, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
         let report = interruptible(py, |stop| check(&self.0, &*engine, &waypoints, &Watch::on(stop)))?;
@@ -264,6 +351,8 @@ impl Scene {
         seed: u64,
         start: Option<[f64; 3]>,
         goal: Option<[f64; 3]>,
+        start_orientation: Option<Orientation>,
+        goal_orientation: Option<Orientation>,
         step: f64,
         post: Option<&str>,
         repeats: usize,
@@ -285,28 +374,30 @@ impl Scene {
             proof,
             budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
-        let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&self.0) };
+        let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(&self.0, key)).transpose();
+        let ends = answered(|| {
+            Ok([turn("start_orientation", start_orientation)?, turn("goal_orientation", goal_orientation)?])
+        })?;
+        let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&self.0) }.oriented(ends);
         let search = |observer: &dyn Observer| {
             let stop = || observer.interrupted();
             let watch = options.watch(&stop);
-            let (turned, engine, found) = if self.0.orientation_is_open() {
+            if self.0.orientation_is_open() || query.turns() {
                 let planned = plan(query, &options, observer)?;
-                (planned.turned, planned.engine.map(Arc::from), planned.result)
-            } else {
-                match compiled(self, (options.engine, options.interference), &watch) {
-                    Err(error) if error.class() == ErrorClass::OutOfTime => (None, None, PlanResult::out_of_time()),
-                    engine => {
-                        let engine = engine?;
-                        let options = PlanOptions { budget: watch.left(), ..options.clone() };
-                        let found = plan(query.by(&*engine), &options, observer)?.result;
-                        (None, Some(engine), found)
-                    }
+                let scene = planned.turned.clone().unwrap_or_else(|| self.0.clone());
+                let appraisal = planned.appraise(&scene, false, &watch)?;
+                return Ok((scene, planned.result, appraisal));
+            }
+            let engine = match compiled(self, (options.engine, options.interference), &watch) {
+                Err(error) if error.class() == ErrorClass::OutOfTime => {
+                    return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default()));
                 }
+                engine => engine?,
             };
-            let scene = turned.unwrap_or_else(|| self.0.clone());
-            let appraise = |engine: Arc<dyn Checker>| appraise(&scene, &*engine, &found, false, &watch);
-            let appraisal = engine.map(appraise).transpose()?.unwrap_or_default();
-            Ok((scene, found, appraisal))
+            let options = PlanOptions { budget: watch.left(), ..options.clone() };
+            let found = plan(query.by(&*engine), &options, observer)?.result;
+            let appraisal = appraise(&self.0, &*engine, &found, false, &watch)?;
+            Ok((self.0.clone(), found, appraisal))
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;
@@ -329,6 +420,10 @@ impl Scene {
             given.map(point).or(own).ok_or_else(missing)
         };
         let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
+        if gap.is_some() && Query::of(&self.0).turns() {
+            let problem = "found one for a platform that may turn, whose bound is only the length of the straight motion; expected none";
+            return Err(raised(Error::invalid("gap", problem)));
+        }
         let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
         let settings = PlannerSettings { gap: gap.or(budget.map(|_| BOUND_GAP)), ..PlannerSettings::default() };
         let step = PlanOptions::default().step;
@@ -342,13 +437,16 @@ impl Scene {
         let bounds = |stop: &Interrupt| {
             let watch = Watch::on(stop);
             let bound = |scene: &cdpr_core::Scene| {
+                let query = Query { start: Some(start), goal: Some(goal), ..Query::of(scene) };
+                if query.turns() {
+                    return Ok(pose_path_length(scene, &query.poses()?));
+                }
                 let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
                 let quick = lower_bound(&*engine, &start, &goal, &watch)?;
                 if settings.gap.is_none() || quick.is_infinite() {
                     return Ok(quick);
                 }
-                let query = Query { start: Some(start), goal: Some(goal), ..Query::of(scene) }.by(&*engine);
-                let found = plan(query, &options, &|| stop())?.result;
+                let found = plan(query.by(&*engine), &options, &|| stop())?.result;
                 let nothing = if found.status == Status::NoPath { f64::INFINITY } else { quick };
                 Ok(found.lower_bound.map_or(nothing, |bound| bound.max(quick)))
             };
@@ -456,8 +554,17 @@ impl Scene {
             return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
         };
         let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
-        let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
+        if let Some(poses) = answered(|| file.poses())? {
+            let engine = turning_of(py, self, Engine::default().name(), interference)?;
+            let file = PathFile { cost: Some(pose_path_length(&self.0, &poses)), tree, ..file };
+            return interruptible(py, |stop| {
+                let watch = Watch::on(stop);
+                let violations = check_poses(&self.0, &engine, &poses, &watch)?.violations;
+                page_within(&self.0, Some(&file), &violations, &watch)
+            });
+        }
+        let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
         let file = PathFile { cost: Some(path_length(&waypoints)), tree, ..file };
         let ends = answered(|| certificate.map(certificate_ends).transpose())?;
         let options = PlanOptions { interference: named(interference)?, ..PlanOptions::default() };

@@ -1,11 +1,11 @@
 //! Poses, and motions on which a body moves straight and turns at constant rates.
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Quaternion};
 
 use super::features::Boundary;
 use super::shape::farthest;
 use super::{ConvexShape, Point, Polytope, Rotation, SupportMap, Vector};
-use crate::numerics::{HALF_TURN, NO_TURN};
+use crate::numerics::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
 
 /// Position and orientation of the platform.
 ///
@@ -64,6 +64,16 @@ impl Pose {
         let angle = 2.0 * sine.norm().atan2(turn.w.abs());
         let (axis, angle) = if angle > NO_TURN { (sine.normalize(), angle) } else { (Vector::x(), 0.0) };
         PoseMotion { from: *self, to: *other, axis, angle }
+    }
+}
+
+/// The rotation of a quaternion w x y z of length 1. If it is a rotation up to rounding, its digits are kept, so that a pose that
+/// was written is read as the very same: a path that touches its limits would otherwise be judged anew.
+pub fn rotation_as_written([w, x, y, z]: [f64; 4]) -> Rotation {
+    let quaternion = Quaternion::new(w, x, y, z);
+    match (quaternion.norm() - 1.0).abs() <= ROUNDED_UNIT {
+        true => Rotation::new_unchecked(quaternion),
+        false => Rotation::from_quaternion(quaternion),
     }
 }
 

@@ -106,7 +106,11 @@ fn search(
     let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
     let path = match options.post() {
         Post::None if options.post.is_some() => waypoints.clone(),
-        _ => shortener.polished(&waypoints, &grace)?,
+        // A caller who interrupts wants the path that was found.
+        _ => match shortener.polished(&waypoints, &grace) {
+            Err(stopped) if stopped.class() == ErrorClass::Interrupted => waypoints.clone(),
+            path => path?,
+        },
     };
     if let Some(segment) = path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1])) {
         return Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")));

@@ -1,0 +1,75 @@
+//! Poses: positions and quaternions as rows of arrays, and answers about motions between them.
+
+use cdpr_core::Error;
+use cdpr_core::batch::{BatchOptions, Pace, answer_all};
+use cdpr_core::collision::Validity;
+use cdpr_core::geometry::{Pose, Rotation, rotation_as_written};
+use cdpr_core::model::{OrientationSource, Scene};
+use cdpr_core::turning::TurningEngine;
+use pyo3::prelude::*;
+
+use crate::convert::{point, row};
+
+/// An orientation as the name of one of the scene's, or as a quaternion w x y z.
+#[derive(FromPyObject)]
+pub enum Orientation {
+    Name(String),
+    Quaternion([f64; 4]),
+}
+
+impl Orientation {
+    pub fn of(self, scene: &Scene, place: &str) -> Result<Rotation, Error> {
+        let source = match self {
+            Orientation::Name(name) => OrientationSource::Named(name),
+            Orientation::Quaternion(quaternion) => OrientationSource::Quaternion(quaternion),
+        };
+        scene.named_orientation(place, &source)
+    }
+}
+
+/// Rows of positions, (n, 3), and of quaternions whose length has been checked, (n, 4).
+#[derive(Clone, Copy)]
+pub struct PoseRows<'a> {
+    pub positions: &'a [f64],
+    pub quaternions: &'a [f64],
+}
+
+impl PoseRows<'_> {
+    pub fn pose(&self, k: usize) -> Pose {
+        let quaternion = [0, 1, 2, 3].map(|digit| self.quaternions[4 * k + digit]);
+        Pose::new(row(self.positions, k), rotation_as_written(quaternion))
+    }
+
+    pub fn poses(&self) -> Vec<Pose> {
+        (0..self.positions.len() / 3).map(|k| self.pose(k)).collect()
+    }
+}
+
+/// The pose at a position with a quaternion whose length has been checked.
+pub fn pose(position: [f64; 3], quaternion: [f64; 4]) -> Pose {
+    Pose::new(point(position), rotation_as_written(quaternion))
+}
+
+/// Whether each motion from pose to pose is valid; with equal ends, whether each pose is.
+pub fn motions_valid(
+    engine: &TurningEngine,
+    [starts, ends]: [PoseRows; 2],
+    answers: &mut [bool],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    answer_all(answers, |k| engine.motion_valid(&starts.pose(k), &ends.pose(k)), Pace::WRENCHES, options)
+}
+
+/// The signed clearance of each pose, m; infinite if there are no gaps to measure.
+pub fn clearances(
+    engine: &TurningEngine,
+    poses: PoseRows,
+    answers: &mut [f64],
+    options: &BatchOptions,
+) -> Result<(), Error> {
+    let gap = |k| {
+        let pose = poses.pose(k);
+        engine.clearance(&pose, &pose).map_or(f64::INFINITY, |clearance| clearance.value)
+    };
+    answer_all(answers, gap, Pace::WRENCHES, options)
+}
