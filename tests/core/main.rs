@@ -14,4 +14,5 @@ mod random_scenes;
 mod regions;
 mod regressions;
 mod trajectory;
+mod turning;
 mod wrench_planning;

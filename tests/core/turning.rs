@@ -1,0 +1,159 @@
+//! Planning for a platform that turns, and known answers for motions with a turn.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use cdpr_core::collision::{Kind, Validity};
+use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+use cdpr_core::model::spec::{TurningAxis, TurningSpec};
+use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
+use cdpr_core::plan::{PlanOptions, Planned, Query, plan, turning_engine};
+use cdpr_core::planning::{Planner, PlannerOptions, Status};
+use cdpr_core::testing::{self, block};
+use cdpr_core::turning::{check_poses, pose_path_length};
+use cdpr_core::watch::Watch;
+use cdpr_tests::built_scene;
+
+fn yaw(angle: f64) -> Rotation {
+    Rotation::from_scaled_axis(Vector::z() * angle)
+}
+
+/// A point robot's cables and a platform of 0.4 × 0.1 × 0.1 m at (1, 1, 1), beside a wall whose face is at y = 1 + `room`.
+fn bar_beside_a_wall(room: f64) -> Scene {
+    let mut spec = testing::paper_scene("wall", vec![block("wall", [0.6, 0.2, 0.1], [1.0, 1.1 + room, 1.0])]);
+    let cdpr_core::model::RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+    robot.platform = vec![BodySpec { cuboid: Some([0.4, 0.1, 0.1]), ..BodySpec::default() }];
+    robot.cables.truncate(1);
+    (robot.cables[0].outlet, robot.cables[0].attachment) = ([1.0, 1.0, 2.0], [0.0, 0.0, 0.05]);
+    Scene::new(spec).unwrap()
+}
+
+#[test]
+fn a_bar_turns_until_its_corner_meets_a_wall() {
+    // A corner at 0.2 m along and 0.05 m across is at height 0.2 sin φ + 0.05 cos φ.
+    for angle in [0.1f64, 0.5, 1.0] {
+        let room = 0.2 * angle.sin() + 0.05 * angle.cos();
+        let engine = turning_engine(&bar_beside_a_wall(room), &Watch::NONE).unwrap();
+        let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), yaw(angle));
+        for sign in [1.0, -1.0] {
+            assert!(engine.motion_valid(&at(0.0), &at(sign * (angle - 1e-3))), "{angle}");
+            assert!(!engine.motion_valid(&at(0.0), &at(sign * (angle + 1e-3))), "{angle}");
+            let found = engine.violations(&at(0.0), &at(sign * 1.2));
+            assert_eq!(found[0].kind, Kind::PlatformObstacle);
+            assert!((1.2 * found[0].at - angle).abs() < 3e-3, "{} {angle}", 1.2 * found[0].at);
+        }
+    }
+}
+
+#[test]
+fn a_platform_may_turn_where_it_stands() {
+    // On the floor, under a ceiling just as high, and beside a wall that its farthest corner just does not reach.
+    let mut spec = bar_beside_a_wall(0.04f64.hypot(0.2) + 0.02).spec().clone();
+    spec.workspace.min[2] = 0.95;
+    spec.obstacles.push(block("floor", [2.0, 2.0, 0.5], [1.0, 1.0, 0.7]));
+    let scene = Scene::new(spec).unwrap();
+    let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+    let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), yaw(angle));
+    assert!(engine.motion_valid(&at(0.0), &at(3.0)));
+    let tilted = Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::y() * 0.01));
+    assert!(!engine.motion_valid(&at(0.0), &tilted));
+}
+
+#[test]
+fn both_signs_of_a_quaternion_are_one_rotation_and_half_turns_are_the_same_both_ways() {
+    let here = Point::new(1.0, 1.0, 1.0);
+    let from = Pose::new(here, yaw(0.3));
+    let to = Pose::new(here, Rotation::new_unchecked(-yaw(0.4).into_inner()));
+    assert!((from.toward(&to).angle - 0.1).abs() < 1e-12 && (from.angle_to(&to) - 0.1).abs() < 1e-12);
+    for axis in [Vector::x(), Vector::y(), Vector::z(), Vector::new(1.0, -2.0, 0.5).normalize()] {
+        for sign in [1.0, -1.0] {
+            let opposite = Rotation::from_scaled_axis(axis * PI) * from.orientation;
+            let opposite = Pose::new(here, Rotation::new_unchecked(opposite.into_inner() * sign));
+            let (forth, back) = (from.toward(&opposite), opposite.toward(&from));
+            assert!((forth.angle - PI).abs() < 1e-12);
+            for share in [0.0, 0.2, 0.5, 0.9, 1.0] {
+                let apart = forth.at(share).angle_to(&back.at(1.0 - share));
+                assert!(apart < 1e-9, "{axis:?} {sign} {share}: {apart}");
+            }
+        }
+    }
+    let engine = turning_engine(&testing::hard1(), &Watch::NONE).unwrap();
+    let broken = Pose::new(here, Rotation::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0)));
+    assert!(!engine.motion_valid(&from, &broken) && !engine.state_valid(&broken));
+}
+
+fn solved(scene: &Scene, planner: Planner, seed: u64) -> Planned {
+    let options = PlanOptions { planner: PlannerOptions::of(planner), seed, ..PlanOptions::default() };
+    let planned = plan(scene, &options, &()).unwrap();
+    assert_eq!(planned.result.status, Status::Solved, "{planner:?}, seed {seed}");
+    planned
+}
+
+#[test]
+fn a_question_that_no_fixed_orientation_answers_is_solved_by_turning() {
+    let scene = built_scene("turn");
+    for name in ["along", "across"] {
+        let mut spec = SceneSpec { turning: None, ..scene.spec().clone() };
+        let query = spec.query.as_mut().unwrap();
+        (query.orientation, query.goal_orientation) = (Some(OrientationSource::Named(name.to_string())), None);
+        let fixed = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &()).unwrap().result;
+        assert_ne!(fixed.status, Status::Solved, "{name}");
+    }
+    for planner in [Planner::Anytime, Planner::RrtConnect, Planner::TwoTrees, Planner::ModifiedRrt] {
+        for seed in 0..3 {
+            let planned = solved(&scene, planner, seed);
+            let poses = planned.result.poses(scene.orientation());
+            assert_eq!(planned.result.orientations.len(), planned.result.waypoints.len());
+            assert!((poses[0].angle_to(poses.last().unwrap()) - FRAC_PI_2).abs() < 1e-9);
+            let engine = planned.turning.unwrap();
+            let report = check_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
+            assert!(report.valid && (report.length - planned.result.cost).abs() < 1e-9);
+            assert!(poses.windows(2).all(|pair| {
+                let turn = pair[0].toward(&pair[1]);
+                turn.angle < 1e-9 || turn.axis.cross(&Vector::z()).norm() < 1e-6 // as the scene asks
+            }));
+            assert_eq!(solved(&scene, planner, seed).result.waypoints, planned.result.waypoints);
+        }
+    }
+}
+
+#[test]
+fn the_platform_does_not_turn_for_nothing() {
+    let hard1 = testing::hard1();
+    let turning = Some(TurningSpec { axis: Some(TurningAxis::Fixed([0.0, 0.0, 2.0])), ..TurningSpec::default() });
+    let free = Scene::new(SceneSpec { turning, ..hard1.spec().clone() }).unwrap();
+    let [level, turned] = [&hard1, &free].map(|scene| solved(scene, Planner::Anytime, 0).result);
+    assert!(turned.cost <= level.cost);
+    let length = pose_path_length(&free, &turned.poses(free.orientation()));
+    assert!((length - turned.cost).abs() < 1e-9);
+    // A straight line needs no turn.
+    let query = Query::of(&free).to(Point::new(0.3, 1.0, 1.0));
+    let straight = plan(query, &PlanOptions::default(), &()).unwrap().result;
+    assert!(straight.orientations.is_empty() && (straight.cost - 0.7).abs() < 1e-9);
+}
+
+#[test]
+fn a_tilt_limit_holds_all_along_a_path() {
+    let mut spec = built_scene("turn").spec().clone();
+    spec.turning = Some(TurningSpec { max_tilt: Some(5.0), ..TurningSpec::default() });
+    let scene = Scene::new(spec.clone()).unwrap();
+    let planned = solved(&scene, Planner::RrtConnect, 1);
+    for pair in planned.result.poses(scene.orientation()).windows(2) {
+        let motion = pair[0].toward(&pair[1]);
+        let tilt = |k: i32| (motion.at(f64::from(k) / 20.0).orientation * Vector::z()).angle(&Vector::z());
+        assert!((0..=20).map(tilt).all(|tilt| tilt <= 5f64.to_radians() + 1e-6));
+    }
+    let tilted = Rotation::from_scaled_axis(Vector::x() * 0.2);
+    let query = Query::of(&scene).oriented([None, Some(tilted)]).to(Point::new(1.0, 0.4, 1.2));
+    let refused = plan(query, &PlanOptions::default(), &()).unwrap().result;
+    assert_eq!(refused.status, Status::GoalInvalid);
+    assert!(refused.reason.unwrap().sentence().contains("tilts further"));
+}
+
+#[test]
+fn a_goal_that_the_axis_does_not_allow_is_an_error() {
+    let scene = built_scene("turn");
+    let tilted = Rotation::from_scaled_axis(Vector::x() * 0.2);
+    let query = Query::of(&scene).oriented([None, Some(tilted)]);
+    let error = plan(query.to(Point::new(1.0, 0.4, 1.0)), &PlanOptions::default(), &()).unwrap_err().to_string();
+    assert!(error.contains("turning.axis") && error.contains("(0, 0, 1)"), "{error}");
+}
