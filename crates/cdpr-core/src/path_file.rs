@@ -312,6 +312,23 @@ mod tests {
     }
 
     #[test]
+    fn poses_are_read_digit_by_digit_and_rough_quaternions_are_normalized() {
+        let turn = Rotation::from_scaled_axis(crate::geometry::Vector::new(0.1, 0.2, 0.3));
+        let products = std::iter::successors(Some(turn), |last| Some(last * turn)).take(50);
+        let written: Vec<[f64; 4]> = products.map(|product| quaternion(&product)).collect();
+        let file = PathFile {
+            waypoints: vec![[0.0; 3]; written.len()],
+            orientations: Some(written.clone()),
+            ..PathFile::default()
+        };
+        let read = file.poses().unwrap().unwrap();
+        assert!(read.iter().zip(&written).all(|(pose, digits)| quaternion(&pose.orientation) == *digits));
+        let rough =
+            PathFile { waypoints: vec![[0.0; 3]], orientations: Some(vec![[1.0 + 1e-7, 0.0, 0.0, 0.0]]), ..file };
+        assert_eq!(quaternion(&rough.poses().unwrap().unwrap()[0].orientation), [1.0, 0.0, 0.0, 0.0]);
+    }
+
+    #[test]
     fn a_path_without_a_result_has_no_keys_of_one() {
         let ends = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
         let written = json!(PathFile::of(&hard1(), &ends));
