@@ -4,7 +4,7 @@ mod choosing;
 mod deciding;
 mod no_path;
 mod query;
-mod turning;
+mod with_turns;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -32,7 +32,7 @@ use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_
 use deciding::{Decided, search_and_decide};
 pub use no_path::NoPath;
 pub use query::{Observer, Planned, Query};
-pub use turning::turning_engine;
+pub use with_turns::turning_engine;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
@@ -404,7 +404,7 @@ pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &d
 /// Plans at the orientation of the scene or, if the platform may turn, from there.
 fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &Improved) -> Result<Planned, Error> {
     if query.turns() {
-        return turning::plan_turning(query, options, watch, improved);
+        return with_turns::plan_turning(query, options, watch, improved);
     }
     if let Some(engine) = query.engine {
         let result = plan_by(engine, query, options, watch, improved)?;

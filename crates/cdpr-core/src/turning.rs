@@ -2,14 +2,14 @@
 
 mod check;
 mod engine;
+mod pose_space;
 mod shorten;
-mod space;
 mod tilt;
-mod wrench;
+mod turning_wrench;
 
 pub use check::{check_poses, nearest_of_poses, pose_path_length};
 pub use engine::TurningEngine;
+pub use pose_space::{PoseSpace, turn_weight};
 pub use shorten::PoseShortener;
-pub use space::{PoseSpace, turn_weight};
 pub use tilt::Tilt;
-pub use wrench::TurningWrench;
+pub use turning_wrench::TurningWrench;

@@ -1,7 +1,7 @@
 //! Checks a path of poses: every violation with its place, and the closest approach.
 
 use super::engine::TurningEngine;
-use super::space::turn_weight;
+use super::pose_space::turn_weight;
 use crate::collision::path_check::{Nearest, PathClearance, PathExemption, PathReport, PathViolation};
 use crate::collision::{Clearance, Validity};
 use crate::error::Error;

@@ -7,7 +7,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::tilt::Tilt;
-use super::wrench::TurningWrench;
+use super::turning_wrench::TurningWrench;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
 use crate::conditions::Bodies;
 use crate::error::Error;

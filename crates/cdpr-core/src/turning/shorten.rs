@@ -3,7 +3,7 @@
 
 use rand::Rng;
 
-use super::space::PoseSpace;
+use super::pose_space::PoseSpace;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::geometry::Pose;
