@@ -207,11 +207,11 @@ fn orientations_that_make_no_sense_are_refused() {
         ("[[1, 0, 0, 0], [1, 1, 0, 0]]", "orientations[1]: found a quaternion of length"),
         ("[[0, 0, 0, 0], [1, 0, 0, 0]]", "orientations[0]: found a quaternion of length 0"),
         ("[[1, 0, 0, 0], [1e200, 0, 0, 0]]", "orientations[1]"),
-        ("[[1, 0, 0, 0], [NaN, 0, 0, 0]]", "line 1"),
+        ("[[1, 0, 0, 0], [NaN, 0, 0, 0]]", "orientations[1][0]: expected value"),
         ("[[1, 0, 0, 0], [null, 0, 0, 0]]", "orientations[1][0]: found null, expected a number"),
-        ("[[1, 0, 0, 0], [1, 0, 0]]", "expected an array of length 4"),
-        ("[\"along\", \"across\"]", "orientations[0]"),
-        ("\"along\"", "invalid type: string \"along\""),
+        ("[[1, 0, 0, 0], [1, 0, 0]]", "orientations[1]: found 3 numbers, expected 4: w x y z"),
+        ("[\"along\", \"across\"]", "orientations[0]: found the string \"along\", expected an array of 4 numbers"),
+        ("\"along\"", "orientations: found the string \"along\", expected an array"),
     ] {
         let text = format!("{{\"waypoints\": [[0, 0, 0], [1, 1, 1]], \"orientations\": {orientations}}}");
         let message = waypoints_from_text(&text, true).unwrap_err().to_string();

@@ -80,13 +80,13 @@ pub fn in_scene_file(error: Error, file: &Path) -> Error {
     if error.place() == Some("interference") { error } else { error.in_file(file) }
 }
 
-/// A path along which the platform keeps its orientation, and its scene at that orientation; `why` tells what needs this.
-pub fn scene_and_level_path(args: &PathArgs, why: &str, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+/// A path, and its scene at the path's orientation.
+pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
     if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
         return Err(only_one());
     }
     let scene = scene(&args.scene, out)?;
-    level_path(&scene, &args.scene, &args.path, (args.strict, why), out)
+    path(&scene, &args.scene, &args.path, args.strict, out)
 }
 
 fn only_one() -> Error {

@@ -16,6 +16,7 @@ use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
+use crate::turning::pose_path_length;
 use crate::wrench::PathWrench;
 
 /// The keys of a path file. Other keys are allowed, and planning writes more.
@@ -156,6 +157,16 @@ impl PathFile {
             scene: Some(SceneId::of(scene)),
             cost: Some(path_length(waypoints)),
             ..PathFile::default()
+        }
+    }
+
+    /// A path of a scene on which the platform turns, without a planning result.
+    pub fn of_poses(scene: &Scene, poses: &[Pose]) -> Self {
+        let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+        PathFile {
+            orientations: Some(poses.iter().map(|pose| quaternion(&pose.orientation)).collect()),
+            cost: Some(pose_path_length(scene, poses)),
+            ..PathFile::of(scene, &positions)
         }
     }
 

@@ -32,7 +32,7 @@ use crate::wrench::{PathWrench, WrenchChecker, WrenchConstraint, measures, path_
 use deciding::{Decided, search_and_decide};
 pub use no_path::NoPath;
 pub use query::{Observer, Planned, Query};
-pub use with_turns::turning_engine;
+pub use with_turns::{shorten_poses, turning_engine};
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
@@ -610,7 +610,10 @@ pub fn trace_rewinding(
 
 fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error> {
     let Some(segment) = first_invalid_segment(engine, waypoints) else { return Ok(()) };
-    let reason = engine.explain(&waypoints[segment], &waypoints[segment + 1]);
+    Err(invalid_segment(segment, engine.explain(&waypoints[segment], &waypoints[segment + 1])))
+}
+
+fn invalid_segment(segment: usize, reason: Option<Violation>) -> Error {
     let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
-    Err(Error::invalid(format!("waypoints[{segment}]"), format!("the segment that starts here is not valid{why}")))
+    Error::invalid(format!("waypoints[{segment}]"), format!("the segment that starts here is not valid{why}"))
 }

@@ -136,7 +136,7 @@ pub struct PostArgs {
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// How the path is shortened.
+    /// How the path is shortened; a path on which the platform turns has its own way.
     #[arg(long, value_parser = something(), default_value = Post::Both.name())]
     pub post: Post,
     /// Write the path here (.json or .csv).
