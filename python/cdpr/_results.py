@@ -81,13 +81,8 @@ class Path(ByValue):
         ------
         FileError
             Another extension, or a file that cannot be written; nothing half-written is left.
-        InputError
-            A path on which the platform turns, for .csv.
         """
         file = file_name(path)
-        if self.orientations is not None and file.lower().endswith(".csv"):
-            problem = "found a path on which the platform turns, which CSV files cannot hold"
-            raise InputError(f"orientations: {problem}; expected the extension .json")
         _core.save_path(file, json.dumps(self._said()))
 
     def _said(self) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 //! Reading and writing robots, paths and texts.
 
 use cdpr_core::Choice;
+use cdpr_core::path_file::PathFile;
 use cdpr_core::watch::Watch;
 use cdpr_files::{Loader, text::Notation};
 use pyo3::prelude::*;
@@ -53,9 +54,6 @@ type LoadedPath = (Vec<[f64; 3]>, Option<[f64; 4]>, String, Option<String>);
 pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) -> PyResult<LoadedPath> {
     let (loaded, of_scene) = answered(|| {
         let loaded = cdpr_files::load_waypoints(&path)?;
-        if let Some(file) = &loaded.file {
-            file.poses().map_err(|e| e.in_file(&path))?;
-        }
         let of_scene =
             scene.map(|scene| cdpr_files::scene_of_path(&scene.0, &loaded, strict).map_err(|e| e.in_file(&path)));
         Ok((loaded, of_scene.transpose()?))
@@ -63,7 +61,10 @@ pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) 
     let (turned, warning) = of_scene.unzip();
     let said = loaded.file.as_ref().and_then(|file| file.orientation);
     let orientation = said.or(turned.map(|scene| quaternion(scene.orientation())));
-    let json = loaded.file.map_or("{}".to_string(), |file| serialized(&file));
+    let poses = loaded.poses.iter().flatten();
+    let turns: Vec<[f64; 4]> = poses.map(|pose| quaternion(&pose.orientation)).collect();
+    let bare = PathFile { orientations: Some(turns).filter(|turns| !turns.is_empty()), ..PathFile::default() };
+    let json = serialized(&loaded.file.unwrap_or(bare));
     Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json, warning.flatten()))
 }
 
