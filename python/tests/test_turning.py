@@ -360,7 +360,7 @@ def test_experiments_refuse_scenes_that_turn(hard1: cdpr.Scene) -> None:
         "scenarios": [{"name": "a", "scene": scene}],
         "methods": [{"name": "b", "planner": "two-trees"}],
     }
-    with pytest.raises(cdpr.InputError, match=r"scene\.turning: found a platform that may turn"):
+    with pytest.raises(cdpr.InputError, match=r"scenarios\[0\]\.scene: found a platform that may turn"):
         cdpr.run_batch(spec)
 
 
