@@ -373,15 +373,10 @@ impl PhysicalCondition for CableCable {
         segment_segment::closest(&a, &p, &b, &q).distance - self.gap
     }
 
-    /// Along a fixed direction: the common normal halfway, or the shortest way from one cable to the other.
+    /// Along a fixed direction: the shortest way from one cable to the other halfway.
     #[inline]
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
-        let normal = (p - a).cross(&(q - b));
-        let normal = if normal.dot(&(b - a)) < 0.0 { -normal } else { normal };
-        if self.apart_along(&(normal / normal.norm()), bodies, piece) {
-            return true;
-        }
         let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
         nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), bodies, piece)
     }
