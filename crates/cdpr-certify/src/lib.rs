@@ -41,7 +41,7 @@ use std::collections::BTreeMap;
 
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::Vector;
+use cdpr_core::geometry::{Vector, wxyz};
 use cdpr_core::model::Member;
 
 pub use certificate::{Cell, Certificate, Region, Status};
@@ -154,7 +154,7 @@ impl Certificate {
     /// Orientation, scene, query, and the box of positions.
     fn is_of(&self, scene: &Scene) -> Result<(), Error> {
         let turn = scene.orientation();
-        let own = [turn.w, turn.i, turn.j, turn.k];
+        let own = wxyz(turn);
         let same = |sign: f64| own.iter().zip(&self.orientation).all(|(a, b)| (a - sign * b).abs() <= 1e-9);
         if !same(1.0) && !same(-1.0) {
             let problem = format!("found {:?}, but the scene is at {own:?}; expected the same", self.orientation);

@@ -7,8 +7,7 @@ use std::path::Path;
 use anstyle::{AnsiColor, Style};
 use cdpr_core::collision::Conditions;
 use cdpr_core::error::printable;
-use cdpr_core::geometry::{Point, Rotation};
-use cdpr_core::numerics::SAME_TURN;
+use cdpr_core::geometry::{Point, Rotation, wxyz};
 use cdpr_core::{Error, Scene};
 
 pub use cdpr_core::words::count;
@@ -254,16 +253,10 @@ pub fn degrees(angle: f64) -> String {
     format!("{:.1}°", angle.to_degrees())
 }
 
-/// An orientation as a quaternion w x y z.
-pub fn wxyz(orientation: &Rotation) -> [f64; 4] {
-    [orientation.w, orientation.i, orientation.j, orientation.k]
-}
-
 /// An orientation of the scene as readable text: its name, or its quaternion.
 pub fn orientation(scene: &Scene, orientation: &Rotation) -> String {
-    let named = scene.orientations().iter().find(|(_, known)| known.angle_to(orientation) <= SAME_TURN);
     let numbers = || wxyz(orientation).map(short).join(",");
-    named.map_or_else(numbers, |(name, _)| format!("{name:?}"))
+    scene.name_of_orientation(orientation).map_or_else(numbers, |name| format!("{name:?}"))
 }
 
 /// One line about a scene.

@@ -32,7 +32,7 @@ pub use gjk::{Proximity, distance, proximity};
 pub use half_space::HalfSpace;
 pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
-pub use pose::{Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, rotation_as_written};
+pub use pose::{Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, rotation_as_written, wxyz};
 pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, SupportMap, Swept, Triangle};
 pub use surface::{Faults, Piece, pieces};

@@ -11,7 +11,7 @@ use crate::choice::Choice;
 use crate::collision::path_check::{Nearest, path_length};
 use crate::collision::{Engine, Interference, Violation};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation, rotation_as_written};
+use crate::geometry::{Point, Pose, rotation_as_written, wxyz};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
@@ -152,7 +152,7 @@ impl PathFile {
         PathFile {
             version: Some(FORMAT_VERSION),
             waypoints: rows(waypoints),
-            orientation: Some(quaternion(turn)),
+            orientation: Some(wxyz(turn)),
             orientation_name: Some(scene.orientation_name().map(str::to_string)),
             scene: Some(SceneId::of(scene)),
             cost: Some(path_length(waypoints)),
@@ -164,7 +164,7 @@ impl PathFile {
     pub fn of_poses(scene: &Scene, poses: &[Pose]) -> Self {
         let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
         PathFile {
-            orientations: Some(poses.iter().map(|pose| quaternion(&pose.orientation)).collect()),
+            orientations: Some(poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
             cost: Some(pose_path_length(scene, poses)),
             ..PathFile::of(scene, &positions)
         }
@@ -198,7 +198,7 @@ impl PathFile {
             wrench: appraisal.wrench.clone(),
             lower_bound: None,
         };
-        let quaternions: Vec<[f64; 4]> = result.orientations.iter().map(quaternion).collect();
+        let quaternions: Vec<[f64; 4]> = result.orientations.iter().map(wxyz).collect();
         PathFile {
             status: Some(status.name().to_string()),
             orientations: Some(quaternions).filter(|quaternions| !quaternions.is_empty()),
@@ -264,10 +264,6 @@ fn shared<S: Serializer>(proof: &Option<Arc<NoPath>>, serializer: S) -> Result<S
     proof.as_deref().serialize(serializer)
 }
 
-fn quaternion(rotation: &Rotation) -> [f64; 4] {
-    [rotation.w, rotation.i, rotation.j, rotation.k]
-}
-
 fn rows(points: &[Point]) -> Vec<[f64; 3]> {
     points.iter().map(|p| [p.x, p.y, p.z]).collect()
 }
@@ -275,6 +271,7 @@ fn rows(points: &[Point]) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Rotation;
     use crate::plan::plan;
     use crate::testing::hard1;
     use serde_json::{Value, json};
@@ -326,17 +323,17 @@ mod tests {
     fn poses_are_read_digit_by_digit_and_rough_quaternions_are_normalized() {
         let turn = Rotation::from_scaled_axis(crate::geometry::Vector::new(0.1, 0.2, 0.3));
         let products = std::iter::successors(Some(turn), |last| Some(last * turn)).take(50);
-        let written: Vec<[f64; 4]> = products.map(|product| quaternion(&product)).collect();
+        let written: Vec<[f64; 4]> = products.map(|product| wxyz(&product)).collect();
         let file = PathFile {
             waypoints: vec![[0.0; 3]; written.len()],
             orientations: Some(written.clone()),
             ..PathFile::default()
         };
         let read = file.poses().unwrap().unwrap();
-        assert!(read.iter().zip(&written).all(|(pose, digits)| quaternion(&pose.orientation) == *digits));
+        assert!(read.iter().zip(&written).all(|(pose, digits)| wxyz(&pose.orientation) == *digits));
         let rough =
             PathFile { waypoints: vec![[0.0; 3]], orientations: Some(vec![[1.0 + 1e-7, 0.0, 0.0, 0.0]]), ..file };
-        assert_eq!(quaternion(&rough.poses().unwrap().unwrap()[0].orientation), [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(wxyz(&rough.poses().unwrap().unwrap()[0].orientation), [1.0, 0.0, 0.0, 0.0]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, wxyz};
 use crate::model::Scene;
 use crate::plan::engine_within;
 use crate::planning::{StateSpace, TranslationSpace};
@@ -102,7 +102,7 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         platform_parts: scene.robot().parts().len(),
         obstacles: scene.obstacles().len(),
         obstacle_parts: scene.obstacles().iter().map(|o| o.parts.len()).sum(),
-        orientation: [turn.w, turn.i, turn.j, turn.k],
+        orientation: wxyz(turn),
         orientation_name: scene.orientation_name().map(str::to_string),
         orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),

@@ -9,7 +9,7 @@ use serde_json::json;
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
 use cdpr_core::error::{Error, printable};
-use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::geometry::{Point, Pose, wxyz};
 use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
@@ -140,7 +140,7 @@ pub fn scene_for(
         let names: Vec<&str> = scene.orientations().iter().map(|(name, _)| name.as_str()).collect();
         let names = if names.is_empty() { "no turn".to_string() } else { names.join(", ") };
         let turn = own.orientation();
-        let turn = [turn.w, turn.i, turn.j, turn.k];
+        let turn = wxyz(turn);
         let problem = format!("found a path at {turn:?}, which is not one of the scene's orientations ({names})");
         return Err(Error::invalid("orientation", problem));
     }

@@ -2,7 +2,7 @@
 //! and results.
 
 use cdpr_core::batch::BatchOptions;
-use cdpr_core::geometry::{Point, Rotation};
+use cdpr_core::geometry::Point;
 use cdpr_core::{Choice, Error};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -46,10 +46,7 @@ pub fn serialized_as_in_files(value: &impl serde::Serialize) -> String {
     serde_json::json!(value).to_string()
 }
 
-/// A rotation as w x y z.
-pub fn quaternion(turn: &Rotation) -> [f64; 4] {
-    [turn.w, turn.i, turn.j, turn.k]
-}
+pub use cdpr_core::geometry::wxyz as quaternion;
 
 /// The answers to a number of questions as an array; `answer` fills them in with the interpreter released.
 pub fn answer_array<T: Element + Clone + Default + Send>(

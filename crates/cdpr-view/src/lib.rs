@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::error::{Error, ErrorClass};
-use cdpr_core::geometry::{Point, Polytope, Pose, Rotation};
+use cdpr_core::geometry::{Point, Polytope, Pose, Rotation, wxyz};
 use cdpr_core::model::{Obstacle, Scene};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::regions::{NamedMesh, Regions};
@@ -178,10 +178,6 @@ fn path_value(scene: &Scene, path: &PathFile) -> Value {
     }
     value["tree"] = json!(extras::tree(&path.tree));
     value
-}
-
-fn wxyz(q: &Rotation) -> [f64; 4] {
-    [q.w, q.i, q.j, q.k]
 }
 
 fn xyz(p: &Point) -> [f64; 3] {

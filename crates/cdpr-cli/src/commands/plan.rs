@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
-use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::geometry::{Point, Pose, wxyz};
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::{SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Query, plan};
@@ -24,7 +24,7 @@ use crate::args::{Format, PlanArgs};
 use crate::input;
 use crate::interruption::interrupted;
 use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, orientation, position, robot_line};
-use crate::output::{scene_line, short, wxyz};
+use crate::output::{scene_line, short};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use cdpr_core::collision::{Checker, check_path};
+use cdpr_core::geometry::wxyz;
 use cdpr_core::plan::{NoPath, PlanOptions, engine_within};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::turning::check_poses;
@@ -15,7 +16,7 @@ use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input::{self, Motion};
 use crate::interruption::interrupted;
-use crate::output::{Console, is_stream, lossy, wxyz};
+use crate::output::{Console, is_stream, lossy};
 
 /// What the user can do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";

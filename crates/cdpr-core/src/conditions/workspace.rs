@@ -39,13 +39,6 @@ impl Workspace {
         Workspace { min, max, limits: *scene.workspace() }
     }
 
-    /// Smallest distance of the platform from the limits at a pose, m; negative outside.
-    fn inside(&self, bodies: &Bodies, at: &Placed) -> f64 {
-        let Aabb { min, max } = &self.limits;
-        let corners = bodies.platform.iter().flat_map(|part| part.vertices()).map(|v| at.point(&v.coords));
-        corners.map(|v| (v - min).inf(&(max - v)).min()).fold(f64::INFINITY, f64::min)
-    }
-
     /// Smallest distance from the workspace limits over a motion, m; negative outside.
     #[inline]
     fn room(&self, from: &Point, to: &Point) -> f64 {
@@ -97,7 +90,9 @@ impl PhysicalCondition for Workspace {
     }
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
-        self.inside(bodies, at)
+        let Aabb { min, max } = &self.limits;
+        let corners = bodies.platform.iter().flat_map(|part| part.vertices()).map(|v| at.point(&v.coords));
+        corners.map(|v| (v - min).inf(&(max - v)).min()).fold(f64::INFINITY, f64::min)
     }
 
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {

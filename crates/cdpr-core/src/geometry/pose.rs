@@ -67,6 +67,11 @@ impl Pose {
     }
 }
 
+/// A rotation as the quaternion w x y z.
+pub fn wxyz(rotation: &Rotation) -> [f64; 4] {
+    [rotation.w, rotation.i, rotation.j, rotation.k]
+}
+
 /// The rotation of a quaternion w x y z of length 1. If it is a rotation up to rounding, its digits are kept, so that a pose that
 /// was written is read as the very same: a path that touches its limits would otherwise be judged anew.
 pub fn rotation_as_written([w, x, y, z]: [f64; 4]) -> Rotation {
@@ -79,7 +84,7 @@ pub fn rotation_as_written([w, x, y, z]: [f64; 4]) -> Rotation {
 
 /// A quaternion with the sign that makes its first component positive.
 fn signed(rotation: &Rotation) -> [f64; 4] {
-    let digits = [rotation.w, rotation.i, rotation.j, rotation.k];
+    let digits = wxyz(rotation);
     let first = digits.iter().find(|x| x.abs() > HALF_TURN).copied().unwrap_or(1.0);
     digits.map(|x| x * first.signum())
 }

@@ -11,7 +11,7 @@ use super::spec::{
 use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
-use crate::geometry::{Aabb, Point, Rotation, Vector};
+use crate::geometry::{Aabb, Point, Rotation, Vector, wxyz};
 use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
@@ -169,8 +169,13 @@ impl Scene {
 
     /// The name of the orientation, if it is one of the named orientations.
     pub fn orientation_name(&self) -> Option<&str> {
-        let turn = |other: &Rotation| self.orientation.angle_to(other);
-        self.orientations.iter().find(|(_, other)| turn(other) <= SAME_TURN).map(|(name, _)| name.as_str())
+        self.name_of_orientation(&self.orientation)
+    }
+
+    /// The name of an orientation, if it is one of the named orientations.
+    pub fn name_of_orientation(&self, orientation: &Rotation) -> Option<&str> {
+        let same = |other: &Rotation| orientation.angle_to(other) <= SAME_TURN;
+        self.orientations.iter().find(|(_, other)| same(other)).map(|(name, _)| name.as_str())
     }
 
     /// The named orientations.
@@ -231,7 +236,7 @@ impl Scene {
         if turn.angle_to(&self.orientation) <= SAME_TURN {
             return Ok(self.clone());
         }
-        let words = |q: &Rotation| format!("{:?}", [q.w, q.i, q.j, q.k]);
+        let words = |q: &Rotation| format!("{:?}", wxyz(q));
         let problem = format!("found a path at {}, but the scene is at {}", words(&turn), words(&self.orientation));
         Err(Error::invalid("orientation", format!("{problem}; expected the same orientation")))
     }
@@ -326,12 +331,6 @@ impl Scene {
         self.end_orientations.map(|own| own.unwrap_or(self.orientation))
     }
 
-    /// Whether the platform may turn on its way: the scene says how, or start and goal differ in orientation.
-    pub fn turns(&self) -> bool {
-        let [start, goal] = self.end_orientations();
-        self.spec.turning.is_some() || start.angle_to(&goal) > SAME_TURN
-    }
-
     /// How the platform may turn on its way, if the scene says so.
     pub fn turning(&self) -> Option<&TurningSpec> {
         self.spec.turning.as_ref()
@@ -389,7 +388,7 @@ fn degrees_hints(spec: &SceneSpec, robot: &Robot) -> Vec<String> {
 
 /// A rotation in digits that do not depend on how it was specified.
 fn rounded(rotation: &Rotation) -> [f64; 4] {
-    let digits = [rotation.w, rotation.i, rotation.j, rotation.k].map(|x| (x / SAME_TURN).round() * SAME_TURN);
+    let digits = wxyz(rotation).map(|x| (x / SAME_TURN).round() * SAME_TURN);
     let first = digits.iter().find(|x| **x != 0.0).copied().unwrap_or(1.0);
     digits.map(|x| first.signum() * x + 0.0) // q and -q are the same rotation
 }

@@ -63,8 +63,9 @@ pub fn plan_turning(
     };
     let engine = TurningEngine::new(scene, level)?;
     let [start, goal] = query.poses()?;
-    let level = [&start, &goal].iter().all(|pose| pose.orientation.angle_to(scene.orientation()) <= SAME_TURN);
-    let straight = match level {
+    let keeps_orientation =
+        [&start, &goal].iter().all(|pose| pose.orientation.angle_to(scene.orientation()) <= SAME_TURN);
+    let straight = match keeps_orientation {
         true => {
             let half = watch.left().map(|left| left / 2);
             let share = Watch { deadline: half.map(|half| Instant::now() + half), ..*watch };
@@ -125,8 +126,8 @@ fn search(
     }
     let clock = Instant::now();
     let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
-    let path = match options.post() {
-        Post::None if options.post.is_some() => waypoints.clone(),
+    let path = match options.post {
+        Some(Post::None) => waypoints.clone(),
         // A caller who interrupts wants the path that was found.
         _ => match shortener.polished(&waypoints, &grace) {
             Err(stopped) if stopped.class() == ErrorClass::Interrupted => waypoints.clone(),

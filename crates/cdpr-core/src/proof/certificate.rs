@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Content, Proof};
 use crate::collision::Checker;
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, Point, wxyz};
 use crate::model::Scene;
 
 /// What the file says it is.
@@ -111,7 +111,7 @@ impl Certificate {
             format: FORMAT.to_string(),
             version: VERSION,
             scene: scene.fingerprint(),
-            orientation: [turn.w, turn.i, turn.j, turn.k],
+            orientation: wxyz(turn),
             margin: proof.margin,
             start: proof.start.into(),
             goal: proof.goal.into(),

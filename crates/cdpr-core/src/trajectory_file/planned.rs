@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Vector, wxyz};
 use crate::model::{Scene, body};
 use crate::numerics::MOST_SAMPLES;
 use crate::path_file::SceneId;
@@ -42,7 +42,7 @@ impl TrajectoryFile {
             format: TRAJECTORY_FORMAT.to_string(),
             version: TRAJECTORY_VERSION,
             scene: SceneId::of(scene),
-            orientation: [turn.w, turn.i, turn.j, turn.k],
+            orientation: wxyz(turn),
             orientation_name: scene.orientation_name().map(str::to_string),
             duration: trajectory.duration(),
             length: trajectory.curve().length(),

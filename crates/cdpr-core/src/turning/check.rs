@@ -1,7 +1,7 @@
 //! Checks a path of poses: every violation with its place, and the closest approach.
 
 use super::engine::TurningEngine;
-use super::pose_space::turn_weight;
+use super::pose_space::{pose_distance, turn_weight};
 use crate::collision::path_check::{Nearest, PathClearance, PathExemption, PathReport, PathViolation};
 use crate::collision::{Clearance, Validity};
 use crate::error::Error;
@@ -12,8 +12,7 @@ use crate::watch::Watch;
 /// Length of a path of poses in a scene, m: of its translations, plus the weight of turns times their angles.
 pub fn pose_path_length(scene: &Scene, poses: &[Pose]) -> f64 {
     let weight = turn_weight(scene);
-    let step = |pair: &[Pose]| (pair[1].position - pair[0].position).norm() + weight * pair[0].angle_to(&pair[1]);
-    poses.windows(2).map(step).sum()
+    poses.windows(2).map(|pair| pose_distance(weight, &pair[0], &pair[1])).sum()
 }
 
 /// Checks every segment of a path of poses.

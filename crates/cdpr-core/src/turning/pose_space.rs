@@ -116,6 +116,11 @@ pub fn turn_weight(scene: &Scene) -> f64 {
     scene.turning().and_then(|turning| turning.weight).unwrap_or(reach)
 }
 
+/// Length of the motion between two poses, m, if a turn by one radian is as long as `weight`, m.
+pub(super) fn pose_distance(weight: f64, a: &Pose, b: &Pose) -> f64 {
+    (b.position - a.position).norm() + weight * a.angle_to(b)
+}
+
 /// Weight of turns of a platform without extent, m/rad: paths should not turn for nothing.
 const LEAST_WEIGHT: f64 = 1e-3;
 
@@ -155,7 +160,7 @@ impl StateSpace for PoseSpace {
     }
 
     fn distance(&self, a: &Pose, b: &Pose) -> f64 {
-        (b.position - a.position).norm() + self.weight * a.angle_to(b)
+        pose_distance(self.weight, a, b)
     }
 
     fn largest_distance(&self) -> f64 {
