@@ -7,7 +7,7 @@ WHEELS := target/wheels
 SITE := target/site
 
 .PHONY: test lint rust-test long-test portable-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
-	package-test reference docs workflows packages deny demo figures bench viewer browser clean
+	package-test reference docs workflows packages deny demo figures bench viewer page browser clean
 
 test: lint rust-test python-test docs workflows
 
@@ -155,8 +155,13 @@ figures: release-wheel browser
 bench:
 	cargo bench --locked -p cdpr-benches
 
-# Rebuilds the page's script from viewer/src; needs Node. The result is under version control.
-viewer:
+# Rebuilds the page's script from viewer/src and its planner from the core; needs Node and, for WebAssembly, rustup. The
+# results are under version control, with checksums of their sources. `make page` rebuilds only the script.
+viewer: page
+	viewer/planner.sh
+	cd viewer && npm run planner
+
+page:
 	cd viewer && npm ci && npm run build
 
 clean:

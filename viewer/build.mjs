@@ -1,13 +1,22 @@
-// Bundles the viewer and writes it to the assets of the Rust crate.
+// Bundles the page and writes it to the assets of the Rust crate; with `--planner` also the planner, as compiled to
+// `planner/` by `make viewer`.
 
-import { copyFile, mkdir, readFile, writeFile } from 'node:fs/promises';
+import { createHash } from 'node:crypto';
+import { copyFile, mkdir, readFile, readdir, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { build } from 'esbuild';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const assets = '../crates/cdpr-view/src/assets/';
 const licence = here('node_modules/three/LICENSE');
-const placeholders = ['{{title}}', '/*{{style}}*/', '{{data}}', '/*{{script}}*/'];
+const placeholders = ['{{title}}', '/*{{style}}*/', '{{data}}', '{{worker}}', '{{module}}', '/*{{script}}*/'];
+
+// What each asset is made from: a change of these needs `make viewer`.
+const sources = {
+  page: ['src', 'build.mjs', 'package-lock.json'],
+  planner: ['../crates/cdpr-core/src', '../crates/cdpr-live/src', 'src/worker.js', 'package-lock.json'],
+};
 
 const shared = { bundle: true, minify: true, write: false, target: 'es2020', legalComments: 'none' };
 
@@ -25,6 +34,10 @@ async function bundleScript() {
   });
 }
 
+// The glue of wasm-bindgen mentions `import.meta`, which the worker never uses.
+const bundleWorker = () =>
+  bundle({ entryPoints: [here('src/worker.js')], format: 'iife', logOverride: { 'empty-import-meta': 'silent' } });
+
 // Text placed within a page must not end its element nor look like a placeholder.
 function checkInline(name, content) {
   const forbidden = ['</script', '</style', '<!--', ...placeholders];
@@ -38,16 +51,55 @@ function checkTemplate(template) {
   }
 }
 
-const script = await bundleScript();
-const style = await bundle({ entryPoints: [here('src/viewer.css')], target: ['chrome111', 'firefox121', 'safari16.4'] });
-const template = await readFile(here('src/template.html'), 'utf8');
-checkInline('viewer.js', script);
-checkInline('viewer.css', style);
-checkTemplate(template);
+async function write(name, content) {
+  await mkdir(here(assets), { recursive: true });
+  await writeFile(here(`${assets}${name}`), content);
+  console.log(`${name} ${Math.round(content.length / 1024)} KiB`);
+}
 
-await mkdir(here(assets), { recursive: true });
-await writeFile(here(`${assets}viewer.js`), script);
-await writeFile(here(`${assets}viewer.css`), style);
-await writeFile(here(`${assets}template.html`), template);
-await copyFile(licence, here(`${assets}THREE_LICENSE.txt`));
-console.log(`viewer.js ${Math.round(script.length / 1024)} KiB, viewer.css ${Math.round(style.length / 1024)} KiB`);
+async function writePage() {
+  const script = await bundleScript();
+  const style = await bundle({ entryPoints: [here('src/viewer.css')], target: ['chrome111', 'firefox121', 'safari16.4'] });
+  const template = await readFile(here('src/template.html'), 'utf8');
+  checkInline('viewer.js', script);
+  checkInline('viewer.css', style);
+  checkTemplate(template);
+  await write('viewer.js', script);
+  await write('viewer.css', style);
+  await write('template.html', template);
+  await copyFile(licence, here(`${assets}THREE_LICENSE.txt`));
+}
+
+async function writePlanner() {
+  const worker = await bundleWorker();
+  checkInline('worker.js', worker);
+  await write('worker.js', worker);
+  await write('planner.txt', deflateRawSync(await readFile(here('planner/planner.wasm')), { level: 9 }).toString('base64'));
+}
+
+// Names and contents of files, in the order of their names.
+async function files(path) {
+  const entries = await readdir(here(path), { withFileTypes: true, recursive: true }).catch(() => null);
+  if (entries === null) return [path];
+  const inside = entries.filter((entry) => entry.isFile()).map((entry) => `${entry.parentPath}/${entry.name}`);
+  return inside.map((file) => `${path}${file.slice(here(path).length)}`).sort();
+}
+
+async function checksum(paths) {
+  const hash = createHash('sha256');
+  for (const path of (await Promise.all(paths.map(files))).flat()) hash.update(await readFile(here(path)));
+  return hash.digest('hex');
+}
+
+// The tests compare these checksums with the sources.
+async function writeChecksum(asset) {
+  await writeFile(here(`${assets}${asset}.sha256`), `${await checksum(sources[asset])}\n`);
+}
+
+if (process.argv.includes('--planner')) {
+  await writePlanner();
+  await writeChecksum('planner');
+} else {
+  await writePage();
+  await writeChecksum('page');
+}

@@ -92,6 +92,7 @@ def view(
     waypoints: ArrayLike | Path | Trajectory | None = None,
     interference: Interference = "exact",
     strict: bool = False,
+    live: bool = True,
 ) -> View:
     own = instance("scene", scene, Scene)._core
     if isinstance(waypoints, Trajectory):
@@ -105,7 +106,7 @@ def view(
         tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
         certificate = None if waypoints.proof is None else waypoints.proof._certificate
     core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
-    return View(core.page(file, tree, certificate, text("interference", interference)))
+    return View(core.page(file, tree, certificate, text("interference", interference), flag("live", live)))
 
 
 def _file(waypoints: ArrayLike | Path) -> dict[str, Any]:
@@ -120,6 +121,7 @@ def save_view(
     *,
     interference: Interference = "exact",
     strict: bool = False,
+    live: bool = True,
 ) -> None:
     """Write one self-contained HTML page that shows a scene and, if given, a path or a timed motion; it opens offline.
 
@@ -134,6 +136,9 @@ def save_view(
         How the path is checked for what the page shows in red.
     strict : bool
         Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+    live : bool
+        Let the reader edit the scene and plan in the page, offline; False makes a page that only shows it, 1 MB smaller.
+        Pages of a ``Trajectory`` only show it.
 
     Raises
     ------
@@ -148,7 +153,7 @@ def save_view(
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
     _core.check_target(file_name(path))
-    view(scene, waypoints, interference, strict).save(path)
+    view(scene, waypoints, interference, strict, live).save(path)
 
 
 def show(
@@ -157,6 +162,7 @@ def show(
     *,
     interference: Interference = "exact",
     strict: bool = False,
+    live: bool = True,
 ) -> View:
     """Show a scene and, if given, a path or a timed motion.
 
@@ -173,6 +179,9 @@ def show(
         How the path is checked for what the page shows in red.
     strict : bool
         Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
+    live : bool
+        Let the reader edit the scene and plan in the page, offline; False makes a page that only shows it, 1 MB smaller.
+        Pages of a ``Trajectory`` only show it.
 
     Returns
     -------
@@ -185,7 +194,7 @@ def show(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> page = cdpr.show(scene, cdpr.plan(scene))  # doctest: +SKIP
     """
-    shown = view(scene, waypoints, interference, strict)
+    shown = view(scene, waypoints, interference, strict, live)
     if not _in_notebook():
         shown.open()
     return shown

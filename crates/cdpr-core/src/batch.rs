@@ -1,8 +1,9 @@
 //! Many queries at once, on one thread or several, with the same answers and prompt response to an interrupt.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rayon::prelude::*;
+use web_time::Instant;
 
 use crate::error::Error;
 use crate::watch::{Interrupt, thread_count};

@@ -7,11 +7,12 @@ mod query;
 mod with_turns;
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
+use web_time::Instant;
 
 use crate::choices;
 use crate::collision::path_check::{Nearest, PathReport, first_invalid_segment, nearest, path_length};

@@ -3,7 +3,9 @@
 //! Every function that can take longer than about ten milliseconds takes a [`Watch`] and polls it every few
 //! milliseconds, on any thread.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use crate::error::{Error, ErrorClass};
 use crate::numerics::{MOST_SECONDS, MOST_THREADS};

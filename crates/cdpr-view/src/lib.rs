@@ -4,10 +4,12 @@
 //! cannot be computed is left out; callers have already checked path and scene.
 //!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
-//! scene as JSON.
+//! scene as JSON. A [`Form::Live`] page also contains the planner, compiled to WebAssembly (crate `cdpr-live`): its
+//! scene can be edited.
 
 mod blocks;
 mod extras;
+mod live;
 mod no_path;
 mod trajectory;
 
@@ -27,15 +29,26 @@ const TEMPLATE: &str = include_str!("assets/template.html");
 const STYLE: &str = include_str!("assets/viewer.css");
 const SCRIPT: &str = include_str!("assets/viewer.js");
 
+/// Whether a page only shows its scene.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Form {
+    /// The scene can be edited, and paths are planned in the page. This adds 0.5 MB.
+    #[default]
+    Live,
+    /// The page only shows what it was made for.
+    Static,
+}
+
 /// The page for a scene, a path and its violations.
 ///
 /// # Example
 /// ```
-/// let page = cdpr_view::page(&cdpr_core::testing::hard1(), None, &[]);
+/// use cdpr_view::{Form, page};
+/// let page = page(&cdpr_core::testing::hard1(), None, &[], Form::Static);
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
-pub fn page(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> String {
-    page_within(scene, path, violations, &Watch::NONE).expect("nothing stops it")
+pub fn page(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation], form: Form) -> String {
+    page_within(scene, path, violations, form, &Watch::NONE).expect("nothing stops it")
 }
 
 /// As [`page`], within a watch.
@@ -46,8 +59,28 @@ pub fn page_within(
     scene: &Scene,
     path: Option<&PathFile>,
     violations: &[PathViolation],
+    form: Form,
     watch: &Watch,
 ) -> Result<String, Error> {
+    let mut data = page_data(scene, path, violations, true, watch)?;
+    if form == Form::Live {
+        data["live"] = live::contents(scene, path);
+    }
+    Ok(filled(scene, &data))
+}
+
+/// The contents of the page as JSON; `extras` are those that do not depend on the path: shadows and the wrench-feasible
+/// workspace.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn page_data(
+    scene: &Scene,
+    path: Option<&PathFile>,
+    violations: &[PathViolation],
+    extras: bool,
+    watch: &Watch,
+) -> Result<Value, Error> {
     let motion = |path: &PathFile| match poses(path) {
         Some(poses) => Ok(extras::turning_motion(scene, &poses)),
         None => extra(extras::motion(scene, &path.points(), watch)),
@@ -55,7 +88,7 @@ pub fn page_within(
     let motion = path.map(motion).transpose()?.flatten();
     let mut data = data(scene, path, violations);
     data["motion"] = json!(motion);
-    complete(scene, data, watch)
+    if extras { with_extras(scene, data, watch) } else { Ok(data) }
 }
 
 /// The page that plays a trajectory in real time and plots it over time; `violations` are those between its samples, as
@@ -75,15 +108,15 @@ pub fn trajectory_page_within(
     data["motion"] = json!(motion);
     data["trajectory"] = json!(trajectory::shown(trajectory));
     data["violations"] = json!(trajectory::events(trajectory, violations));
-    complete(scene, data, watch)
+    Ok(filled(scene, &with_extras(scene, data, watch)?))
 }
 
-/// The page with what does not depend on the path.
-fn complete(scene: &Scene, mut data: Value, watch: &Watch) -> Result<String, Error> {
+/// Adds what does not depend on the path.
+fn with_extras(scene: &Scene, mut data: Value, watch: &Watch) -> Result<Value, Error> {
     data["regions"] = json!(extra(extras::shadows(scene, watch))?);
     data["feasible"] = json!(extra(extras::feasible(scene, watch))?);
     watch.check()?;
-    Ok(filled(scene, &data))
+    Ok(data)
 }
 
 /// Additional contents, left out if they cannot be computed; only an interruption or the deadline is an error.
@@ -111,9 +144,17 @@ pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
 }
 
 fn filled(scene: &Scene, data: &Value) -> String {
+    let planner = if data["live"].is_null() { ["", ""] } else { [live::WORKER, live::MODULE] };
     let data = inert(&data.to_string());
     let title = escaped(&format!("{} – cdpr", scene.name()));
-    let parts = [("/*{{style}}*/", STYLE), ("{{title}}", &title), ("{{data}}", &data), ("/*{{script}}*/", SCRIPT)];
+    let parts = [
+        ("/*{{style}}*/", STYLE),
+        ("{{title}}", &title),
+        ("{{data}}", &data),
+        ("{{worker}}", planner[0]),
+        ("{{module}}", planner[1]),
+        ("/*{{script}}*/", SCRIPT),
+    ];
     fill(TEMPLATE, &parts)
 }
 
@@ -242,7 +283,7 @@ mod tests {
     fn hostile_names_stay_data() {
         let name = "</script><script>alert(1)</script>{{title}}/*{{script}}*/";
         let scene = scene(paper_scene(name, vec![block(name, [0.1; 3], [1.0; 3])]));
-        let page = page(&scene, None, &[]);
+        let page = page(&scene, None, &[], Form::Static);
         assert!(!page.contains("<script>alert(1)"));
         assert_eq!(page.matches(SCRIPT).count(), 1);
     }

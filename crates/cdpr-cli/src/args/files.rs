@@ -82,6 +82,9 @@ pub struct ViewArgs {
     /// Page to write.
     #[arg(short, long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
     pub output: PathBuf,
+    /// Write a page that only shows the scene: no editing and planning in it, 1 MB smaller.
+    #[arg(long = "static")]
+    pub is_static: bool,
     #[command(flatten)]
     pub strict: Strict,
     #[command(flatten)]

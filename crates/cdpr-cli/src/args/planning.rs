@@ -63,6 +63,9 @@ pub struct PlanArgs {
     /// Write a page that shows the result here.
     #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
     pub html: Option<PathBuf>,
+    /// Write a page that only shows the result: no editing and planning in it, 1 MB smaller.
+    #[arg(long = "static", requires = "html")]
+    pub is_static: bool,
     /// Also time the path, as `trajectory` does, and write the trajectory here (.json, .csv or .yaml).
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub trajectory: Option<PathBuf>,

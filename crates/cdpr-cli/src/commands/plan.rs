@@ -18,7 +18,7 @@ use cdpr_view::page;
 use super::check::turns;
 use super::post::{check_path_name, save_path};
 use super::trajectory::{Timed, check_trajectory_name, save_trajectory};
-use super::view::IN_BROWSER;
+use super::view::{IN_BROWSER, form};
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
 use crate::input;
@@ -95,7 +95,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if interrupted() {
         out.say("interrupted; this is the best path found so far");
     } else if let Some(path) = &args.html {
-        let page = page(&shown_scene(&scene, ends)?, Some(&file), &[]);
+        let page = page(&shown_scene(&scene, ends)?, Some(&file), &[], form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);

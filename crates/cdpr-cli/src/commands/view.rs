@@ -10,7 +10,7 @@ use cdpr_core::turning::check_poses;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
-use cdpr_view::{page_within, trajectory_page_within};
+use cdpr_view::{Form, page_within, trajectory_page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
@@ -31,13 +31,14 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
         engine_within(scene, args.checker.engine, args.checker.interference, &watch)
             .map_err(|e| e.in_file(&args.scene.scene))
     };
+    let form = form(args.is_static);
     let (page, violations) = match (&args.path, proof) {
-        (None, _) => (page_within(&scene, None, &[], &watch)?, Vec::new()),
+        (None, _) => (page_within(&scene, None, &[], form, &watch)?, Vec::new()),
         (Some(path), Some(text)) => {
             input::selects_orientation(&scene, &args.scene)?;
             input::never_turns(&scene, &args.scene)?;
             let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
-            (page_within(&scene, Some(&shown), &[], &watch)?, Vec::new())
+            (page_within(&scene, Some(&shown), &[], form, &watch)?, Vec::new())
         }
         (Some(path), None) => match input::motion(&scene, &args.scene, path, args.strict, out)? {
             Motion::Path(found) => {
@@ -50,7 +51,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
                     }
                 };
                 let shown = shown(&loaded, report.length);
-                (page_within(&scene, Some(&shown), &report.violations, &watch)?, report.violations)
+                (page_within(&scene, Some(&shown), &report.violations, form, &watch)?, report.violations)
             }
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;
@@ -65,6 +66,11 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
         out.result(&serde_json::json!({ "page": lossy(&args.output), "violations": violations }).to_string());
     }
     Ok(Answer::Yes)
+}
+
+/// The form of a page, given `--static`.
+pub fn form(is_static: bool) -> Form {
+    if is_static { Form::Static } else { Form::Live }
 }
 
 /// Checks that a page can be written under this name, before any work is done.

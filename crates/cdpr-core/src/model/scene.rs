@@ -209,6 +209,18 @@ impl Scene {
         Ok(scene)
     }
 
+    /// The same scene with another start and goal, or without them.
+    ///
+    /// # Errors
+    /// A position that is not finite.
+    pub fn between(mut self, [start, goal]: [Option<[f64; 3]>; 2]) -> Result<Scene, Error> {
+        let end = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
+        (self.start, self.goal) = (end("start", start)?, end("goal", goal)?);
+        let query = self.spec.query.get_or_insert_default();
+        (query.start, query.goal) = (start, goal);
+        Ok(self)
+    }
+
     /// Whether the scene lists several orientations and selects none.
     pub fn orientation_is_open(&self) -> bool {
         !self.orientation_is_fixed() && !self.orientations.is_empty()

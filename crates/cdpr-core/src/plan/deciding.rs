@@ -7,7 +7,9 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use super::{Improved, PlanOptions};
 use crate::collision::Checker;
@@ -20,6 +22,12 @@ use crate::watch::Watch;
 
 /// Head start of the planner: most scenes are solved before a proof would be of use.
 const HEAD_START: Duration = Duration::from_millis(1);
+
+/// The planner's first turn where the two share one thread.
+const FIRST_TURN: Duration = Duration::from_millis(10);
+
+/// Whether a second thread can be had: not in the page.
+const THREADS: bool = cfg!(not(target_arch = "wasm32"));
 
 /// How a search ended.
 pub enum Decided {
@@ -50,42 +58,108 @@ pub fn search_and_decide(
     if !options.proof || effort == 0 {
         return search(improved, watch).map(|outcome| Decided::Searched(outcome, None));
     }
-    let (found, none, begun) = (AtomicBool::new(false), AtomicBool::new(false), AtomicBool::new(false));
-    let decision = || {
-        let useless = || found.load(Ordering::Relaxed) || (watch.interrupted)();
-        let answer = decide(engine, [start, goal], effort, &Watch { interrupted: &useless, ..*watch }).ok();
+    let decision = Decision { engine, ends: [start, goal], effort, found: AtomicBool::new(false) };
+    let (outcome, answer) = if THREADS {
+        side_by_side(&decision, (improved, watch), search)
+    } else {
+        in_turns(&decision, (improved, watch), search)
+    };
+    conclude(outcome, answer, puller, watch)
+}
+
+/// The decision, as long as the planner has no path.
+struct Decision<'a> {
+    engine: &'a dyn Checker,
+    ends: [&'a Point; 2],
+    effort: usize,
+    found: AtomicBool,
+}
+
+impl Decision<'_> {
+    /// `None` if there was not enough time.
+    fn answer(&self, watch: &Watch) -> Option<Answer> {
+        let useless = || self.is_useless() || (watch.interrupted)();
+        decide(self.engine, self.ends, self.effort, &Watch { interrupted: &useless, ..*watch }).ok()
+    }
+
+    fn is_useless(&self) -> bool {
+        self.found.load(Ordering::Relaxed)
+    }
+
+    /// Runs the planner, and notes when it has a path.
+    fn searched(
+        &self,
+        search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
+        (improved, watch): (&Improved, &Watch),
+    ) -> Result<Outcome<Point>, Error> {
+        let better = |seconds: f64, cost: f64, path: &[Point]| {
+            self.found.store(true, Ordering::Relaxed);
+            improved(seconds, cost, path);
+        };
+        let outcome = search(&better, watch);
+        let solved = outcome.as_ref().is_ok_and(|outcome| outcome.status == Status::Solved);
+        self.found.fetch_or(solved, Ordering::Relaxed);
+        outcome
+    }
+}
+
+/// The planner on this thread, the decision on another one.
+fn side_by_side(
+    decision: &Decision,
+    (improved, watch): (&Improved, &Watch),
+    search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
+) -> (Result<Outcome<Point>, Error>, Option<Answer>) {
+    let (none, begun) = (AtomicBool::new(false), AtomicBool::new(false));
+    let beside = || {
+        let answer = decision.answer(watch);
         none.store(matches!(answer, Some(Answer::NoPath(_))), Ordering::Relaxed);
         answer
     };
     let clock = Instant::now();
-    let (outcome, answer) = thread::scope(|scope| {
-        let beside = Mutex::new(None);
+    thread::scope(|scope| {
+        let thread = Mutex::new(None);
         // The planner polls this: scenes that it solves quickly never start a thread.
         let stop = || {
-            let late =
-                !begun.load(Ordering::Relaxed) && !found.load(Ordering::Relaxed) && clock.elapsed() >= HEAD_START;
+            let late = !begun.load(Ordering::Relaxed) && !decision.is_useless() && clock.elapsed() >= HEAD_START;
             if late && !begun.swap(true, Ordering::Relaxed) {
                 // Where no thread can be started the decision follows the search.
-                *lock(&beside) = thread::Builder::new().spawn_scoped(scope, decision).ok();
+                *lock(&thread) = thread::Builder::new().spawn_scoped(scope, beside).ok();
             }
             none.load(Ordering::Relaxed) || (watch.interrupted)()
         };
-        let better = |seconds: f64, cost: f64, path: &[Point]| {
-            found.store(true, Ordering::Relaxed);
-            improved(seconds, cost, path);
-        };
-        let outcome = search(&better, &Watch { interrupted: &stop, ..*watch });
-        let solved = outcome.as_ref().is_ok_and(|outcome| outcome.status == Status::Solved);
-        found.fetch_or(solved, Ordering::Relaxed);
-        let beside = lock(&beside).take();
-        let answer = match beside {
-            Some(beside) => beside.join().expect("the decision does not panic"),
-            None if solved => None,
-            None => decision(),
+        let outcome = decision.searched(search, (improved, &Watch { interrupted: &stop, ..*watch }));
+        let thread = lock(&thread).take();
+        let answer = match thread {
+            Some(thread) => thread.join().expect("the decision does not panic"),
+            None if decision.is_useless() => None,
+            None => beside(),
         };
         (outcome, answer)
-    });
-    conclude(outcome, answer, puller, watch)
+    })
+}
+
+/// Both on this thread: whenever the planner polls after its turn, the decision may take as long as everything before
+/// it, anew each time. So neither waits much longer for the other than it takes itself.
+fn in_turns(
+    decision: &Decision,
+    (improved, watch): (&Improved, &Watch),
+    search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
+) -> (Result<Outcome<Point>, Error>, Option<Answer>) {
+    let (clock, turns) = (Instant::now(), Mutex::new((FIRST_TURN, None)));
+    let stop = || {
+        let (next, answer) = &mut *lock(&turns);
+        if answer.is_none() && !decision.is_useless() && clock.elapsed() >= *next {
+            let end = Instant::now() + clock.elapsed();
+            let deadline = Some(watch.deadline.map_or(end, |deadline| deadline.min(end)));
+            *answer = decision.answer(&Watch { deadline, ..*watch });
+            *next = 2 * clock.elapsed();
+        }
+        matches!(answer, Some(Answer::NoPath(_))) || (watch.interrupted)()
+    };
+    let outcome = decision.searched(search, (improved, &Watch { interrupted: &stop, ..*watch }));
+    let (_, answer) = turns.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let answer = if decision.is_useless() { None } else { answer.or_else(|| decision.answer(watch)) };
+    (outcome, answer)
 }
 
 fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -111,5 +185,42 @@ fn conclude(
         (Ok(outcome), Some(Answer::OpeningBelow(width))) => Ok(Decided::Searched(outcome, Some(width))),
         (Ok(outcome), None) => Ok(Decided::Searched(outcome, None)),
         (Err(error), _) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::{CspaceEngine, Interference};
+    use crate::planning::{Problem, TranslationSpace};
+    use crate::postprocess::StringPuller;
+    use crate::testing::{hard3, scene, walled};
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+
+    /// The same question, answered side by side and in turns.
+    fn both(scene: &crate::Scene) -> [(Result<Outcome<Point>, Error>, Option<Answer>); 2] {
+        let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
+        let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];
+        let (options, puller) = (PlanOptions::paper(), StringPuller::new(&engine));
+        let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
+        let search = |improved: &Improved, watch: &Watch| {
+            let mut rng = ChaCha8Rng::seed_from_u64(0);
+            options.planner.search(&problem, &engine, &puller, improved, &mut rng, watch)
+        };
+        let decision =
+            || Decision { engine: &engine, ends: [&start, &goal], effort: PROOF_EFFORT, found: AtomicBool::new(false) };
+        let rest: (&Improved, &Watch) = (&|_, _, _| (), &Watch::NONE);
+        [side_by_side(&decision(), rest, search), in_turns(&decision(), rest, search)]
+    }
+
+    #[test]
+    fn one_thread_answers_as_two_do() {
+        let [two, one] = both(&hard3());
+        assert_eq!(two.0.unwrap().waypoints, one.0.unwrap().waypoints);
+        assert!(one.1.is_none());
+        let [two, one] = both(&scene(walled(0.94)));
+        let (Some(Answer::NoPath(two)), Some(Answer::NoPath(one))) = (two.1, one.1) else { panic!("there is no path") };
+        assert_eq!(two.blocking, one.blocking);
     }
 }

@@ -1,10 +1,10 @@
 //! Planning for a platform that may turn on its way.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use web_time::Instant;
 
 use super::query::{Planned, Query};
 use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, invalid_segment, plan_by};

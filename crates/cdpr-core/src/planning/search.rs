@@ -1,8 +1,7 @@
 //! Shared by all planners: counted state and motion checks, and the limits that end a search.
 
-use std::time::Instant;
-
 use rand::{Rng, RngExt};
+use web_time::Instant;
 
 use super::outcome::{Milestone, Outcome, Status};
 use super::space::{Problem, StateSpace};

@@ -1,0 +1,116 @@
+//! The requests of the page as plain data.
+
+use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::model::SceneSpec;
+use cdpr_core::path_file::PathFile;
+use cdpr_core::plan::{PlanOptions, Post};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+use cdpr_core::watch::{TimeUnit, time_budget};
+use cdpr_core::{Choice, Error};
+use serde::Deserialize;
+
+/// A question about a scene.
+#[derive(Debug, Deserialize)]
+pub struct Request {
+    /// The scene as in its file, with robot and meshes inline.
+    pub scene: SceneSpec,
+    /// The question.
+    #[serde(flatten)]
+    pub ask: Ask,
+}
+
+/// What is asked.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "ask", rename_all = "lowercase")]
+pub enum Ask {
+    /// A path from the scene's start to its goal.
+    Plan {
+        /// How it is planned.
+        #[serde(default)]
+        options: Options,
+        /// Whether the answer holds the contents of the page.
+        #[serde(default)]
+        page: bool,
+        /// Whether these include what does not depend on the path: shadows and the wrench-feasible workspace.
+        #[serde(default)]
+        extras: bool,
+    },
+    /// The contents of the page.
+    Page {
+        /// The path that it shows.
+        #[serde(default)]
+        path: Option<Box<PathFile>>,
+        /// As for a path that is planned.
+        #[serde(default)]
+        extras: bool,
+    },
+    /// Whether the platform can be at a position.
+    Place {
+        /// The position, world, m.
+        at: [f64; 3],
+        /// The orientation there, a unit quaternion w x y z; if omitted, the scene's. Only for a platform that may turn.
+        #[serde(default)]
+        orientation: Option<[f64; 4]>,
+    },
+    /// The scene as a TOML file.
+    Toml,
+}
+
+/// How a path is planned; what is left out is as in the program.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Options {
+    /// Name of the planner.
+    pub planner: Option<String>,
+    /// Seed of all random numbers.
+    pub seed: Option<u64>,
+    /// Name of the engine.
+    pub engine: Option<String>,
+    /// Name of the rule for interference between cables.
+    pub interference: Option<String>,
+    /// Name of the post-processing.
+    pub post: Option<String>,
+    /// Step of rewinding, m.
+    pub step: Option<f64>,
+    /// Number of times that rewinding runs.
+    pub repeats: Option<usize>,
+    /// Time limit, ms.
+    pub budget_ms: Option<f64>,
+    /// Whether it is decided if there is a path at all.
+    pub proof: Option<bool>,
+    /// Continue until the path is proved to be at most this fraction longer than the shortest.
+    pub gap: Option<f64>,
+    /// Other settings of the planner.
+    #[serde(default)]
+    pub settings: PlannerSettings,
+}
+
+impl TryFrom<&Options> for PlanOptions {
+    type Error = Error;
+
+    fn try_from(options: &Options) -> Result<Self, Error> {
+        let default = PlanOptions::default();
+        let step = options.step.unwrap_or(default.step);
+        let settings = PlannerSettings { gap: options.gap.or(options.settings.gap), ..options.settings.clone() };
+        let planner: Planner = named(options.planner.as_deref())?.unwrap_or_default();
+        let budget = options.budget_ms.map(|ms| time_budget("budget_ms", ms, TimeUnit::Millisecond)).transpose()?;
+        let post: Option<Post> = named(options.post.as_deref())?;
+        let engine: Engine = named(options.engine.as_deref())?.unwrap_or_default();
+        let interference: Interference = named(options.interference.as_deref())?.unwrap_or_default();
+        Ok(PlanOptions {
+            planner: PlannerOptions::new(planner, step, &settings)?,
+            engine,
+            interference,
+            seed: options.seed.unwrap_or(default.seed),
+            step,
+            post,
+            repeats: options.repeats.unwrap_or(default.repeats),
+            proof: options.proof.unwrap_or(default.proof),
+            budget,
+        })
+    }
+}
+
+fn named<T: Choice>(name: Option<&str>) -> Result<Option<T>, Error> {
+    name.map(T::named).transpose()
+}

@@ -1,0 +1,172 @@
+//! Answers requests, and keeps the engine of the last scene.
+
+use cdpr_core::collision::{Checker, Engine, Interference, Validity, Violation, valid_nearby};
+use cdpr_core::geometry::{Point, Pose, rotation_as_written};
+use cdpr_core::model::{QuerySpec, SceneSpec};
+use cdpr_core::path_file::PathFile;
+use cdpr_core::plan::{
+    Appraisal, Observer, PlanOptions, PlanResult, Query, appraise, engine_for, plan, turning_engine,
+};
+use cdpr_core::turning::TurningEngine;
+use cdpr_core::watch::Watch;
+use cdpr_core::{Choice, Error, Scene};
+use cdpr_view::page_data;
+use serde_json::{Value, json};
+use web_time::Instant;
+
+use crate::request::{Ask, Options, Request};
+
+/// Hears of each better path while it is planned: its time in ms, cost in m and waypoints, as JSON.
+pub type Improved = dyn Fn(&str) + Sync;
+
+/// Answers one request after the other.
+///
+/// # Example
+/// ```
+/// use cdpr_live::Session;
+/// let scene = serde_json::json!(cdpr_core::testing::hard1().spec());
+/// let request = serde_json::json!({ "ask": "place", "scene": scene, "at": [1.0, 1.0, 1.0] });
+/// let answer = Session::default().answer(&request.to_string(), &|_| ());
+/// assert!(answer.contains("pillar"), "{answer}");
+/// ```
+#[derive(Default)]
+pub struct Session {
+    known: Option<Known>,
+}
+
+/// A scene with what was compiled for it.
+struct Known {
+    scene: Scene,
+    engine: Option<((Engine, Interference), Box<dyn Checker>)>,
+    turning: Option<TurningEngine>,
+}
+
+impl Session {
+    /// Answers a request; both are JSON. A request that cannot be answered gives `{"error": {"message", "key"}}`.
+    pub fn answer(&mut self, request: &str, improved: &Improved) -> String {
+        let answer = self
+            .answered(request, improved)
+            .unwrap_or_else(|error| json!({ "error": { "message": error.to_string(), "key": error.place() } }));
+        answer.to_string()
+    }
+
+    fn answered(&mut self, request: &str, improved: &Improved) -> Result<Value, Error> {
+        let problem = |e: serde_json::Error| Error::invalid("", format!("the request cannot be read: {e}"));
+        let Request { scene, ask } = serde_json::from_str(request).map_err(problem)?;
+        let known = self.known(scene)?;
+        match ask {
+            Ask::Plan { options, page, extras } => known.plan(&options, page.then_some(extras), improved),
+            Ask::Page { path, extras } => {
+                Ok(json!({ "page": page_data(&known.scene, path.as_deref(), &[], extras, &Watch::NONE)? }))
+            }
+            Ask::Place { at, orientation } => known.place(at.into(), orientation),
+            Ask::Toml => Ok(json!({ "toml": toml::to_string(known.scene.spec()).expect("scenes are finite") })),
+        }
+    }
+
+    /// The scene of a request, with what is known of it.
+    fn known(&mut self, spec: SceneSpec) -> Result<&mut Known, Error> {
+        let ends = spec.query.as_ref().map(|query| [query.start, query.goal]).unwrap_or_default();
+        let known = match self.known.take() {
+            Some(known) if without_ends(known.scene.spec()) == without_ends(&spec) => {
+                Known { scene: known.scene.between(ends)?, ..known }
+            }
+            _ => Known { scene: Scene::new(spec)?, engine: None, turning: None },
+        };
+        Ok(self.known.insert(known))
+    }
+}
+
+fn without_ends(spec: &SceneSpec) -> SceneSpec {
+    let query = spec.query.clone().unwrap_or_default();
+    SceneSpec { query: Some(QuerySpec { start: None, goal: None, ..query }), ..spec.clone() }
+}
+
+impl Known {
+    fn plan(&mut self, options: &Options, page: Option<bool>, improved: &Improved) -> Result<Value, Error> {
+        let options = PlanOptions::try_from(options)?;
+        let (turned, result, appraisal, milliseconds) = self.planned(&options, page.is_some(), &Reporter(improved))?;
+        let scene = turned.as_ref().unwrap_or(&self.scene);
+        let file = PathFile::planned(scene, &options, &result, &appraisal).with_lower_bound(appraisal.lower_bound);
+        let mut answer = json!({
+            "status": result.status.name(),
+            "cost": file.cost,
+            "waypoints": file.waypoints,
+            "milliseconds": milliseconds,
+            "path": file,
+        });
+        if let Some(extras) = page {
+            answer["page"] = page_data(scene, Some(&file), &[], extras, &Watch::NONE)?;
+        }
+        Ok(answer)
+    }
+
+    /// The scene at its orientation if it selects none, a path in it, what is to be said of the path, with a lower bound if
+    /// `bounded`, and how long planning took, ms.
+    fn planned(
+        &mut self,
+        options: &PlanOptions,
+        bounded: bool,
+        observer: &dyn Observer,
+    ) -> Result<(Option<Scene>, PlanResult, Appraisal, f64), Error> {
+        let clock = Instant::now();
+        let milliseconds = || 1e3 * clock.elapsed().as_secs_f64();
+        let watch = options.watch(&|| false);
+        if self.scene.orientation_is_open() || Query::of(&self.scene).turns() {
+            let planned = plan(&self.scene, options, observer)?;
+            let milliseconds = milliseconds();
+            let appraisal = planned.appraise(planned.turned.as_ref().unwrap_or(&self.scene), bounded, &watch)?;
+            return Ok((planned.turned, planned.result, appraisal, milliseconds));
+        }
+        self.compile((options.engine, options.interference))?;
+        let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
+        let result = plan(Query::of(&self.scene).by(engine), options, observer)?.result;
+        let milliseconds = milliseconds();
+        let appraisal = appraise(&self.scene, engine, &result, bounded, &watch)?;
+        Ok((None, result, appraisal, milliseconds))
+    }
+
+    fn compile(&mut self, wanted: (Engine, Interference)) -> Result<(), Error> {
+        if self.engine.as_ref().is_none_or(|(known, _)| *known != wanted) {
+            self.engine = Some((wanted, engine_for(&self.scene, wanted.0, wanted.1)?));
+        }
+        Ok(())
+    }
+
+    /// What is wrong with a position, and a valid one nearby.
+    fn place(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
+        if Query::of(&self.scene).turns() {
+            return self.place_turned(at, orientation);
+        }
+        self.compile(Default::default())?;
+        let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
+        let nearest = || valid_nearby(engine.conditions().position_box(), &at, |position| engine.state_valid(position));
+        Ok(placed(engine.explain(&at, &at), nearest))
+    }
+
+    fn place_turned(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
+        if self.turning.is_none() {
+            self.turning = Some(turning_engine(&self.scene, &Watch::NONE)?);
+        }
+        let engine = self.turning.as_ref().expect("it has just been compiled");
+        let turn = orientation.map_or(*self.scene.orientation(), rotation_as_written);
+        let pose = Pose::new(at, turn);
+        let valid = |position: &Point| engine.state_valid(&Pose::new(*position, turn));
+        Ok(placed(engine.explain(&pose, &pose), || valid_nearby(engine.conditions().position_box(), &at, valid)))
+    }
+}
+
+fn placed(violation: Option<Violation>, nearest: impl FnOnce() -> Option<Point>) -> Value {
+    let nearest = violation.as_ref().and_then(|_| nearest()).map(<[f64; 3]>::from);
+    json!({ "violation": violation, "nearest": nearest })
+}
+
+/// Tells the page of better paths.
+struct Reporter<'a>(&'a Improved);
+
+impl Observer for Reporter<'_> {
+    fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
+        let waypoints: Vec<[f64; 3]> = path.iter().map(|position| (*position).into()).collect();
+        (self.0)(&json!({ "milliseconds": 1e3 * seconds, "cost": cost, "waypoints": waypoints }).to_string());
+    }
+}

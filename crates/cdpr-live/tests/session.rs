@@ -1,0 +1,135 @@
+//! Requests of the page against the functions that they stand for.
+
+use std::path::PathBuf;
+
+use cdpr_core::Scene;
+use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::testing::{hard1, hard3, scene, walled};
+use cdpr_live::Session;
+use serde_json::{Value, json};
+
+fn asked(session: &mut Session, request: &Value) -> Value {
+    serde_json::from_str(&session.answer(&request.to_string(), &|_| ())).unwrap()
+}
+
+fn planned(session: &mut Session, scene: &Value, options: &Value) -> Value {
+    asked(session, &json!({ "ask": "plan", "scene": scene, "options": options }))
+}
+
+fn of_testdata(name: &str) -> Scene {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../testdata/scenes");
+    cdpr_files::load_scene(&folder.join(format!("{name}.toml"))).unwrap()
+}
+
+#[test]
+fn paths_are_those_of_the_program() {
+    let mut session = Session::default();
+    for name in ["hard1", "hard3", "concave", "plank", "empty"] {
+        let scene = of_testdata(name);
+        let answer = planned(&mut session, &json!(scene.spec()), &json!({ "seed": 3 }));
+        let found = plan(&scene, &PlanOptions { seed: 3, ..PlanOptions::default() }, &()).unwrap().result;
+        assert_eq!((&answer["cost"], &answer["status"]), (&json!(found.cost), &json!("solved")), "{name}");
+        let waypoints: Vec<[f64; 3]> = found.waypoints.iter().map(|p| (*p).into()).collect();
+        assert_eq!(answer["waypoints"], json!(waypoints), "{name}");
+        assert_eq!(answer["path"]["cost"], answer["cost"], "{name}");
+    }
+}
+
+#[test]
+fn moving_ends_and_obstacles_is_seen() {
+    let mut session = Session::default();
+    let mut spec = json!(hard1().spec());
+    let direct = planned(&mut session, &spec, &json!({}))["cost"].as_f64().unwrap();
+    spec["query"]["goal"] = json!([0.3, 1.0, 1.0]);
+    assert!((planned(&mut session, &spec, &json!({}))["cost"].as_f64().unwrap() - 0.7).abs() < 1e-9);
+    spec["query"]["goal"] = json!(hard1().spec().query.as_ref().unwrap().goal);
+    spec["obstacles"][0]["position"] = json!([1.0, 1.0, 0.3]);
+    assert!(planned(&mut session, &spec, &json!({}))["cost"].as_f64().unwrap() < direct);
+    let fresh = planned(&mut Session::default(), &spec, &json!({}));
+    assert_eq!(planned(&mut session, &spec, &json!({}))["waypoints"], fresh["waypoints"]);
+}
+
+#[test]
+fn better_paths_are_told_while_planning() {
+    let told = std::sync::Mutex::new(Vec::new());
+    let request = json!({ "ask": "plan", "scene": hard3().spec(), "options": { "planner": "anytime" } });
+    let answer = Session::default().answer(&request.to_string(), &|text| told.lock().unwrap().push(text.to_string()));
+    let answer: Value = serde_json::from_str(&answer).unwrap();
+    let told: Vec<Value> = told.into_inner().unwrap().iter().map(|text| serde_json::from_str(text).unwrap()).collect();
+    assert!(told.windows(2).all(|pair| pair[0]["cost"].as_f64() > pair[1]["cost"].as_f64()));
+    assert_eq!(told.last().unwrap()["cost"], answer["cost"]);
+}
+
+#[test]
+fn an_invalid_position_says_why_and_where_a_valid_one_is() {
+    let mut session = Session::default();
+    let place = |at: [f64; 3]| json!({ "ask": "place", "scene": hard1().spec(), "at": at });
+    let free = asked(&mut session, &place([0.3, 1.0, 0.3]));
+    assert_eq!(free, json!({ "nearest": null, "violation": null }));
+    let inside = asked(&mut session, &place([0.8, 1.0, 0.3]));
+    assert_eq!(inside["violation"]["culprits"], json!(["platform", "pillar"]));
+    let nearest: [f64; 3] = serde_json::from_value(inside["nearest"].clone()).unwrap();
+    assert_eq!(asked(&mut session, &place(nearest))["violation"], Value::Null);
+}
+
+#[test]
+fn a_platform_that_turns_is_placed_at_its_own_orientation() {
+    let scene = of_testdata("turn");
+    let [_, at_goal] = scene.end_orientations().map(|turn| cdpr_core::geometry::wxyz(&turn));
+    let goal: [f64; 3] = scene.goal().unwrap().into();
+    let place = json!({ "ask": "place", "scene": scene.spec(), "at": goal, "orientation": at_goal });
+    let mut session = Session::default();
+    assert_eq!(asked(&mut session, &place)["violation"], Value::Null);
+    let level = json!({ "ask": "place", "scene": scene.spec(), "at": goal });
+    assert_ne!(asked(&mut session, &level)["violation"], Value::Null);
+}
+
+#[test]
+fn no_path_is_proved_and_shown() {
+    let mut session = Session::default();
+    let request = json!({ "ask": "plan", "scene": scene(walled(0.94)).spec(), "page": true });
+    let answer = asked(&mut session, &request);
+    assert_eq!((&answer["status"], &answer["cost"]), (&json!("no_path"), &Value::Null));
+    assert!(answer["page"]["no_path"].is_object());
+}
+
+#[test]
+fn the_page_of_a_path_is_that_of_the_program() {
+    let scene = hard1();
+    let answer =
+        asked(&mut Session::default(), &json!({ "ask": "plan", "scene": scene.spec(), "page": true, "extras": true }));
+    let path: cdpr_core::path_file::PathFile = serde_json::from_value(answer["path"].clone()).unwrap();
+    let page = cdpr_view::page_data(&scene, Some(&path), &[], true, &cdpr_core::watch::Watch::NONE).unwrap();
+    for key in ["motion", "regions", "obstacles", "cables", "workspace", "start", "goal"] {
+        assert_eq!(answer["page"][key], page[key], "{key}");
+    }
+    let quick = asked(&mut Session::default(), &json!({ "ask": "plan", "scene": scene.spec(), "page": true }));
+    assert!(quick["page"]["motion"].is_object() && quick["page"].get("regions").is_none());
+}
+
+#[test]
+fn a_saved_scene_is_read_again() {
+    for name in ["hard1", "cogiro", "turn", "concave"] {
+        let scene = of_testdata(name);
+        let answer = asked(&mut Session::default(), &json!({ "ask": "toml", "scene": scene.spec() }));
+        let text = answer["toml"].as_str().unwrap();
+        let read = cdpr_files::scene_from_text(text, cdpr_files::Notation::Toml, None).unwrap();
+        assert_eq!(read.fingerprint(), scene.fingerprint(), "{name}");
+    }
+}
+
+#[test]
+fn bad_requests_name_what_is_wrong() {
+    let mut session = Session::default();
+    let mut spec = json!(hard1().spec());
+    spec["workspace"]["max"][0] = json!(-1.0);
+    let error = &planned(&mut session, &spec, &json!({}))["error"];
+    assert!(error["key"].as_str().unwrap().starts_with("workspace"), "{error}");
+    for (options, word) in [(json!({ "planner": "prm" }), "prm"), (json!({ "budget_ms": -1.0 }), "budget_ms")] {
+        let error = planned(&mut session, &json!(hard1().spec()), &options)["error"]["message"].to_string();
+        assert!(error.contains(word), "{error}");
+    }
+    for request in ["", "{}", "null", "{\"ask\":\"plan\"}"] {
+        assert!(session.answer(request, &|_| ()).contains("error"), "{request}");
+    }
+}

@@ -1,0 +1,36 @@
+"""The compiled parts of the page belong to their sources."""
+
+import base64
+import hashlib
+import re
+import zlib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+VIEWER = ROOT / "viewer"
+ASSETS = ROOT / "crates/cdpr-view/src/assets"
+MOST_BYTES_OF_PLANNER = 2_100_000
+
+
+def sources(asset: str) -> list[Path]:
+    """The sources of an asset in the order in which viewer/build.mjs reads them."""
+    listed = re.search(rf"^  {asset}: \[(.*)\],$", (VIEWER / "build.mjs").read_text(), re.MULTILINE)
+    assert listed is not None
+    paths = [(VIEWER / name).resolve() for name in re.findall(r"'([^']+)'", listed[1])]
+    inside = [sorted(filter(Path.is_file, path.rglob("*")), key=str) if path.is_dir() else [path] for path in paths]
+    return [path for group in inside for path in group]
+
+
+@pytest.mark.parametrize("asset", ["page", "planner"])
+def test_the_assets_are_built_from_their_sources(asset: str) -> None:
+    found = hashlib.sha256(b"".join(path.read_bytes() for path in sources(asset))).hexdigest()
+    built = (ASSETS / f"{asset}.sha256").read_text().strip()
+    assert found == built, f"the sources of the {asset} have changed: run `make viewer`, and commit its assets"
+
+
+def test_the_planner_is_a_small_webassembly_module() -> None:
+    module = zlib.decompress(base64.b64decode((ASSETS / "planner.txt").read_text()), wbits=-15)
+    assert module.startswith(b"\0asm")
+    assert len(module) <= MOST_BYTES_OF_PLANNER
