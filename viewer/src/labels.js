@@ -20,7 +20,7 @@ function nudge(labels) {
 
 /** Labels over the view; `place` is called after each picture. */
 export function createLabels(container) {
-  const labels = [];
+  let labels = [];
   const projected = new Vector3();
 
   function add(text, anchor, layer) {
@@ -61,5 +61,10 @@ export function createLabels(container) {
     return canvas;
   }
 
-  return { add, place, written };
+  function clear() {
+    labels = [];
+    container.replaceChildren();
+  }
+
+  return { add, clear, place, written };
 }

@@ -1,6 +1,6 @@
 // Entry point: reads the data of the page and puts the viewer together.
 
-import { Box3, Vector3 } from 'three';
+import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
 import { createFrame } from './frame.js';
 import { createLabels } from './labels.js';
@@ -101,7 +101,7 @@ function fillScene(model, route, frame, stage, theme) {
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();
   };
-  return { contents, obstacles, ghosts, regions, noPath, move };
+  return { contents, obstacles, ghosts, cables, regions, noPath, move };
 }
 
 const hiddenAtFirst = ({ obstacles, regions, path }) => [
@@ -188,16 +188,67 @@ function savePicture(picture, title) {
   }, 'image/png');
 }
 
-// The 3D part: how to move the robot, the layers and the view.
-function createView(model, route) {
+// What stays while models come and go: renderer and camera, labels, colours, and what works on the picture.
+function createSetting(model) {
   const container = document.getElementById('view');
-  const frame = createFrame(model);
   const labels = createLabels(document.getElementById('labels'));
+  const frame = createFrame(model);
   const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
   const theme = createTheme(stage.invalidate);
-  theme.bind(stage.scene.background, 'background');
-  const { contents, obstacles, ghosts, regions, noPath, move } = fillScene(model, route, frame, stage, theme);
-  const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), stage.scene, stage.invalidate);
+  theme.createPainter().bind(stage.scene.background, 'background');
+  const { look, cut, resize, statistics } = stage;
+  const picture = () => labels.written(stage.picture(), container);
+  const save = () => savePicture(picture(), document.getElementById('title').textContent);
+  const tools = { look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
+  return { frame, labels, stage, theme, tools };
+}
+
+// What stands in for it where nothing can be drawn in 3D.
+function createPlainSetting() {
+  createTheme(() => {});
+  panel.showMessage('This browser cannot draw in 3D (WebGL 2 is not available), so only the texts are shown.');
+  return { tools: { look: null } };
+}
+
+function dispose(group) {
+  group.removeFromParent();
+  group.traverse((object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
+    if (object.isInstancedMesh) object.dispose();
+  });
+}
+
+// Which layers and parts of layers the reader sees, by name.
+function visibilityOf(layers) {
+  const seen = (parts) => new Map(Object.entries(parts).map(([name, { visible }]) => [name, visible]));
+  const parts = Object.entries(layers).filter(([, layer]) => layer.parts);
+  return { layers: seen(layers), parts: new Map(parts.map(([key, layer]) => [key, seen(layer.parts)])) };
+}
+
+// Only what differs is switched, as a switch draws anew.
+function restoreVisibility(layers, before) {
+  const restore = (parts, seen) => {
+    for (const [name, part] of Object.entries(parts)) {
+      const visible = seen?.get(name) ?? part.visible;
+      if (visible !== part.visible) part.visible = visible;
+    }
+  };
+  restore(layers, before.layers);
+  for (const [key, layer] of Object.entries(layers)) if (layer.parts) restore(layer.parts, before.parts.get(key));
+}
+
+// The 3D part of a model: how to move the robot, the layers and the view; `before` is what it replaces.
+function createView(model, route, { frame: first, labels, stage, theme, tools }, before) {
+  const frame = createFrame(model, first);
+  const painter = theme.createPainter();
+  const group = new Group();
+  if (before) stage.setBox(frame.box);
+  const unfold = panel.clearLegend();
+  labels.clear();
+  const drawn = fillScene(model, route, frame, stage, painter);
+  const { contents, obstacles, ghosts, regions, noPath, move } = drawn;
+  const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), group, stage.invalidate);
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
@@ -208,25 +259,24 @@ function createView(model, route) {
   }
   const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
-  const { look, cut, resize } = stage;
-  const picture = () => labels.written(stage.picture(), container);
-  const save = () => savePicture(picture(), model.title);
-  const { statistics } = stage;
-  return { move, leaveOut, layers, look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
+  if (before) restoreVisibility(layers, visibilityOf(before.layers));
+  unfold();
+  stage.scene.add(group);
+  const remove = () => {
+    painter.release();
+    group.removeFromParent();
+    // After the next picture, which may use the same programs of the graphics card.
+    stage.afterNext(() => dispose(group));
+  };
+  return { ...tools, move, leaveOut, layers, frame, drawn, remove };
 }
 
-// What stands in for the 3D part where it cannot be drawn.
-function createPlainView() {
-  createTheme(() => {});
-  panel.showMessage('This browser cannot draw in 3D (WebGL 2 is not available), so only the texts are shown.');
-  return { move: () => {}, leaveOut: () => {}, layers: {}, look: null };
-}
+const NOTHING = { move: () => {}, leaveOut: () => {}, layers: {}, drawn: null, remove: () => {} };
 
 // The largest coordinate in the workspace, m.
 const sizeOf = ({ workspace }) => (workspace ? Math.max(...[...workspace.min, ...workspace.max].map(Math.abs)) : 1);
 
-function connect(model, view) {
-  const planned = routeOf(model);
+function connect(model, planned, view, signal) {
   let route = planned;
   let showPlots = () => null;
   const size = sizeOf(model);
@@ -242,6 +292,7 @@ function connect(model, view) {
       panel.showDistance(distance, route.length, route.describe(distance));
     },
     panel.showPlaying,
+    signal,
   );
   const jump = (distance) => {
     playback.pause();
@@ -255,12 +306,10 @@ function connect(model, view) {
     panel.showTransport(route.length);
   };
   showPlots = createPlots(model, route, jump);
-  panel.connectTransport(playback, route.timed);
+  panel.connectTransport(playback, route.timed, signal);
   panel.showNoPath(model.noPath, leaveOut);
   panel.showViolations(model.violations, (violation) => route.placeOf(violation), jump);
-  if (view.look) panel.connectTools(view);
-  panel.connectKeys(playback, view);
-  playback.setDistance(0);
+  panel.connectKeys(playback, view, signal);
   const position = () => route.positionAt(playback.distance());
   const orientation = () => orientationAt(playback.distance());
   return { playback, timed: route.timed, position, orientation };
@@ -285,12 +334,44 @@ function publish(view, { playback, timed, position, orientation }) {
   };
 }
 
+// The share of the way travelled, and whether the platform runs.
+function progressOf({ playback }) {
+  const length = playback.length();
+  return { share: length > 0 ? playback.distance() / length : 0, playing: playback.playing() };
+}
+
+/** Shows a model in place of the one before; camera, colours, switches and the place along the path stay. */
+function createShow() {
+  let setting = null;
+  let current = null;
+  return (model) => {
+    const before = current;
+    const { share, playing } = before ? progressOf(before) : { share: 0, playing: false };
+    before?.session.abort();
+    const session = new AbortController();
+    const route = routeOf(model);
+    panel.showSummary(model, route.length);
+    if (!before) {
+      panel.foldWhereNarrow();
+      setting = hasWebGL() ? createSetting(model) : createPlainSetting();
+    }
+    const view = setting.stage ? createView(model, route, setting, before?.view) : { ...setting.tools, ...NOTHING };
+    const connected = connect(model, route, view, session.signal);
+    if (!before && view.look) panel.connectTools(view);
+    connected.playback.setDistance(share * route.length);
+    if (playing) connected.playback.toggle();
+    else panel.showPlaying(false);
+    before?.view.remove();
+    publish(view, connected);
+    current = { ...connected, model, view, session, setting };
+    return current;
+  };
+}
+
 function start() {
-  const model = readModel(JSON.parse(document.getElementById('cdpr-data').textContent));
-  const route = routeOf(model);
-  panel.showSummary(model, route.length);
-  const view = hasWebGL() ? createView(model, route) : createPlainView();
-  publish(view, connect(model, view));
+  const raw = JSON.parse(document.getElementById('cdpr-data').textContent);
+  const show = createShow();
+  show(readModel(raw));
 }
 
 try {

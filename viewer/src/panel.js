@@ -23,8 +23,8 @@ export function showSummary(model, length) {
   byId('title').title = model.title;
   const outcome = describeOutcome(model.path, length, model.violations.length, model.trajectory);
   byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
-  if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
-  foldWhereNarrow();
+  byId('status').classList.toggle('none', Boolean(model.noPath));
+  byId('planner').textContent = model.path?.planner ? `planner: ${model.path.planner}` : '';
 }
 
 // Those who close the way, in the colours of their walls.
@@ -40,8 +40,8 @@ function culpritItems(culprits) {
 
 /** Says why there is no path; `onPick` hears the name of the obstacle to be left out, or null. */
 export function showNoPath(noPath, onPick) {
+  byId('no-path').hidden = !noPath;
   if (!noPath) return;
-  byId('status').classList.add('none');
   byId('closed-by').replaceChildren(...culpritItems(noPath.culprits));
   byId('reached').textContent = describeReached(noPath);
   byId('proved').textContent = describeProof(noPath);
@@ -60,17 +60,29 @@ export function showNoPath(noPath, onPick) {
   };
   const none = element('p', '', 'No obstacle has a part in it: leaving one out does not help.');
   byId('remedies').replaceChildren(...(buttons.length > 0 ? buttons : [none]));
-  byId('no-path').hidden = false;
 }
 
-// A frame in a notebook may get its width only after the page has started.
-function foldWhereNarrow() {
+/** Folds what would cover a narrow page. A frame in a notebook may get its width only after the page has started. */
+export function foldWhereNarrow() {
   const query = window.matchMedia(NARROW);
   const fold = () => {
     for (const id of ['details', 'plots']) byId(id).open = !query.matches;
   };
   query.addEventListener('change', fold);
   fold();
+}
+
+/** Empties the legend, and returns a function that unfolds and scrolls what comes next as it was. */
+export function clearLegend() {
+  const folds = () => [...byId('legend').querySelectorAll('details')];
+  const titleOf = (fold) => fold.querySelector('summary').textContent;
+  const open = new Map(folds().map((fold) => [titleOf(fold), fold.open]));
+  const scrolled = byId('panel').scrollTop;
+  byId('legend').replaceChildren();
+  return () => {
+    for (const fold of folds()) fold.open = open.get(titleOf(fold)) ?? fold.open;
+    byId('panel').scrollTop = scrolled;
+  };
 }
 
 /** Adds a fold below a row of the legend, for rows of parts of that layer. */
@@ -129,13 +141,12 @@ function violationItem(violation, place, onPick) {
 
 /** Lists violations; `placeOf` tells where one begins, `onPick` hears the place of the one that is clicked. */
 export function showViolations(violations, placeOf, onPick) {
-  if (violations.length === 0) return;
+  byId('violations').hidden = violations.length === 0;
   const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, placeOf(v), onPick));
   byId('violation-list').replaceChildren(...shown);
   byId('violation-count').textContent = `${violations.length} violation${violations.length === 1 ? '' : 's'}`;
   const rest = violations.length - shown.length;
   if (rest > 0) byId('violation-list').append(element('li', 'more', `and ${rest} more`));
-  byId('violations').hidden = false;
 }
 
 /** How much of the window panel and bar cover at each side, px. */
@@ -173,22 +184,24 @@ function moveBy(step, playback, event) {
   playback.setDistance(playback.distance() + step * playback.length());
 }
 
-function connectSlider(slider, playback) {
+function connectSlider(slider, playback, options) {
   slider.addEventListener('input', () => {
     playback.pause();
     playback.setDistance(Number(slider.value));
-  });
+  }, options);
   slider.addEventListener('keydown', (event) => {
     const step = KEY_STEPS[event.key];
     if (step !== undefined) moveBy(step, playback, event);
-  });
+  }, options);
 }
 
-/** Connects slider and play button to the playback, of a trajectory if `timed`. */
-export function connectTransport(playback, timed) {
-  connectSlider(byId('slider'), playback);
-  byId('play').addEventListener('click', playback.toggle);
-  byId('speed').addEventListener('change', () => playback.setSpeed(Number(byId('speed').value)));
+/** Connects slider and play button to the playback, of a trajectory if `timed`, until the signal. */
+export function connectTransport(playback, timed, signal) {
+  const setSpeed = () => playback.setSpeed(Number(byId('speed').value));
+  connectSlider(byId('slider'), playback, { signal });
+  byId('play').addEventListener('click', playback.toggle, { signal });
+  byId('speed').addEventListener('change', setSpeed, { signal });
+  setSpeed();
   if (timed) {
     byId('slider').setAttribute('aria-label', 'time, s');
     byId('speed').title = 'speed of the playback; 1× is real time';
@@ -261,8 +274,8 @@ const VIEW_KEYS = {
   p: ({ save }) => save(),
 };
 
-/** Keys for playing, for moving along the path and, where there is a view, for what its buttons do. */
-export function connectKeys(playback, view) {
+/** Keys for playing, for moving along the path and, where there is a view, for what its buttons do; until the signal. */
+export function connectKeys(playback, view, signal) {
   window.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (KEY_STEPS[event.key] !== undefined && !takesArrows(event.target)) moveBy(KEY_STEPS[event.key], playback, event);
@@ -271,5 +284,5 @@ export function connectKeys(playback, view) {
     if (event.key !== ' ' || isOperable(event.target)) return;
     event.preventDefault();
     playback.toggle();
-  });
+  }, { signal });
 }

@@ -41,7 +41,7 @@ function cableTable(cables, columns) {
   const table = byId('cable-table');
   const head = html('tr', '');
   head.append(html('th', '', 'cable'), ...columns.map(({ column, axis }) => html('th', '', `${column}, ${axis.unit}`)));
-  table.append(head);
+  table.replaceChildren(head);
   const rows = cables.map(({ name }, i) => {
     const row = html('tr', '');
     const title = html('td', 'cable-name');
@@ -85,8 +85,8 @@ const boxes = (charts) => charts.map(({ box }) => box);
  */
 export function createPlots(model, route, pick) {
   const { motion, trajectory } = model;
+  byId('plots').hidden = !motion && !trajectory;
   if (!motion && !trajectory) return () => null;
-  byId('plots').hidden = false;
   const horizontal = { ...route.axis, length: route.length, marks: model.violations.map(route.placeOf) };
   const chart = (plot) => createChart(plot, horizontal, pick);
   const alongPath = motion ? plotsOf(motion) : [];

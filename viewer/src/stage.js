@@ -84,10 +84,11 @@ function fittingDistance(camera, box, direction, free) {
 }
 
 /**
- * The 3D part of the page. `box` is what the first view shows, `margins` tells how much of the page is covered at each
+ * The 3D part of the page. `firstBox` is what the first view shows, `margins` tells how much of the page is covered at each
  * side, `onDraw` runs after each picture.
  */
-export function createStage(container, box, { margins, onDraw }) {
+export function createStage(container, firstBox, { margins, onDraw }) {
+  const box = firstBox.clone();
   const scene = new Scene();
   scene.background = new Color();
   const renderer = createRenderer(container);
@@ -99,6 +100,8 @@ export function createStage(container, box, { margins, onDraw }) {
   // When it was drawn, ms after the page was asked for.
   let firstPicture = null;
   let direction = FIRST_VIEW;
+  let section = { axis: '', fraction: 0.5 };
+  const afterwards = new Set();
 
   function draw() {
     pending = false;
@@ -111,6 +114,8 @@ export function createStage(container, box, { margins, onDraw }) {
     camera.updateProjectionMatrix();
     renderer.render(scene, camera);
     onDraw(camera, container);
+    for (const job of afterwards) job();
+    afterwards.clear();
     firstPicture ??= performance.now();
   }
 
@@ -123,6 +128,18 @@ export function createStage(container, box, { margins, onDraw }) {
   function beforeNext(job) {
     jobs.add(job);
     invalidate();
+  }
+
+  /** Runs a job after the next picture. */
+  function afterNext(job) {
+    afterwards.add(job);
+    invalidate();
+  }
+
+  /** Replaces what the views show and the section cuts; the camera stays where it is. */
+  function setBox(value) {
+    box.copy(value);
+    cut(section.axis, section.fraction);
   }
 
   // Ends a turn that is still running out.
@@ -165,6 +182,7 @@ export function createStage(container, box, { margins, onDraw }) {
 
   /** Cuts away what lies beyond a plane across an axis, at a fraction of the box; no axis, no cut. */
   function cut(axis, fraction) {
+    section = { axis, fraction };
     renderer.clippingPlanes = [];
     if (KEPT[axis]) {
       const at = box.min[axis] + (box.max[axis] - box.min[axis]) * fraction;
@@ -204,5 +222,7 @@ export function createStage(container, box, { margins, onDraw }) {
   renderer.domElement.addEventListener('webglcontextrestored', invalidate);
   new ResizeObserver(resize).observe(container);
   resize();
-  return { scene, camera, canvas: renderer.domElement, invalidate, beforeNext, look, cut, picture, resize, statistics };
+  const canvas = renderer.domElement;
+  const own = { scene, camera, controls, canvas };
+  return { ...own, invalidate, beforeNext, afterNext, setBox, look, cut, picture, resize, statistics };
 }

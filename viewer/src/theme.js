@@ -99,7 +99,7 @@ const DARK = {
  */
 export function createTheme(onChange) {
   const query = window.matchMedia('(prefers-color-scheme: dark)');
-  const bound = [];
+  const painters = new Set();
   let chosen = null;
   const isDark = () => chosen ?? query.matches;
   const palette = () => (isDark() ? DARK : LIGHT);
@@ -110,13 +110,22 @@ export function createTheme(onChange) {
     for (const [role, color] of Object.entries(colors)) {
       document.documentElement.style.setProperty(`--${role}`, color);
     }
-    for (const { color, role } of bound) color.set(colors[role]);
+    for (const bound of painters) for (const { color, role } of bound) color.set(colors[role]);
     onChange();
   }
 
-  function bind(color, role) {
-    bound.push({ color, role });
-    color.set(palette()[role]);
+  function createPainter() {
+    const bound = [];
+    painters.add(bound);
+    const bind = (color, role) => {
+      bound.push({ color, role });
+      color.set(palette()[role]);
+    };
+    const paint = (material, role) => {
+      bind(material.color, role);
+      return material;
+    };
+    return { bind, paint, release: () => painters.delete(bound) };
   }
 
   function toggle() {
@@ -129,12 +138,10 @@ export function createTheme(onChange) {
   return {
     /** From light to dark and back. */
     toggle,
-    /** Ties a colour to a role of the palette. */
-    bind,
-    /** Ties the colour of a material to a role of the palette. */
-    paint: (material, role) => {
-      bind(material.color, role);
-      return material;
-    },
+    /**
+     * `bind` ties a colour to a role of the palette, `paint` that of a material; `release` unties them all, once what
+     * they belong to is replaced.
+     */
+    createPainter,
   };
 }
