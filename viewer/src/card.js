@@ -29,6 +29,8 @@ function remarks(model, length) {
   if (result?.openingBelow > 0) return [`every path passes an opening narrower than ${formatGap(result.openingBelow)}`];
   if (!path || path.waypoints.length < 2 || trajectory) return [];
   if (isEdited(path, length)) return [`changed since it was planned: its file states ${formatLength(path.cost)}`];
+  // How short a path is that cannot be followed says nothing.
+  if (model.violations.length > 0) return [];
   const found = [quality(model, length)];
   const raw = path.rawCost === null ? '' : formatLength(path.rawCost);
   if (raw !== '' && raw !== formatLength(length)) found.push(`${raw} before it was made shorter`);

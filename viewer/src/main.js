@@ -100,7 +100,7 @@ function fillScene(model, route, frame, stage, theme) {
     frame.point(position, platform.position);
     platform.quaternion.copy(rotationOf(orientation));
     cables.move(platform.position, platform.quaternion);
-    drop.move(platform.position);
+    drop.move(platform.position, platform.quaternion);
     highlight.move(platform.position, platform.quaternion);
     highlight.show(nearest);
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
@@ -117,7 +117,10 @@ const shortName = (name) => name.replace(/^cable\s+(?=\d+$)/i, '');
 
 const hasShortNames = (cables) => cables.length <= MOST_NAMES && cables.every(({ name }) => shortName(name).length <= SHORT_NAME);
 
-const hiddenAtFirst = ({ cables, obstacles, regions }) => [
+const isUnchanged = (path) => Boolean(path) && Math.abs(path.rawCost - path.cost) <= 1e-6 * path.cost;
+
+const hiddenAtFirst = ({ cables, obstacles, regions, path }) => [
+  ...(isUnchanged(path) ? ['rawPath'] : []),
   ...(hasShortNames(cables) ? [] : ['cableNames']),
   'searchTree',
   'swept',
@@ -135,18 +138,20 @@ function otherNames({ regions, path, trajectory }) {
   };
 }
 
-function addNames(model, frame, labels, layers) {
+function addNames(model, frame, labels, layers, isCut) {
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
+    const centre = box.getCenter(new Vector3());
     const part = layers.obstacles.parts[name];
-    const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
-    labels.add(name, box.getCenter(new Vector3()), seen);
+    const seen = { get visible() { return layers.obstacleNames.visible && part.visible && !isCut(centre); } };
+    labels.add(name, centre, seen);
   }
   let lit = null;
   watchSpotlight('names', (index) => { lit = index; });
   model.cables.forEach(({ name, outlet }, i) => {
-    const seen = { get visible() { return layers.cableNames.visible || lit === i; } };
-    labels.add(shortName(name), frame.point(outlet), seen, `cable of-${cableRole(i)}`);
+    const place = frame.point(outlet);
+    const seen = { get visible() { return (layers.cableNames.visible && !isCut(place)) || lit === i; } };
+    labels.add(shortName(name), place, seen, `cable of-${cableRole(i)}`);
   });
 }
 
@@ -284,7 +289,7 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
-  addNames(model, frame, labels, layers);
+  addNames(model, frame, labels, layers, stage.isCut);
   addGaps(drawn.highlight, labels, layers);
   watchSpotlight('cables', (index) => {
     drawn.cables.light(index);
