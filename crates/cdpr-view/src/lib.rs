@@ -120,10 +120,28 @@ pub fn trajectory_page_within(
 
 /// The page with what does not depend on the path.
 fn complete(scene: &Scene, mut data: Value, watch: &Watch) -> Result<String, Error> {
+    for place in ["/motion", "/path/tree"] {
+        data.pointer_mut(place).into_iter().for_each(shorten);
+    }
     data["regions"] = json!(extra(extras::shadows(scene, watch))?);
     data["feasible"] = json!(extra(extras::feasible(scene, watch))?);
     watch.check()?;
     Ok(filled(scene, &data))
+}
+
+/// Writes numbers that single precision holds with as few digits as tell them apart there, which halves their text.
+fn shorten(value: &mut Value) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(shorten),
+        Value::Object(entries) => entries.values_mut().for_each(shorten),
+        Value::Number(number) if number.is_f64() => {
+            let short = number.as_f64().filter(|x| f64::from(*x as f32) == *x);
+            if let Some(Ok(x)) = short.map(|x| (x as f32).to_string().parse::<f64>()) {
+                *value = json!(x);
+            }
+        }
+        _ => {}
+    }
 }
 
 /// Additional contents, left out if they cannot be computed; only an interruption or the deadline is an error.
