@@ -40,12 +40,16 @@ function usefulBounds(model) {
   return isWide(platform) ? platform : { min: [x - 1, y - 1, z - 1], max: [x + 1, y + 1, z + 1] };
 }
 
-/** The drawing frame of a model. */
-export function createFrame(model) {
-  const { min, max } = usefulBounds(model);
+function fit({ min, max }) {
   const centre = min.map((low, i) => low + (max[i] - low) / 2);
   const half = min.map((low, i) => (max[i] - low) / 2);
-  const scale = 1 / Math.hypot(...half);
+  return { centre, scale: 1 / Math.hypot(...half) };
+}
+
+/** The drawing frame of a model; that of a changed one has the same origin and scale as before, so that nothing jumps. */
+export function createFrame(model, before = null) {
+  const bounds = usefulBounds(model);
+  const { centre, scale } = before ?? fit(bounds);
   const point = (p, target = new Vector3()) =>
     target.set((p[0] - centre[0]) * scale, (p[1] - centre[1]) * scale, (p[2] - centre[2]) * scale);
   return {
@@ -56,6 +60,6 @@ export function createFrame(model) {
     /** A vector of the scene in the drawing frame. */
     vector: (v, target = new Vector3()) => target.set(v[0], v[1], v[2]).multiplyScalar(scale),
     /** What the camera should show. */
-    box: new Box3(point(min), point(max)),
+    box: new Box3(point(bounds.min), point(bounds.max)),
   };
 }

@@ -18,26 +18,40 @@ function nudge(labels) {
   }
 }
 
+// How far right of its point and below it a label is, px; numbers of cables are level with their outlets.
+const ASIDE = { x: 8, y: 6 };
+const LEVEL = { x: 7, y: -9 };
+
 /** Labels over the view; `place` is called after each picture. */
 export function createLabels(container) {
-  const labels = [];
+  let labels = [];
   const projected = new Vector3();
 
-  function add(text, anchor, layer) {
+  /** Adds a label; one with a function for its text says at each picture what that returns, an empty text hides it. */
+  function add(text, anchor, layer, className = '') {
     const element = document.createElement('span');
-    element.className = 'label';
-    element.textContent = text;
+    element.className = `label ${className}`;
     container.append(element);
-    labels.push({ element, anchor, layer, x: 0, y: 0, width: 0, height: 0 });
+    const says = typeof text === 'function' ? text : () => text;
+    const aside = className.startsWith('cable') ? LEVEL : ASIDE;
+    labels.push({ element, says, anchor, layer, aside, x: 0, y: 0, width: 0, height: 0 });
+  }
+
+  function write(label) {
+    const text = label.says();
+    if (text === label.element.textContent) return;
+    label.element.textContent = text;
+    label.width = 0;
   }
 
   function project(label, camera, { clientWidth, clientHeight }) {
     const { element, anchor, layer } = label;
+    write(label);
     projected.copy(anchor).project(camera);
-    const hidden = !layer.visible || Math.abs(projected.z) > 1;
+    const hidden = !layer.visible || element.textContent === '' || Math.abs(projected.z) > 1;
     element.hidden = hidden;
-    label.x = ((projected.x + 1) / 2) * clientWidth;
-    label.y = ((1 - projected.y) / 2) * clientHeight;
+    label.x = ((projected.x + 1) / 2) * clientWidth + label.aside.x;
+    label.y = ((1 - projected.y) / 2) * clientHeight + label.aside.y;
     if (!hidden && label.width === 0) ({ offsetWidth: label.width, offsetHeight: label.height } = element);
   }
 
@@ -56,10 +70,15 @@ export function createLabels(container) {
     context.textBaseline = 'top';
     context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--text');
     for (const { element, x, y } of labels) {
-      if (!element.hidden) context.fillText(element.textContent, (x + 13) * ratio, (y + 8) * ratio);
+      if (!element.hidden) context.fillText(element.textContent, (x + 5) * ratio, (y + 2) * ratio);
     }
     return canvas;
   }
 
-  return { add, place, written };
+  function clear() {
+    labels = [];
+    container.replaceChildren();
+  }
+
+  return { add, clear, place, written };
 }

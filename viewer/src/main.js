@@ -1,10 +1,15 @@
 // Entry point: reads the data of the page and puts the viewer together.
 
-import { Box3, Vector3 } from 'three';
+import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
+import { showCard } from './card.js';
 import { createFrame } from './frame.js';
+import { createGizmo } from './gizmo.js';
+import { createDrop, createGrid, gridStep } from './ground.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
+import { connectPrinting } from './print.js';
+import { watchPointer, watchSpotlight } from './spotlight.js';
 import { createLayer, createLayers, createSwitch, placeholder } from './layers.js';
 import { createNoPath } from './noPath.js';
 import * as panel from './panel.js';
@@ -17,12 +22,13 @@ import { createRoute } from './route.js';
 import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
 import { createSwept } from './swept.js';
-import { createTheme } from './theme.js';
+import { cableRole, createTheme } from './theme.js';
 import { createTimedRoute } from './trajectory.js';
 import { describeFeasible, describeTree } from './wording.js';
 import { createFeasible } from './workspace.js';
 
-function restingPosition({ start, workspace }) {
+function restingPosition({ start, goal, path, workspace }) {
+  if (path?.status === 'goal_invalid' && goal) return goal;
   if (start) return start;
   return workspace ? workspace.min.map((low, i) => (low + workspace.max[i]) / 2) : [0, 0, 0];
 }
@@ -52,9 +58,6 @@ function markedPlaces({ path, trajectory }, route) {
 
 // Names of more obstacles than this would hide the picture; they can be switched on.
 const MOST_NAMES = 12;
-
-// Larger trees would hide the picture, too.
-const MOST_EDGES = 500;
 // So many obstacles or walls have their switches in sight at first.
 const FEW = 3;
 
@@ -71,9 +74,10 @@ function fillScene(model, route, frame, stage, theme) {
   const regions = createRegions(model, frame, theme);
   const highlight = createHighlight(model, frame, shapes, theme);
   const noPath = createNoPath(model, frame, shapes, theme);
+  const drop = createDrop(model, frame, theme);
   const contents = {
     ...noPath?.contents,
-    platform: [platform],
+    platform: [platform, ...drop.objects],
     obstacles: obstacles.objects,
     obstacleNames: model.obstacles.length > 0 ? [placeholder()] : [],
     cables: cables.parts,
@@ -85,7 +89,7 @@ function fillScene(model, route, frame, stage, theme) {
     nearest: highlight.objects,
     violations: createViolations(model, route, frame, theme),
     startGoal: ghosts,
-    workspace: createWorkspace(model, frame, theme),
+    workspace: [...createWorkspace(model, frame, theme), ...createGrid(model, frame, theme)],
     swept: createSwept(model, frame, theme),
     feasible: createFeasible(model, frame),
     regions: regions.map(({ group }) => group),
@@ -96,19 +100,31 @@ function fillScene(model, route, frame, stage, theme) {
     frame.point(position, platform.position);
     platform.quaternion.copy(rotationOf(orientation));
     cables.move(platform.position, platform.quaternion);
-    highlight.move(platform.position);
+    drop.move(platform.position, platform.quaternion);
+    highlight.move(platform.position, platform.quaternion);
     highlight.show(nearest);
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();
   };
-  return { contents, obstacles, ghosts, regions, noPath, move };
+  return { contents, obstacles, ghosts, cables, highlight, regions, noPath, move };
 }
 
-const hiddenAtFirst = ({ obstacles, regions, path }) => [
-  'cableNames',
+// Longer names of cables, or more of them, would hide the picture.
+const SHORT_NAME = 4;
+
+// The number alone where names are "cable 3".
+const shortName = (name) => name.replace(/^cable\s+(?=\d+$)/i, '');
+
+const hasShortNames = (cables) => cables.length <= MOST_NAMES && cables.every(({ name }) => shortName(name).length <= SHORT_NAME);
+
+const isUnchanged = (path) => Boolean(path) && Math.abs(path.rawCost - path.cost) <= 1e-6 * path.cost;
+
+const hiddenAtFirst = ({ cables, obstacles, regions, path }) => [
+  ...(isUnchanged(path) ? ['rawPath'] : []),
+  ...(hasShortNames(cables) ? [] : ['cableNames']),
+  'searchTree',
   'swept',
   'feasible',
-  ...(path?.tree?.count > MOST_EDGES ? ['searchTree'] : []),
   ...(regions?.shown ? [] : ['regions']),
   ...(obstacles.length > MOST_NAMES ? ['obstacleNames'] : []),
 ];
@@ -122,14 +138,29 @@ function otherNames({ regions, path, trajectory }) {
   };
 }
 
-function addNames(model, frame, labels, layers) {
+function addNames(model, frame, labels, layers, isCut) {
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
+    const centre = box.getCenter(new Vector3());
     const part = layers.obstacles.parts[name];
-    const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
-    labels.add(name, box.getCenter(new Vector3()), seen);
+    const seen = { get visible() { return layers.obstacleNames.visible && part.visible && !isCut(centre); } };
+    labels.add(name, centre, seen);
   }
-  for (const { name, outlet } of model.cables) labels.add(name, frame.point(outlet), layers.cableNames);
+  let lit = null;
+  watchSpotlight('names', (index) => { lit = index; });
+  model.cables.forEach(({ name, outlet }, i) => {
+    const place = frame.point(outlet);
+    const seen = { get visible() { return (layers.cableNames.visible && !isCut(place)) || lit === i; } };
+    labels.add(shortName(name), place, seen, `cable of-${cableRole(i)}`);
+  });
+}
+
+// The lengths of the gaps, and whether the reader sees the obstacles at them.
+function addGaps({ gaps, see }, labels, layers) {
+  see((name) => layers.obstacles.parts?.[name] === undefined || (layers.obstacles.visible && layers.obstacles.parts[name].visible));
+  for (const { group, middle, text } of gaps) {
+    labels.add(text, middle, { get visible() { return layers.nearest.visible && group.visible; } }, 'gap');
+  }
 }
 
 // A switch for each obstacle.
@@ -188,45 +219,108 @@ function savePicture(picture, title) {
   }, 'image/png');
 }
 
-// The 3D part: how to move the robot, the layers and the view.
-function createView(model, route) {
+// What stays while models come and go: renderer and camera, labels, colours, and what works on the picture.
+function createSetting(model) {
   const container = document.getElementById('view');
-  const frame = createFrame(model);
   const labels = createLabels(document.getElementById('labels'));
-  const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
+  const frame = createFrame(model);
+  let turnGizmo = () => {};
+  const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: (camera, view) => {
+    labels.place(camera, view);
+    turnGizmo(camera);
+  } });
+  turnGizmo = createGizmo(document.getElementById('gizmo'), stage.look);
   const theme = createTheme(stage.invalidate);
-  theme.bind(stage.scene.background, 'background');
-  const { contents, obstacles, ghosts, regions, noPath, move } = fillScene(model, route, frame, stage, theme);
-  const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), stage.scene, stage.invalidate);
+  theme.createPainter().bind(stage.scene.background, 'background');
+  const { look, cut, resize, statistics } = stage;
+  const picture = () => labels.written(stage.picture(), container);
+  const save = () => savePicture(picture(), document.getElementById('title').textContent);
+  connectPrinting(picture, panel.coveredMargins, theme.setPrinting);
+  const tools = { look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
+  return { frame, labels, stage, theme, tools };
+}
+
+// What stands in for it where nothing can be drawn in 3D.
+function createPlainSetting() {
+  createTheme(() => {});
+  panel.showMessage('This browser cannot draw in 3D (WebGL 2 is not available), so only the texts are shown.');
+  return { tools: { look: null } };
+}
+
+function dispose(group) {
+  group.removeFromParent();
+  group.traverse((object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
+    if (object.isInstancedMesh) object.dispose();
+  });
+}
+
+// Which layers and parts of layers the reader sees, by name.
+function visibilityOf(layers) {
+  const seen = (parts) => new Map(Object.entries(parts).map(([name, { visible }]) => [name, visible]));
+  const parts = Object.entries(layers).filter(([, layer]) => layer.parts);
+  return { layers: seen(layers), parts: new Map(parts.map(([key, layer]) => [key, seen(layer.parts)])) };
+}
+
+// Only what differs is switched, as a switch draws anew.
+function restoreVisibility(layers, before) {
+  const restore = (parts, seen) => {
+    for (const [name, part] of Object.entries(parts)) {
+      const visible = seen?.get(name) ?? part.visible;
+      if (visible !== part.visible) part.visible = visible;
+    }
+  };
+  restore(layers, before.layers);
+  for (const [key, layer] of Object.entries(layers)) if (layer.parts) restore(layer.parts, before.parts.get(key));
+}
+
+// The 3D part of a model: how to move the robot, the layers and the view; `before` is what it replaces.
+function createView(model, route, { frame: first, labels, stage, theme, tools }, before) {
+  const frame = createFrame(model, first);
+  const painter = theme.createPainter();
+  const group = new Group();
+  if (before) stage.setBox(frame.box);
+  const unfold = panel.clearLegend();
+  labels.clear();
+  const drawn = fillScene(model, route, frame, stage, painter);
+  const { contents, obstacles, ghosts, regions, noPath, move } = drawn;
+  const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), group, stage.invalidate);
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
-  addNames(model, frame, labels, layers);
+  addNames(model, frame, labels, layers, stage.isCut);
+  addGaps(drawn.highlight, labels, layers);
+  watchSpotlight('cables', (index) => {
+    drawn.cables.light(index);
+    stage.invalidate();
+  });
   if (noPath) addWalls(noPath, layers, stage.invalidate);
   for (const { text, anchor, of } of noPath?.labels ?? []) {
     labels.add(text, anchor, { get visible() { return layers.nearestReachable.visible && of.visible; } });
   }
   const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
-  const { look, cut, resize } = stage;
-  const picture = () => labels.written(stage.picture(), container);
-  const save = () => savePicture(picture(), model.title);
-  const { statistics } = stage;
-  return { move, leaveOut, layers, look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
+  if (before) restoreVisibility(layers, visibilityOf(before.layers));
+  unfold();
+  stage.scene.add(group);
+  const remove = () => {
+    painter.release();
+    group.removeFromParent();
+    // After the next picture, which may use the same programs of the graphics card.
+    stage.afterNext(() => dispose(group));
+  };
+  const point = (signal) => watchPointer(stage, drawn.cables.ends, () => layers.cables.visible, signal);
+  panel.showGridStep(gridStep(model));
+  return { ...tools, move, leaveOut, layers, frame, drawn, point, remove };
 }
 
-// What stands in for the 3D part where it cannot be drawn.
-function createPlainView() {
-  createTheme(() => {});
-  panel.showMessage('This browser cannot draw in 3D (WebGL 2 is not available), so only the texts are shown.');
-  return { move: () => {}, leaveOut: () => {}, layers: {}, look: null };
-}
+const NOTHING = { move: () => {}, leaveOut: () => {}, layers: {}, drawn: null, point: () => {}, remove: () => {} };
 
 // The largest coordinate in the workspace, m.
 const sizeOf = ({ workspace }) => (workspace ? Math.max(...[...workspace.min, ...workspace.max].map(Math.abs)) : 1);
 
-function connect(model, view) {
-  const planned = routeOf(model);
+function connect(model, planned, view, signal) {
   let route = planned;
   let showPlots = () => null;
   const size = sizeOf(model);
@@ -242,6 +336,7 @@ function connect(model, view) {
       panel.showDistance(distance, route.length, route.describe(distance));
     },
     panel.showPlaying,
+    signal,
   );
   const jump = (distance) => {
     playback.pause();
@@ -253,14 +348,16 @@ function connect(model, view) {
     view.leaveOut(name);
     playback.restart(route.length);
     panel.showTransport(route.length);
+    panel.showStops(route.corners, route.length);
   };
   showPlots = createPlots(model, route, jump);
-  panel.connectTransport(playback, route.timed);
+  showCard(model, route.length, jump);
+  panel.connectTransport(playback, route.timed, signal);
+  panel.showStops(route.corners, route.length);
+  view.point(signal);
   panel.showNoPath(model.noPath, leaveOut);
-  panel.showViolations(model.violations, (violation) => route.placeOf(violation), jump);
-  if (view.look) panel.connectTools(view);
-  panel.connectKeys(playback, view);
-  playback.setDistance(0);
+  panel.showViolations(model.violations, route, jump);
+  panel.connectKeys(playback, view, signal);
   const position = () => route.positionAt(playback.distance());
   const orientation = () => orientationAt(playback.distance());
   return { playback, timed: route.timed, position, orientation };
@@ -285,12 +382,44 @@ function publish(view, { playback, timed, position, orientation }) {
   };
 }
 
+// The share of the way travelled, and whether the platform runs.
+function progressOf({ playback }) {
+  const length = playback.length();
+  return { share: length > 0 ? playback.distance() / length : 0, playing: playback.playing() };
+}
+
+/** Shows a model in place of the one before; camera, colours, switches and the place along the path stay. */
+function createShow() {
+  let setting = null;
+  let current = null;
+  return (model) => {
+    const before = current;
+    const { share, playing } = before ? progressOf(before) : { share: 0, playing: false };
+    before?.session.abort();
+    const session = new AbortController();
+    const route = routeOf(model);
+    panel.showSummary(model);
+    if (!before) {
+      panel.foldWhereNarrow();
+      setting = hasWebGL() ? createSetting(model) : createPlainSetting();
+    }
+    const view = setting.stage ? createView(model, route, setting, before?.view) : { ...setting.tools, ...NOTHING };
+    const connected = connect(model, route, view, session.signal);
+    if (!before && view.look) panel.connectTools(view);
+    connected.playback.setDistance(share * route.length);
+    if (playing) connected.playback.toggle();
+    else panel.showPlaying(false);
+    before?.view.remove();
+    publish(view, connected);
+    current = { ...connected, model, view, session, setting };
+    return current;
+  };
+}
+
 function start() {
-  const model = readModel(JSON.parse(document.getElementById('cdpr-data').textContent));
-  const route = routeOf(model);
-  panel.showSummary(model, route.length);
-  const view = hasWebGL() ? createView(model, route) : createPlainView();
-  publish(view, connect(model, view));
+  const raw = JSON.parse(document.getElementById('cdpr-data').textContent);
+  const show = createShow();
+  show(readModel(raw));
 }
 
 try {

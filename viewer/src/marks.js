@@ -77,12 +77,21 @@ function sprites(points, size, map) {
   return marks;
 }
 
+// Drawn once: pages replace their contents.
+const textures = new Map();
+
+function textureOf(key, draw) {
+  if (!textures.has(key)) textures.set(key, texture(draw));
+  return textures.get(key);
+}
+
 /** Round dots with a diameter in pixels. */
-export const dots = (points, size) => sprites(points, size, texture(drawDisc));
+export const dots = (points, size) => sprites(points, size, textureOf('disc', drawDisc));
 
 /** Crosses with a width in pixels that nothing hides. */
 export function crosses(points, size, thickness, order) {
-  const marks = sprites(points, size, texture((context, radius) => drawCross(context, radius, thickness)));
+  const draw = (context, radius) => drawCross(context, radius, thickness);
+  const marks = sprites(points, size, textureOf(thickness, draw));
   marks.material.depthTest = false;
   marks.material.alphaTest = 0;
   marks.renderOrder = order;

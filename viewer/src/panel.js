@@ -2,11 +2,12 @@
 
 import { wallRole } from './theme.js';
 import { describeCulprits, describeDetour, describeProof, describeReached } from './wording.js';
-import { describeOutcome, describeRegions, describeViolation, formatPosition } from './wording.js';
+import { describeReason, describeViolation, describeViolations, formatPosition, lengthAxis } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const LISTED_CULPRITS = 8;
-const NARROW = '(max-width: 560px)';
+// Panel and charts share one sheet at the bottom.
+const NARROW = '(max-width: 899px)';
 
 const byId = (id) => document.getElementById(id);
 
@@ -17,14 +18,10 @@ function element(tag, className, text) {
   return result;
 }
 
-/** Writes title and outcome. */
-export function showSummary(model, length) {
+/** Writes the title. */
+export function showSummary(model) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
-  const outcome = describeOutcome(model.path, length, model.violations.length, model.trajectory);
-  byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
-  if (model.path?.planner) byId('planner').textContent = `planner: ${model.path.planner}`;
-  foldWhereNarrow();
 }
 
 // Those who close the way, in the colours of their walls.
@@ -40,8 +37,8 @@ function culpritItems(culprits) {
 
 /** Says why there is no path; `onPick` hears the name of the obstacle to be left out, or null. */
 export function showNoPath(noPath, onPick) {
+  byId('no-path').hidden = !noPath;
   if (!noPath) return;
-  byId('status').classList.add('none');
   byId('closed-by').replaceChildren(...culpritItems(noPath.culprits));
   byId('reached').textContent = describeReached(noPath);
   byId('proved').textContent = describeProof(noPath);
@@ -60,17 +57,43 @@ export function showNoPath(noPath, onPick) {
   };
   const none = element('p', '', 'No obstacle has a part in it: leaving one out does not help.');
   byId('remedies').replaceChildren(...(buttons.length > 0 ? buttons : [none]));
-  byId('no-path').hidden = false;
 }
 
-// A frame in a notebook may get its width only after the page has started.
-function foldWhereNarrow() {
+const tabs = () => [...byId('tabs').querySelectorAll('button')];
+
+// Shows one part in the sheet; an empty name folds it.
+function showTab(name) {
+  document.body.dataset.tab = name;
+  for (const tab of tabs()) tab.setAttribute('aria-pressed', String(tab.dataset.tab === name));
+  byId('sheet').dispatchEvent(new Event('fold'));
+}
+
+/** Connects the tabs of narrow pages, where folds are open. A notebook's frame may get its width only later. */
+export function foldWhereNarrow() {
   const query = window.matchMedia(NARROW);
-  const fold = () => {
-    for (const id of ['details', 'plots']) byId(id).open = !query.matches;
+  const unfold = () => {
+    for (const id of ['details', 'plots']) byId(id).open = true;
   };
-  query.addEventListener('change', fold);
-  fold();
+  for (const tab of tabs()) {
+    const { tab: name } = tab.dataset;
+    tab.addEventListener('click', () => showTab(document.body.dataset.tab === name ? '' : name));
+  }
+  showTab('result');
+  query.addEventListener('change', unfold);
+  unfold();
+}
+
+/** Empties the legend, and returns a function that unfolds and scrolls what comes next as it was. */
+export function clearLegend() {
+  const folds = () => [...byId('legend').querySelectorAll('details')];
+  const titleOf = (fold) => fold.querySelector('summary').textContent;
+  const open = new Map(folds().map((fold) => [titleOf(fold), fold.open]));
+  const scrolled = byId('panel').scrollTop;
+  byId('legend').replaceChildren();
+  return () => {
+    for (const fold of folds()) fold.open = open.get(titleOf(fold)) ?? fold.open;
+    byId('panel').scrollTop = scrolled;
+  };
 }
 
 /** Adds a fold below a row of the legend, for rows of parts of that layer. */
@@ -101,8 +124,19 @@ export function addAllOrNone(fold, parts) {
   fold.querySelector('summary').after(row);
 }
 
-/** Adds a row with a checkbox to the legend, or to a fold of it, and returns it with a function that ticks it. */
-export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
+/** The part of the legend for a group of layers, made when it is first asked for. */
+export function legendGroup(title) {
+  const found = [...byId('legend').children].find((group) => group.dataset.title === title);
+  if (found) return found;
+  const group = element('section', 'legend-group');
+  group.dataset.title = title;
+  group.append(element('h3', '', title));
+  byId('legend').append(group);
+  return group;
+}
+
+/** Adds a row with a checkbox to a part of the legend, and returns it with a function that ticks it. */
+export function addLegendRow(name, swatch, layer, parent) {
   const row = element('label', 'legend-row');
   const box = element('input');
   box.type = 'checkbox';
@@ -118,36 +152,68 @@ export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   return { element: row, tick };
 }
 
-function violationItem(violation, place, onPick) {
+// Violations that begin at the same place, as one item: the first one, and a fold with the others.
+function violationItem({ place, members }, onPick) {
   const item = element('li');
-  const button = element('button', 'violation', describeViolation(violation, place));
+  const button = element('button', 'violation', describeViolation(members[0], place));
   button.type = 'button';
   button.addEventListener('click', () => onPick(place));
   item.append(button);
+  if (members.length === 1) return item;
+  const fold = element('details', 'same-place');
+  const list = element('ul');
+  const others = members.slice(1, LISTED_VIOLATIONS);
+  list.append(...others.map((violation) => element('li', '', describeReason(violation))));
+  if (others.length < members.length - 1) list.append(element('li', 'more', `and ${members.length - 1 - others.length} more`));
+  fold.append(element('summary', '', `and ${members.length - 1} more at this place`), list);
+  item.append(fold);
   return item;
 }
 
-/** Lists violations; `placeOf` tells where one begins, `onPick` hears the place of the one that is clicked. */
-export function showViolations(violations, placeOf, onPick) {
-  if (violations.length === 0) return;
-  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, placeOf(v), onPick));
+// Violations nearer to each other than this share of the path are at one place.
+const ONE_PLACE = 1e-4;
+
+// Those of one place together; the list is sorted along the path.
+function byPlace(violations, placeOf, length) {
+  const groups = [];
+  for (const violation of violations) {
+    const place = placeOf(violation);
+    const last = groups.at(-1);
+    if (last && Math.abs(place - last.place) <= ONE_PLACE * length) last.members.push(violation);
+    else groups.push({ place, members: [violation] });
+  }
+  return groups;
+}
+
+/** Lists violations; `route` tells where one begins, `onPick` hears the place of the one that is clicked. */
+export function showViolations(violations, { placeOf, length }, onPick) {
+  byId('violations').hidden = violations.length === 0;
+  const groups = byPlace(violations, placeOf, length);
+  const shown = groups.slice(0, LISTED_VIOLATIONS).map((group) => violationItem(group, onPick));
   byId('violation-list').replaceChildren(...shown);
-  byId('violation-count').textContent = `${violations.length} violation${violations.length === 1 ? '' : 's'}`;
-  const rest = violations.length - shown.length;
+  byId('violation-count').textContent = describeViolations(violations.length, groups.length);
+  const rest = groups.length - shown.length;
   if (rest > 0) byId('violation-list').append(element('li', 'more', `and ${rest} more`));
-  byId('violations').hidden = false;
 }
 
 /** How much of the window panel and bar cover at each side, px. */
 export function coveredMargins() {
+  const topOf = (id) => (byId(id).getBoundingClientRect().height > 0 ? byId(id).getBoundingClientRect().top : window.innerHeight);
+  const tools = byId('tools').getBoundingClientRect().bottom;
+  if (window.matchMedia(NARROW).matches) {
+    const top = Math.min(...['bar', 'tabs'].map(topOf));
+    return { left: 0, right: 0, top: tools, bottom: window.innerHeight - top };
+  }
   const panel = byId('panel').getBoundingClientRect();
-  const bar = byId('bar').getBoundingClientRect();
-  const bottom = bar.height > 0 ? window.innerHeight - bar.top : 0;
-  const narrow = window.matchMedia(NARROW).matches;
-  if (narrow) return { left: 0, right: 0, top: panel.bottom, bottom };
   const plots = byId('plots').getBoundingClientRect();
   const right = byId('plots').open && plots.width > 0 ? window.innerWidth - plots.left : 0;
-  return { left: panel.right, right, top: 0, bottom };
+  return { left: panel.right, right, top: tools, bottom: window.innerHeight - topOf('bar') };
+}
+
+/** Says how far the lines of the grid are from each other, m; null: there is no grid. */
+export function showGridStep(step) {
+  byId('corner').hidden = false;
+  byId('grid-step').textContent = step === null ? '' : `grid ${lengthAxis(step).brief(step)}`;
 }
 
 /** Puts a plain message in place of the 3D view. */
@@ -173,22 +239,24 @@ function moveBy(step, playback, event) {
   playback.setDistance(playback.distance() + step * playback.length());
 }
 
-function connectSlider(slider, playback) {
+function connectSlider(slider, playback, options) {
   slider.addEventListener('input', () => {
     playback.pause();
     playback.setDistance(Number(slider.value));
-  });
+  }, options);
   slider.addEventListener('keydown', (event) => {
     const step = KEY_STEPS[event.key];
     if (step !== undefined) moveBy(step, playback, event);
-  });
+  }, options);
 }
 
-/** Connects slider and play button to the playback, of a trajectory if `timed`. */
-export function connectTransport(playback, timed) {
-  connectSlider(byId('slider'), playback);
-  byId('play').addEventListener('click', playback.toggle);
-  byId('speed').addEventListener('change', () => playback.setSpeed(Number(byId('speed').value)));
+/** Connects slider and play button to the playback, of a trajectory if `timed`, until the signal. */
+export function connectTransport(playback, timed, signal) {
+  const setSpeed = () => playback.setSpeed(Number(byId('speed').value));
+  connectSlider(byId('slider'), playback, { signal });
+  byId('play').addEventListener('click', playback.toggle, { signal });
+  byId('speed').addEventListener('change', setSpeed, { signal });
+  setSpeed();
   if (timed) {
     byId('slider').setAttribute('aria-label', 'time, s');
     byId('speed').title = 'speed of the playback; 1× is real time';
@@ -200,6 +268,16 @@ export function connectTransport(playback, timed) {
 export function showTransport(length) {
   byId('slider').max = String(length);
   byId('transport').hidden = length === 0;
+}
+
+/** Marks places on the slider: the waypoints. */
+export function showStops(places, length) {
+  const marks = places.filter((place) => place > 0 && place < length).map((place) => {
+    const mark = element('span', 'stop');
+    mark.style.setProperty('--at', String(place / length));
+    return mark;
+  });
+  byId('stops').replaceChildren(...marks);
 }
 
 /** Shows a distance or time on the slider, and in words. */
@@ -221,6 +299,13 @@ export function showPlaying(playing) {
   byId('play').dataset.playing = String(playing);
 }
 
+// The keys; pressed again, they go.
+function showHelp() {
+  const help = byId('help');
+  if (help.open) help.close();
+  else help.showModal();
+}
+
 const SECTIONS = ['', 'x', 'y', 'z'];
 
 /** Connects the buttons that change the view. */
@@ -229,7 +314,8 @@ export function connectTools({ look, cut, save, toggleLook, resize }) {
   byId('reset').addEventListener('click', () => look());
   byId('save').addEventListener('click', save);
   byId('look').addEventListener('click', toggleLook);
-  byId('plots').addEventListener('toggle', resize);
+  for (const [id, event] of [['plots', 'toggle'], ['sheet', 'fold']]) byId(id).addEventListener(event, resize);
+  byId('keys').addEventListener('click', showHelp);
   const section = () => {
     byId('section-at').disabled = byId('section').value === '';
     cut(byId('section').value, Number(byId('section-at').value));
@@ -259,10 +345,11 @@ const VIEW_KEYS = {
   s: nextSection,
   d: ({ toggleLook }) => toggleLook(),
   p: ({ save }) => save(),
+  '?': showHelp,
 };
 
-/** Keys for playing, for moving along the path and, where there is a view, for what its buttons do. */
-export function connectKeys(playback, view) {
+/** Keys for playing, for moving along the path and, where there is a view, for what its buttons do; until the signal. */
+export function connectKeys(playback, view, signal) {
   window.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (KEY_STEPS[event.key] !== undefined && !takesArrows(event.target)) moveBy(KEY_STEPS[event.key], playback, event);
@@ -271,5 +358,5 @@ export function connectKeys(playback, view) {
     if (event.key !== ' ' || isOperable(event.target)) return;
     event.preventDefault();
     playback.toggle();
-  });
+  }, { signal });
 }

@@ -7,7 +7,7 @@ const DURATION = 8;
  * A distance between 0 and a length that can run by itself; `onMove` and `onState` hear of changes. For a trajectory it
  * is a time, which runs in real time: however few pictures are drawn, each shows where the platform is by then.
  */
-export function createPlayback(whole, timed, onMove, onState) {
+export function createPlayback(whole, timed, onMove, onState, signal) {
   let length = whole;
   let distance = 0;
   let playing = false;
@@ -33,8 +33,10 @@ export function createPlayback(whole, timed, onMove, onState) {
     requestAnimationFrame(advance);
   }
 
-  function advance(now) {
+  // By the clock: where pictures are slow, the time of a frame is behind it.
+  function advance() {
     if (!playing) return;
+    const now = performance.now();
     const seconds = Math.max(0, (now - before) / 1000);
     before = Math.max(before, now);
     setDistance(distance + speed * seconds * (timed ? 1 : length / DURATION));
@@ -45,6 +47,9 @@ export function createPlayback(whole, timed, onMove, onState) {
   // A hidden page draws nothing; it goes on where it stopped.
   document.addEventListener('visibilitychange', () => {
     before = performance.now();
+  }, { signal });
+  signal?.addEventListener('abort', () => {
+    playing = false;
   });
 
   return {
@@ -56,6 +61,7 @@ export function createPlayback(whole, timed, onMove, onState) {
       setDistance(0);
     },
     distance: () => distance,
+    playing: () => playing,
     setDistance,
     setSpeed: (value) => {
       speed = value;

@@ -27,7 +27,7 @@ pub enum Ask {
     Plan {
         /// How it is planned.
         #[serde(default)]
-        options: Options,
+        options: Box<Options>,
         /// Whether the answer holds the contents of the page.
         #[serde(default)]
         page: bool,

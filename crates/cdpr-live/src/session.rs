@@ -10,7 +10,7 @@ use cdpr_core::plan::{
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
-use cdpr_view::page_data;
+use cdpr_view::{Contents, page_data};
 use serde_json::{Value, json};
 use web_time::Instant;
 
@@ -56,9 +56,9 @@ impl Session {
         let known = self.known(scene)?;
         match ask {
             Ask::Plan { options, page, extras } => known.plan(&options, page.then_some(extras), improved),
-            Ask::Page { path, extras } => {
-                Ok(json!({ "page": page_data(&known.scene, path.as_deref(), &[], extras, &Watch::NONE)? }))
-            }
+            Ask::Page { path, extras } => Ok(
+                json!({ "page": page_data(&known.scene, Contents { path: path.as_deref(), ..Contents::default() }, extras, &Watch::NONE)? }),
+            ),
             Ask::Place { at, orientation } => known.place(at.into(), orientation),
             Ask::Toml => Ok(json!({ "toml": toml::to_string(known.scene.spec()).expect("scenes are finite") })),
         }
@@ -96,7 +96,7 @@ impl Known {
             "path": file,
         });
         if let Some(extras) = page {
-            answer["page"] = page_data(scene, Some(&file), &[], extras, &Watch::NONE)?;
+            answer["page"] = page_data(scene, Contents::from(&file), extras, &Watch::NONE)?;
         }
         Ok(answer)
     }

@@ -51,11 +51,11 @@ fn moving_ends_and_obstacles_is_seen() {
 
 #[test]
 fn better_paths_are_told_while_planning() {
-    let told = std::sync::Mutex::new(Vec::new());
+    static TOLD: std::sync::Mutex<Vec<String>> = std::sync::Mutex::new(Vec::new());
     let request = json!({ "ask": "plan", "scene": hard3().spec(), "options": { "planner": "anytime" } });
-    let answer = Session::default().answer(&request.to_string(), &|text| told.lock().unwrap().push(text.to_string()));
+    let answer = Session::default().answer(&request.to_string(), &|text| TOLD.lock().unwrap().push(text.to_string()));
     let answer: Value = serde_json::from_str(&answer).unwrap();
-    let told: Vec<Value> = told.into_inner().unwrap().iter().map(|text| serde_json::from_str(text).unwrap()).collect();
+    let told: Vec<Value> = TOLD.lock().unwrap().iter().map(|text| serde_json::from_str(text).unwrap()).collect();
     assert!(told.windows(2).all(|pair| pair[0]["cost"].as_f64() > pair[1]["cost"].as_f64()));
     assert_eq!(told.last().unwrap()["cost"], answer["cost"]);
 }
@@ -99,7 +99,7 @@ fn the_page_of_a_path_is_that_of_the_program() {
     let answer =
         asked(&mut Session::default(), &json!({ "ask": "plan", "scene": scene.spec(), "page": true, "extras": true }));
     let path: cdpr_core::path_file::PathFile = serde_json::from_value(answer["path"].clone()).unwrap();
-    let page = cdpr_view::page_data(&scene, Some(&path), &[], true, &cdpr_core::watch::Watch::NONE).unwrap();
+    let page = cdpr_view::page_data(&scene, (&path).into(), true, &cdpr_core::watch::Watch::NONE).unwrap();
     for key in ["motion", "regions", "obstacles", "cables", "workspace", "start", "goal"] {
         assert_eq!(answer["page"][key], page[key], "{key}");
     }
@@ -113,7 +113,7 @@ fn a_saved_scene_is_read_again() {
         let scene = of_testdata(name);
         let answer = asked(&mut Session::default(), &json!({ "ask": "toml", "scene": scene.spec() }));
         let text = answer["toml"].as_str().unwrap();
-        let read = cdpr_files::scene_from_text(text, cdpr_files::Notation::Toml, None).unwrap();
+        let read = cdpr_files::scene_from_text(text, cdpr_files::text::Notation::Toml, None).unwrap();
         assert_eq!(read.fingerprint(), scene.fingerprint(), "{name}");
     }
 }

@@ -19,7 +19,7 @@ use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
 use cdpr_files::{Loader, PathFile, text::Notation};
-use cdpr_view::{Form, page_within};
+use cdpr_view::{Contents, Form, Planning, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -553,9 +553,10 @@ impl Scene {
     ) -> PyResult<String> {
         let form = if live { Form::Live } else { Form::Static };
         let Some(path) = path else {
-            return interruptible(py, |stop| page_within(&self.0, None, &[], form, &Watch::on(stop)));
+            return interruptible(py, |stop| page_within(&self.0, Contents::default(), form, &Watch::on(stop)));
         };
         let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
+        let planning = Planning::of_json(path);
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         if let Some(poses) = answered(|| file.poses())? {
             let engine = turning_of(py, self, Engine::default().name(), interference)?;
@@ -563,7 +564,8 @@ impl Scene {
             return interruptible(py, |stop| {
                 let watch = Watch::on(stop);
                 let violations = check_poses(&self.0, &engine, &poses, &watch)?.violations;
-                page_within(&self.0, Some(&file), &violations, form, &watch)
+                let contents = Contents { path: Some(&file), planning: planning.as_ref(), violations: &violations };
+                page_within(&self.0, contents, form, &watch)
             });
         }
         let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
@@ -577,7 +579,8 @@ impl Scene {
             let no_path = ends.as_ref().map(decided).transpose()?.flatten();
             let file = PathFile { no_path: no_path.map(Arc::new), ..file };
             let violations = check_path(&*engine, &waypoints, &watch)?.violations;
-            page_within(&self.0, Some(&file), &violations, form, &watch)
+            let contents = Contents { path: Some(&file), planning: planning.as_ref(), violations: &violations };
+            page_within(&self.0, contents, form, &watch)
         })
     }
 }

@@ -1,4 +1,4 @@
-//! A finished run as one self-contained HTML page: tables, plots, and the paper's numbers beside ours.
+//! A finished run as one self-contained HTML page: plots, tables, and the paper's numbers beside ours.
 
 mod paper;
 mod plots;
@@ -10,10 +10,16 @@ pub use study::{Cost, Costs, Study};
 
 use cdpr_view::escaped;
 
-const STYLE: &str = "body{font:15px/1.45 sans-serif;margin:2rem auto;max-width:72rem;padding:0 1rem;color:#222}\
-table{border-collapse:collapse;font-size:13px}th,td{padding:.2rem .6rem;border-bottom:1px solid #ddd;text-align:left;\
-white-space:nowrap}th{border-bottom:2px solid #888}.wide{overflow-x:auto}figure{margin:1rem 0}svg{max-width:100%;\
-height:auto}summary{cursor:pointer;font-weight:bold;margin:.5rem 0}";
+// Plots are drawn for a light page; on a dark one their brightness is turned round, the colours stay.
+const STYLE: &str = ":root{color-scheme:light dark;--text:#1b1f24;--muted:#545c66;--line:#d5dae0}\
+@media(prefers-color-scheme:dark){:root{--text:#eceff3;--muted:#a9b1bb;--line:#434b56}html{background:#14171c}\
+svg{filter:invert(.9) hue-rotate(180deg)}}\
+body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:72rem;padding:0 1rem;color:var(--text)}\
+table{border-collapse:collapse;font-size:13px}th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);\
+text-align:left;white-space:nowrap}th{border-bottom:2px solid var(--muted)}td.n,th.n{text-align:right;\
+font-variant-numeric:tabular-nums}.wide{overflow-x:auto}figure{margin:1rem 0}svg{max-width:100%;height:auto}\
+summary{cursor:pointer;font-weight:bold;margin:.5rem 0}\
+@media print{:root{--text:#000;--muted:#555;--line:#ccc}html{background:none}svg{filter:none}figure,tr{break-inside:avoid}}";
 
 /// The plots of a study.
 pub fn plots(study: &Study) -> Vec<Plot> {
@@ -39,8 +45,10 @@ pub fn page(study: &Study) -> String {
     let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
     let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
     body += &format!(" Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n");
-    body += &tables::origins(study);
-    body += &tables::rules(study);
+    body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
+    for plot in plots(study) {
+        body += &format!("<figure>{}</figure>\n", plot.svg());
+    }
     if let Some((paper, printed)) = paper {
         let (note, citation) = (escaped(&printed.note), escaped(&paper.citation));
         body += &format!("<h2>Comparison with the paper</h2>\n<p>{note} Source: {citation}.</p>\n");
@@ -52,14 +60,11 @@ pub fn page(study: &Study) -> String {
         }
     }
     body += &tables::orders(study, printed);
-    body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
-    for plot in plots(study) {
-        body += &format!("<figure>{}</figure>\n", plot.svg());
-    }
     if !summary.t_tests.is_empty() {
         body += &format!("<h2>Two-sample t-tests</h2>\n{}", tables::t_tests(study, printed));
     }
     body += &format!("<h2>Statistics</h2>\n{}", tables::statistics(study));
+    body += &format!("<h2>How it was run</h2>\n{}{}", tables::origins(study), tables::rules(study));
     format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title} – cdpr</title>\
          <style>{STYLE}</style></head>\n<body>\n{body}</body></html>\n"

@@ -11,7 +11,10 @@ mod blocks;
 mod extras;
 mod live;
 mod no_path;
+mod planning;
 mod trajectory;
+
+pub use planning::Planning;
 
 use serde_json::{Value, json};
 
@@ -32,63 +35,76 @@ const SCRIPT: &str = include_str!("assets/viewer.js");
 /// Whether a page only shows its scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Form {
-    /// The scene can be edited, and paths are planned in the page. This adds 0.5 MB.
+    /// The scene can be edited, and paths are planned in the page. This adds 1 MB.
     #[default]
     Live,
     /// The page only shows what it was made for.
     Static,
 }
 
-/// The page for a scene, a path and its violations.
+/// What a page shows in its scene.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Contents<'a> {
+    /// A path, or the answer that there is none.
+    pub path: Option<&'a PathFile>,
+    /// What the file of a path that was read states about its planning; a path that has just been planned tells itself.
+    pub planning: Option<&'a Planning>,
+    /// Where the path is not valid.
+    pub violations: &'a [PathViolation],
+}
+
+impl<'a> From<&'a PathFile> for Contents<'a> {
+    fn from(path: &'a PathFile) -> Self {
+        Contents { path: Some(path), ..Contents::default() }
+    }
+}
+
+/// The page for a scene with its contents.
 ///
 /// # Example
 /// ```
-/// use cdpr_view::{Form, page};
-/// let page = page(&cdpr_core::testing::hard1(), None, &[], Form::Static);
+/// use cdpr_view::{Contents, Form, page};
+/// let page = page(&cdpr_core::testing::hard1(), Contents::default(), Form::Static);
 /// assert!(page.starts_with("<!doctype html>") && page.contains("pillar"));
 /// ```
-pub fn page(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation], form: Form) -> String {
-    page_within(scene, path, violations, form, &Watch::NONE).expect("nothing stops it")
+pub fn page(scene: &Scene, contents: Contents, form: Form) -> String {
+    page_within(scene, contents, form, &Watch::NONE).expect("nothing stops it")
 }
 
 /// As [`page`], within a watch.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn page_within(
-    scene: &Scene,
-    path: Option<&PathFile>,
-    violations: &[PathViolation],
-    form: Form,
-    watch: &Watch,
-) -> Result<String, Error> {
-    let mut data = page_data(scene, path, violations, true, watch)?;
+pub fn page_within(scene: &Scene, contents: Contents, form: Form, watch: &Watch) -> Result<String, Error> {
+    let mut data = page_data(scene, contents, true, watch)?;
     if form == Form::Live {
-        data["live"] = live::contents(scene, path);
+        data["live"] = live::contents(scene, contents);
     }
     Ok(filled(scene, &data))
 }
 
-/// The contents of the page as JSON; `extras` are those that do not depend on the path: shadows and the wrench-feasible
+/// The data of the page as JSON; `extras` are those that do not depend on the path: shadows and the wrench-feasible
 /// workspace.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn page_data(
-    scene: &Scene,
-    path: Option<&PathFile>,
-    violations: &[PathViolation],
-    extras: bool,
-    watch: &Watch,
-) -> Result<Value, Error> {
+pub fn page_data(scene: &Scene, contents: Contents, extras: bool, watch: &Watch) -> Result<Value, Error> {
     let motion = |path: &PathFile| match poses(path) {
         Some(poses) => Ok(extras::turning_motion(scene, &poses)),
         None => extra(extras::motion(scene, &path.points(), watch)),
     };
-    let motion = path.map(motion).transpose()?.flatten();
-    let mut data = data(scene, path, violations);
+    let motion = contents.path.map(motion).transpose()?.flatten();
+    let mut data = data(scene, contents.path, contents.violations);
     data["motion"] = json!(motion);
-    if extras { with_extras(scene, data, watch) } else { Ok(data) }
+    data["result"] = json!(contents.planning().map(|planning| planning.result));
+    if extras { with_extras(scene, data, watch) } else { Ok(shortened(data)) }
+}
+
+impl Contents<'_> {
+    fn planning(&self) -> Option<Planning> {
+        let planned = || Planning::of(&json!(self.path.filter(|path| path.planned.is_some())?));
+        self.planning.cloned().or_else(planned)
+    }
 }
 
 /// The page that plays a trajectory in real time and plots it over time; `violations` are those between its samples, as
@@ -112,11 +128,35 @@ pub fn trajectory_page_within(
 }
 
 /// Adds what does not depend on the path.
-fn with_extras(scene: &Scene, mut data: Value, watch: &Watch) -> Result<Value, Error> {
+fn with_extras(scene: &Scene, data: Value, watch: &Watch) -> Result<Value, Error> {
+    let mut data = shortened(data);
     data["regions"] = json!(extra(extras::shadows(scene, watch))?);
     data["feasible"] = json!(extra(extras::feasible(scene, watch))?);
     watch.check()?;
     Ok(data)
+}
+
+/// The data with plots and tree in fewer digits.
+fn shortened(mut data: Value) -> Value {
+    for place in ["/motion", "/path/tree"] {
+        data.pointer_mut(place).into_iter().for_each(shorten);
+    }
+    data
+}
+
+/// Writes numbers that single precision holds with as few digits as tell them apart there, which halves their text.
+fn shorten(value: &mut Value) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(shorten),
+        Value::Object(entries) => entries.values_mut().for_each(shorten),
+        Value::Number(number) if number.is_f64() => {
+            let short = number.as_f64().filter(|x| f64::from(*x as f32) == *x);
+            if let Some(Ok(x)) = short.map(|x| (x as f32).to_string().parse::<f64>()) {
+                *value = json!(x);
+            }
+        }
+        _ => {}
+    }
 }
 
 /// Additional contents, left out if they cannot be computed; only an interruption or the deadline is an error.
@@ -144,15 +184,15 @@ pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
 }
 
 fn filled(scene: &Scene, data: &Value) -> String {
-    let planner = if data["live"].is_null() { ["", ""] } else { [live::WORKER, live::MODULE] };
+    let [worker, module] = if data["live"].is_null() { ["", ""] } else { [live::WORKER, live::MODULE] };
     let data = inert(&data.to_string());
     let title = escaped(&format!("{} – cdpr", scene.name()));
     let parts = [
         ("/*{{style}}*/", STYLE),
         ("{{title}}", &title),
         ("{{data}}", &data),
-        ("{{worker}}", planner[0]),
-        ("{{module}}", planner[1]),
+        ("{{worker}}", worker),
+        ("{{module}}", module),
         ("/*{{script}}*/", SCRIPT),
     ];
     fill(TEMPLATE, &parts)
@@ -283,7 +323,7 @@ mod tests {
     fn hostile_names_stay_data() {
         let name = "</script><script>alert(1)</script>{{title}}/*{{script}}*/";
         let scene = scene(paper_scene(name, vec![block(name, [0.1; 3], [1.0; 3])]));
-        let page = page(&scene, None, &[], Form::Static);
+        let page = page(&scene, Contents::default(), Form::Static);
         assert!(!page.contains("<script>alert(1)"));
         assert_eq!(page.matches(SCRIPT).count(), 1);
     }

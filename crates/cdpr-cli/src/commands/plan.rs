@@ -13,7 +13,7 @@ use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::small_length;
 use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::PathFile;
-use cdpr_view::page;
+use cdpr_view::{Contents, page};
 
 use super::check::turns;
 use super::post::{check_path_name, save_path};
@@ -95,7 +95,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if interrupted() {
         out.say("interrupted; this is the best path found so far");
     } else if let Some(path) = &args.html {
-        let page = page(&shown_scene(&scene, ends)?, Some(&file), &[], form(args.is_static));
+        let page = page(&shown_scene(&scene, ends)?, Contents::from(&file), form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);

@@ -10,7 +10,7 @@ use cdpr_core::turning::check_poses;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
-use cdpr_view::{Form, page_within, trajectory_page_within};
+use cdpr_view::{Contents, Form, Planning, page_within, trajectory_page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
@@ -33,12 +33,12 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     };
     let form = form(args.is_static);
     let (page, violations) = match (&args.path, proof) {
-        (None, _) => (page_within(&scene, None, &[], form, &watch)?, Vec::new()),
+        (None, _) => (page_within(&scene, Contents::default(), form, &watch)?, Vec::new()),
         (Some(path), Some(text)) => {
             input::selects_orientation(&scene, &args.scene)?;
             input::never_turns(&scene, &args.scene)?;
             let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
-            (page_within(&scene, Some(&shown), &[], form, &watch)?, Vec::new())
+            (page_within(&scene, Contents::from(&shown), form, &watch)?, Vec::new())
         }
         (Some(path), None) => match input::motion(&scene, &args.scene, path, args.strict, out)? {
             Motion::Path(found) => {
@@ -51,7 +51,12 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
                     }
                 };
                 let shown = shown(&loaded, report.length);
-                (page_within(&scene, Some(&shown), &report.violations, form, &watch)?, report.violations)
+                // Of what cannot be read as JSON nothing is told.
+                let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
+                let planning = text.and_then(|text| Planning::of_json(&text));
+                let violations = &report.violations;
+                let contents = Contents { path: Some(&shown), planning: planning.as_ref(), violations };
+                (page_within(&scene, contents, form, &watch)?, report.violations)
             }
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;

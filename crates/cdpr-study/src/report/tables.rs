@@ -8,10 +8,21 @@ use crate::{Origin, Rules};
 use cdpr_core::words::count;
 use cdpr_view::escaped;
 
-/// A table from its header and rows; cells are HTML.
+/// Whether a cell holds a number, or several, with which its column is aligned to the right.
+fn is_number(cell: &str) -> bool {
+    let allowed = |c: char| c.is_ascii_digit() || " .-–…±()%e".contains(c);
+    cell.contains(|c: char| c.is_ascii_digit() || c == '–') && cell.chars().all(allowed)
+}
+
+/// A table from its header and rows; cells are HTML. Columns of numbers are aligned to the right.
 pub(super) fn table(head: &[&str], rows: &[Vec<String>]) -> String {
+    let numbers: Vec<bool> = (0..head.len())
+        .map(|column| !rows.is_empty() && rows.iter().all(|row| row.get(column).is_some_and(|cell| is_number(cell))))
+        .collect();
     let line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
-        let cells: String = cells.map(|cell| format!("<{tag}>{cell}</{tag}>")).collect();
+        let class = |column: usize| if numbers.get(column) == Some(&true) { " class=\"n\"" } else { "" };
+        let cells: String =
+            cells.enumerate().map(|(column, cell)| format!("<{tag}{}>{cell}</{tag}>", class(column))).collect();
         format!("<tr>{cells}</tr>\n")
     };
     let body: String = rows.iter().map(|row| line("td", &mut row.iter().map(String::as_str))).collect();
@@ -37,17 +48,37 @@ fn cell(number: Option<f64>, scale: f64) -> String {
     number.map_or("–".to_string(), |number| four(scale * number))
 }
 
-/// Name with unit, scale, and location of a measure.
-type Column = (&'static str, f64, fn(&MethodSummary) -> &Described);
+/// Name, units with their scales (the largest unit first), and location of a measure.
+type Column = (&'static str, &'static [(&'static str, f64)], fn(&MethodSummary) -> &Described);
+
+const TIMES: &[(&str, f64)] = &[(", s", 1.0), (", ms", 1e3), (", µs", 1e6)];
+const LENGTHS: &[(&str, f64)] = &[(", m", 1.0), (", mm", 1e3)];
 
 const MEASURES: [Column; 6] = [
-    ("Planning time, ms", 1e3, |m| &m.planning_seconds),
-    ("Time of post-processing, µs", 1e6, |m| &m.post_seconds),
-    ("Cost of the planner's path, m", 1.0, |m| &m.raw_cost),
-    ("Cost of the final path, m", 1.0, |m| &m.cost),
-    ("Reduction by post-processing, %", 100.0, |m| &m.reduction),
-    ("Waypoints of the final path", 1.0, |m| &m.waypoints),
+    ("Planning time", TIMES, |m| &m.planning_seconds),
+    ("Time of post-processing", TIMES, |m| &m.post_seconds),
+    ("Cost of the planner's path", LENGTHS, |m| &m.raw_cost),
+    ("Cost of the final path", LENGTHS, |m| &m.cost),
+    ("Reduction by post-processing", &[(", %", 100.0)], |m| &m.reduction),
+    ("Waypoints of the final path", &[("", 1.0)], |m| &m.waypoints),
 ];
+
+/// The largest mean or median of a measure.
+fn largest(study: &Study, of: fn(&MethodSummary) -> &Described) -> f64 {
+    let found = study.summary.methods.iter().flat_map(|m| [of(m).mean, of(m).median]).flatten();
+    found.map(f64::abs).filter(|value| value.is_finite()).fold(0.0, f64::max)
+}
+
+/// The first unit in which a number is at least 1, or else the last one.
+fn fitting(units: &[(&'static str, f64)], largest: f64) -> (&'static str, f64) {
+    let found = units.iter().find(|(_, scale)| largest * scale >= 1.0);
+    *found.unwrap_or(if largest > 0.0 { &units[units.len() - 1] } else { &units[0] })
+}
+
+/// Decimals with which a number has four digits.
+fn decimals(number: f64) -> usize {
+    if number > 0.0 { (3 - number.log10().floor() as i32).clamp(0, 4) as usize } else { 0 }
+}
 
 /// One table per measure, with all scenarios and methods.
 pub(super) fn statistics(study: &Study) -> String {
@@ -64,27 +95,35 @@ pub(super) fn statistics(study: &Study) -> String {
         "5 % and 95 %",
         "least and largest",
     ];
-    let pair = |low, high, scale| format!("{} … {}", cell(low, scale), cell(high, scale));
-    let row = |m: &MethodSummary, (_, scale, of): &Column| {
+    let row = |m: &MethodSummary, of: fn(&MethodSummary) -> &Described, (scale, decimals): (f64, usize)| {
+        // All numbers of a table have the same decimals.
+        let cell = |number: Option<f64>| match number.filter(|number| number.is_finite()) {
+            Some(number) => format!("{:.*}", decimals, scale * number),
+            None => "–".to_string(),
+        };
+        let pair = |low, high| format!("{} … {}", cell(low), cell(high));
         let d = of(m);
         let [low, high] = d.confidence_interval;
         vec![
             escaped(&m.scenario),
             escaped(&m.method),
             format!("{} of {}", m.solved, m.n),
-            cell(d.mean, *scale),
-            cell(d.sd, *scale),
-            pair(low, high, *scale),
-            cell(d.median, *scale),
-            pair(d.q25, d.q75, *scale),
-            pair(d.q05, d.q95, *scale),
-            pair(d.min, d.max, *scale),
+            cell(d.mean),
+            cell(d.sd),
+            pair(low, high),
+            cell(d.median),
+            pair(d.q25, d.q75),
+            pair(d.q05, d.q95),
+            pair(d.min, d.max),
         ]
     };
-    let one = |column: &Column| {
-        let rows: Vec<Vec<String>> = study.summary.methods.iter().map(|m| row(m, column)).collect();
+    let one = |(name, units, of): &Column| {
+        let most = largest(study, *of);
+        let (unit, scale) = fitting(units, most);
+        let form = (scale, decimals(scale * most));
+        let rows: Vec<Vec<String>> = study.summary.methods.iter().map(|m| row(m, *of, form)).collect();
         let open = if rows.len() > 24 { "" } else { " open" };
-        format!("<details{open}><summary>{}</summary>\n{}</details>\n", column.0, table(&head, &rows))
+        format!("<details{open}><summary>{name}{unit}</summary>\n{}</details>\n", table(&head, &rows))
     };
     MEASURES.iter().map(one).collect()
 }
