@@ -100,7 +100,10 @@ export function createOutlets(model, frame, theme) {
   return [marks, edges];
 }
 
-/** The cables; `move` brings the platform end of the cables to a position and rotation of the platform. */
+/**
+ * The cables; `move` brings their ends at the platform to a position and rotation of it, `moveOutlet` the other end of
+ * one to a place; it is drawn there with the next `move`.
+ */
 export function createCables(model, frame, theme) {
   const cables = layCables(model, frame);
   const thick = cables.filter((cable) => cable.radius > 0);
@@ -117,5 +120,6 @@ export function createCables(model, frame, theme) {
     tubes.instanceMatrix.needsUpdate = true;
   }
 
-  return { parts: cables.length > 0 ? [lines, tubes] : [], move };
+  const moveOutlet = (index, place) => cables[index].outlet.copy(place);
+  return { parts: cables.length > 0 ? [lines, tubes] : [], move, moveOutlet };
 }
