@@ -2,6 +2,8 @@
 
 import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
+import { createEdit } from './edit/edit.js';
+import { rememberPage } from './edit/save.js';
 import { createFrame } from './frame.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
@@ -122,14 +124,21 @@ function otherNames({ regions, path, trajectory }) {
   };
 }
 
+// Names at their places, which are returned by kind and name.
 function addNames(model, frame, labels, layers) {
+  const anchors = new Map();
+  const add = (key, name, at, layer) => {
+    anchors.set(key, { at, first: at.clone() });
+    labels.add(name, at, layer);
+  };
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
     const part = layers.obstacles.parts[name];
     const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
-    labels.add(name, box.getCenter(new Vector3()), seen);
+    add(`obstacle ${name}`, name, box.getCenter(new Vector3()), seen);
   }
-  for (const { name, outlet } of model.cables) labels.add(name, frame.point(outlet), layers.cableNames);
+  for (const { name, outlet } of model.cables) add(`cable ${name}`, name, frame.point(outlet), layers.cableNames);
+  return anchors;
 }
 
 // A switch for each obstacle.
@@ -252,10 +261,10 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
-  addNames(model, frame, labels, layers);
+  drawn.anchors = addNames(model, frame, labels, layers);
   if (noPath) addWalls(noPath, layers, stage.invalidate);
   for (const { text, anchor, of } of noPath?.labels ?? []) {
-    labels.add(text, anchor, { get visible() { return layers.nearestReachable.visible && of.visible; } });
+    labels.add(text, anchor, { get visible() { return !drawn.outdated && layers.nearestReachable.visible && of.visible; } });
   }
   const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
@@ -340,11 +349,11 @@ function progressOf({ playback }) {
   return { share: length > 0 ? playback.distance() / length : 0, playing: playback.playing() };
 }
 
-/** Shows a model in place of the one before; camera, colours, switches and the place along the path stay. */
-function createShow() {
+/** Shows models one after the other; camera, colours, switches and the place along the path stay. */
+function createApp() {
   let setting = null;
   let current = null;
-  return (model) => {
+  const show = (model) => {
     const before = current;
     const { share, playing } = before ? progressOf(before) : { share: 0, playing: false };
     before?.session.abort();
@@ -364,14 +373,16 @@ function createShow() {
     before?.view.remove();
     publish(view, connected);
     current = { ...connected, model, view, session, setting };
-    return current;
   };
+  return { show, current: () => current };
 }
 
 function start() {
-  const raw = JSON.parse(document.getElementById('cdpr-data').textContent);
-  const show = createShow();
-  show(readModel(raw));
+  const { live, ...page } = JSON.parse(document.getElementById('cdpr-data').textContent);
+  const fill = live ? rememberPage() : null;
+  const app = createApp();
+  app.show(readModel(page));
+  if (live) createEdit(app, live, page, fill);
 }
 
 try {
