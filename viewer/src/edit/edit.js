@@ -60,8 +60,9 @@ export function createEdit(app, live, page, fill) {
     addBox,
     remove: removeSelected,
     setPlanner: (planner) => {
-      planning.setOptions({ planner });
-      apply(planning.scene, { again: true });
+      // Other settings belong to the planner before.
+      planning.setOptions({ planner, gap: undefined, post: undefined, settings: undefined });
+      quietly(apply(planning.scene, { again: true }));
     },
     setOrientation: (name) => commit(edited.setOrientation(planning.scene, name)),
     setClearance: (value) => commit(edited.setClearance(planning.scene, value)),

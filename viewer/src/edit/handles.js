@@ -159,7 +159,7 @@ export function createHandles({ stage, theme }, source, on) {
     if (!holds) return;
     event.stopPropagation();
     event.preventDefault();
-    canvas.focus({ preventScroll: true });
+    canvas.focus({ preventScroll: true, focusVisible: false });
     select(hit.thing);
     begin(event, hit);
   }

@@ -53,7 +53,9 @@ export function createLane(start) {
       return;
     }
     const job = running;
-    next();
+    // A planner that has failed cannot go on; the next request starts another one.
+    if (data.answer?.error?.fatal) restart();
+    else next();
     settle(job, data.answer);
   }
 
@@ -61,6 +63,16 @@ export function createLane(start) {
     const job = running;
     stop();
     job?.reject(new Error(message || 'the planner has stopped'));
+  }
+
+  function restart() {
+    worker.terminate();
+    worker = null;
+    if (!waiting) running = null;
+    else {
+      begin();
+      next();
+    }
   }
 
   function begin() {

@@ -95,7 +95,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     const [asked, of] = [revision, scene];
     const { plan } = await planner.ready();
     if (refining) return;
-    const request = { ask: 'plan', scene: of, options: { ...own, gap: undefined, ...SKETCH }, page: true, extras: false };
+    const request = { ask: 'plan', scene: of, options: { ...own, gap: undefined, post: undefined, settings: undefined, ...SKETCH }, page: true, extras: false };
     let answer = null;
     try {
       answer = await plan.ask(request);

@@ -55,20 +55,24 @@ function choice(label, options, onChange) {
 
 // A number that is heard once it is complete.
 function numberField(label, { step, min }, onChange) {
-  const input = make('input', { type: 'number', step, inputMode: 'decimal', required: true });
+  const input = make('input', { type: 'number', step, inputMode: 'decimal' });
   if (min !== undefined) input.min = min;
   input.setAttribute('aria-label', label);
   input.addEventListener('change', () => {
-    if (Number.isFinite(input.valueAsNumber) && (min === undefined || input.valueAsNumber >= Number(min))) onChange(input.valueAsNumber);
+    const good = Number.isFinite(input.valueAsNumber) && !input.validity.rangeUnderflow;
+    input.setAttribute('aria-invalid', String(!good));
+    if (good) onChange(input.valueAsNumber);
   });
   return input;
 }
 
 const shownNumber = (x) => String(Math.round(x * 1e4) / 1e4);
 
-// Not while the reader types in it.
+// Leaves it alone while it shows the same number.
 function setNumber(input, value) {
-  if (document.activeElement !== input || input.valueAsNumber !== value) input.value = shownNumber(value);
+  if (Number(shownNumber(value)) === input.valueAsNumber) return;
+  input.value = shownNumber(value);
+  input.removeAttribute('aria-invalid');
 }
 
 function menu(text, title, items) {
@@ -97,7 +101,7 @@ const plannersWith = (own) => (PLANNERS.includes(own) ? PLANNERS : [own, ...PLAN
 function createTools(on, { planner, orientations }) {
   const undo = iconButton(UNDO, 'undo (Ctrl+Z)', on.undo);
   const redo = iconButton(REDO, 'redo (Ctrl+Shift+Z)', on.redo);
-  const add = button('add box', 'add a box', on.addBox);
+  const add = button('+ box', 'add a box', on.addBox);
   const remove = button('remove', 'remove the selected obstacle (Delete)', on.remove);
   const planners = choice('planner', plannersWith(planner).map((name) => [name, name]), on.setPlanner);
   planners.value = planner;
