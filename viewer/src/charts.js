@@ -1,10 +1,13 @@
 // Charts over the distance along the path or over time, with a cursor that follows the platform.
 
+import { pointsAtCable, spotlight, watchSpotlight } from './spotlight.js';
 import { REGION_COLORS } from './theme.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const WIDTH = 300;
 const HEIGHT = 80;
+// The height of the strokes at waypoints.
+const WAYPOINT = 7;
 
 /** Limits further away than this many heights of the curves are not drawn: they would press them flat. */
 export const FAR = 1;
@@ -83,12 +86,15 @@ function floorOf(floor, x, y) {
   return [area, svg('path', { class: 'limit', d: edge })];
 }
 
-function drawing({ name, series, limits, floor }, { length, marks, ticks }, { low, high }) {
+// The waypoints: short strokes on the axis.
+const stroke = (x) => svg('line', { class: 'waypoint', x1: x, x2: x, y1: HEIGHT - WAYPOINT, y2: HEIGHT });
+
+function drawing({ name, series, limits, floor }, { length, whole, marks, ticks, corners }, { low, high }) {
   const y = (value) => HEIGHT * (1 - (value - low) / (high - low));
   const across = (at) => (WIDTH * at) / length;
   const size = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' };
   const picture = svg('svg', { ...size, role: 'img', 'aria-label': name });
-  for (const tick of ticks ?? []) picture.append(upright('tick', across(tick)));
+  for (const tick of ticks) picture.append(upright('tick', (WIDTH * tick) / whole));
   if (floor) picture.append(...floorOf(floor, series[0].at.map(across), y));
   for (const mark of marks) picture.append(upright('fault', across(mark)));
   for (const limit of limits) if (limit >= low && limit <= high) picture.append(level('limit', y(limit)));
@@ -98,22 +104,22 @@ function drawing({ name, series, limits, floor }, { length, marks, ticks }, { lo
     [, path.style.strokeDasharray] = styleOf(i);
     picture.append(path);
   });
+  picture.append(...corners.map((corner) => stroke(across(corner))));
   return picture;
 }
 
 // Labels nearer to each other than this share of the height would overlap.
 const LABEL_SPACE = 0.15;
 
-// The greatest and the least value and what is required, each at its height.
-function extremes({ floor, axis }, values, { low, high }) {
-  const required = [...new Set(floor ?? [])].sort((a, b) => b - a);
+// The greatest and the least value, each at its height.
+function extremes({ axis, say }, values, { low, high }) {
   const most = values.reduce((a, b) => Math.max(a, b));
   const least = values.reduce((a, b) => Math.min(a, b));
   const labels = [];
-  for (const value of new Set([most, least, ...required])) {
+  for (const value of new Set([least, most])) {
     const top = (high - value) / (high - low);
     if (labels.some((label) => Math.abs(label.top - top) < LABEL_SPACE)) continue;
-    labels.push({ top, text: axis.format(value), kind: 'scale', value });
+    labels.push({ top, text: (say ?? axis.format)(value), kind: 'scale', value });
   }
   return labels;
 }
@@ -121,14 +127,16 @@ function extremes({ floor, axis }, values, { low, high }) {
 // More limits than these, of cables that differ, are drawn but not all labelled.
 const LABELLED_LIMITS = 4;
 
-// Limits with their values and units; those beyond the chart have an arrow.
-function bounds({ limits, axis }, { low, high }) {
+// What is required at least, and limits, with their values and units; those beyond the chart have an arrow.
+function bounds({ limits, axis, floor }, { low, high }) {
   const sorted = [...limits].sort((a, b) => b - a);
   const told = sorted.length > LABELLED_LIMITS ? [sorted[0], sorted.at(-1)] : sorted;
-  return told.map((limit) => {
-    const arrow = { [limit > high]: '↑ ', [limit < low]: '↓ ' }[true] ?? '';
-    const top = Math.min(1, Math.max(0, (high - limit) / (high - low)));
-    return { top, text: `${arrow}limit ${axis.brief(limit)}`, kind: 'bound' };
+  const required = [...new Set(floor ?? [])].filter((value) => value > 0);
+  const all = [...told.map((value) => ({ value, word: 'limit' })), ...required.map((value) => ({ value, word: 'min' }))];
+  return all.map(({ value, word }) => {
+    const arrow = { [value > high]: '↑ ', [value < low]: '↓ ' }[true] ?? '';
+    const top = Math.min(1, Math.max(0, (high - value) / (high - low)));
+    return { top, text: `${arrow}${word} ${axis.brief(value)}`, kind: 'bound' };
   });
 }
 
@@ -159,7 +167,6 @@ function isBeyond(limits, value) {
 // What stands beside a chart.
 function scale(plot, values, range) {
   const ends = extremes(plot, values, range);
-  if (!plot.labelled) return ends;
   const limits = bounds(plot, range);
   const free = ends.flatMap((end) => {
     if (isBeyond(plot.limits, end.value)) return [{ ...end, kind: 'scale bad' }];
@@ -177,17 +184,12 @@ function labelsOf(plot, values, range) {
   });
 }
 
-/** The horizontal axis: both ends, or ticks. */
-export function ground({ length, ticks, title, unit, format }) {
-  if (!ticks) {
-    const box = html('div', 'ground');
-    for (const text of ['0', `${title}, ${unit}`, format(length)]) box.append(html('span', '', text));
-    return box;
-  }
+/** The horizontal axis with its ticks. */
+export function ground({ whole, ticks, title, unit }) {
   const box = html('div', 'ground ticks');
   for (const tick of ticks) {
     const label = html('span', 'at', String(tick));
-    label.style.left = `${(100 * tick) / length}%`;
+    label.style.left = `${(100 * tick) / whole}%`;
     box.append(label);
   }
   box.append(html('span', 'axis', `${title}, ${unit}`));
@@ -220,9 +222,42 @@ function createReading(plot, caption) {
   if (!plot.reading) return () => {};
   const reading = html('output', 'reading');
   caption.append(reading);
+  const say = plot.sayFully ?? ((value) => `${plot.axis.format(value)}\u00a0${plot.axis.unit}`);
   return (at) => {
-    reading.textContent = `${plot.axis.format(valueAt(plot.series[0], at))}\u00a0${plot.axis.unit}`;
+    reading.textContent = say(valueAt(plot.series[0], at));
   };
+}
+
+// A curve this near to the pointer is meant, as a share of the height.
+const CURVE_NEAR = 0.12;
+
+// Curves of cables are brought out while the reader points at one of them, or at that cable elsewhere.
+function connectCurves(plot, area, length, { low, high }) {
+  if (plot.series.length < 2) return;
+  const curves = [...area.querySelectorAll('.curve')];
+  area.addEventListener('pointermove', (event) => {
+    if (event.buttons !== 0) return;
+    const { left, top, width, height } = area.getBoundingClientRect();
+    const at = (length * (event.clientX - left)) / width;
+    const value = high - ((event.clientY - top) / height) * (high - low);
+    const aside = plot.series.map((one) => Math.abs(valueAt(one, at) - value) / (high - low));
+    const best = aside.reduce((least, one, i) => (one < aside[least] ? i : least), 0);
+    spotlight(aside[best] < CURVE_NEAR ? best : null);
+  });
+  area.addEventListener('pointerleave', () => spotlight(null));
+  watchSpotlight(`chart of ${plot.name}`, (lit) => {
+    curves.forEach((one, i) => {
+      one.classList.toggle('lit', i === lit);
+      one.classList.toggle('faded', lit !== null && i !== lit);
+    });
+  });
+}
+
+/** Makes a row of the table stand for a cable. */
+export function connectRow(row, index) {
+  row.tabIndex = 0;
+  pointsAtCable(row, index);
+  watchSpotlight(`row ${index}`, (lit) => row.classList.toggle('lit', lit === index));
 }
 
 /** A chart of curves; `show` moves its cursor. */
@@ -239,6 +274,7 @@ export function createChart(plot, horizontal, pick) {
   const range = rangeOf([...values, ...(plot.floor ?? []), ...(plot.from ?? [])], plot.limits, plot.far ?? FAR);
   const { area, cursor, show } = createArea('', horizontal.length, pick);
   area.append(drawing(plot, horizontal, range), ...labelsOf(plot, values, range), cursor);
+  connectCurves(plot, area, horizontal.length, range);
   box.append(area, ground(horizontal));
   return {
     box,

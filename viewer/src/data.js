@@ -82,16 +82,40 @@ function readMargins({ measure, unit, values }) {
   return { measure: text(measure, 'wrench'), unit: text(unit, ''), values: list(values) };
 }
 
+// The tightest pair of a group of pairs at each place, with the nearest points of its members.
+function readApproach(approach) {
+  return {
+    of: text(approach?.of, 'obstacles'),
+    gap: list(approach?.gap),
+    required: list(approach?.required),
+    tightest: list(approach?.tightest),
+    pairs: list(approach?.pairs).map((pair) => list(pair).map(String)),
+    points: list(approach?.points),
+  };
+}
+
+// For each place the group with the least room.
+function tightestOf(approaches) {
+  const room = ({ gap, required }, i) => gap[i] - required[i];
+  const count = approaches[0]?.gap.length ?? 0;
+  return Array.from({ length: count }, (_, i) =>
+    approaches.reduce((best, one) => (room(one, i) < room(best, i) ? one : best)),
+  );
+}
+
 // Numbers along the path; they come from the program, one column for each plot.
 function readMotion(motion) {
   if (!motion || list(motion.s).length < 2) return null;
+  const approaches = list(motion.approaches).map(readApproach).filter(({ gap }) => gap.length === motion.s.length);
+  const tightest = tightestOf(approaches);
   return {
     s: motion.s,
     lengths: list(motion.lengths),
-    clearance: list(motion.clearance),
-    required: list(motion.required),
-    tightest: list(motion.tightest),
-    pairs: list(motion.pairs).map((pair) => list(pair).map(String)),
+    approaches,
+    // The tightest pair of all groups.
+    clearance: tightest.map(({ gap }, i) => gap[i]),
+    required: tightest.map(({ required }, i) => required[i]),
+    culprits: tightest.map(({ pairs, tightest: of }, i) => pairs[of[i]]),
     tensions: list(motion.tensions),
     tensionLimits: list(motion.tension_limits),
     margins: list(motion.margins).map(readMargins),
@@ -186,6 +210,18 @@ function readViolation(violation) {
   };
 }
 
+// How planning went; null for paths that are not fresh from a planner.
+function readResult(result) {
+  if (!result) return null;
+  return {
+    reason: result.reason ? readViolation(result.reason) : null,
+    openingBelow: numberOrNull(result.opening_below),
+    seed: numberOrNull(result.seed),
+    seconds: numberOrNull(result.seconds),
+    lowerBound: numberOrNull(result.lower_bound),
+  };
+}
+
 function readWorkspace(workspace) {
   const { min, max } = workspace ?? {};
   return isPoint(min) && isPoint(max) ? { min, max } : null;
@@ -209,6 +245,7 @@ export function readModel(raw) {
     startOrientation: readOrientation(raw?.start_orientation, orientation),
     goalOrientation: readOrientation(raw?.goal_orientation, orientation),
     path: readPath(raw?.path),
+    result: readResult(raw?.result),
     regions: readRegions(raw?.regions),
     motion: readMotion(raw?.motion),
     trajectory: readTrajectory(raw?.trajectory),

@@ -1,71 +1,149 @@
-// Marks the two with the least room between them where the platform is.
+// The gap of the tightest pairs where the platform is, as a segment between their nearest points; and an outline of who
+// is too near.
 
 import { Group, Vector3 } from 'three';
-import { moveWideLines, wideLines } from './marks.js';
+import { dots, moveWideLines, wideLines } from './marks.js';
 import { rotationOf } from './robot.js';
 import { buildShapes } from './shapes.js';
+import { formatApproach } from './wording.js';
 
-const WIDTH = 4.5;
+const OUTLINE_WIDTH = 3.5;
+const GAP_WIDTH = 3;
+const GAP_DOT = 7;
+const ORDER = 8;
 
-function obstacleMark(obstacle, frame, material) {
-  const { edges, segments } = buildShapes(obstacle.parts, (v) => frame.point(v));
-  const mark = wideLines([...edges, ...segments], { linewidth: WIDTH });
-  mark.material = material;
-  return mark;
+// Visible while all of the conditions hold, which are asked for each picture.
+function showWhile(object, ...conditions) {
+  Object.defineProperty(object, 'visible', { get: () => conditions.every((holds) => holds()), set: () => {} });
+  return object;
 }
 
-/** Two materials, one for enough room and one for too little. */
-function materials(theme) {
-  const of = (role) => theme.paint(wideLines([new Vector3(), new Vector3()], { linewidth: WIDTH }).material, role);
-  return { gap: of('highlight'), overlap: of('violation') };
+function overAll(object) {
+  object.material.depthTest = false;
+  object.material.transparent = true;
+  object.renderOrder = ORDER;
+  return object;
 }
 
-/** `objects` belong to a layer; `show` marks a pair (none: nobody), `move` follows the platform. */
-export function createHighlight(model, frame, shapes, theme) {
-  if (!model.motion || model.motion.clearance.length === 0) return { objects: [], show: () => {}, move: () => {} };
-  const { gap, overlap } = materials(theme);
+// The segment of one group of pairs: `show` moves it, `middle` is where its label is.
+function createGap(frame, theme, isSeen) {
+  const ends = [new Vector3(), new Vector3()];
+  const line = overAll(wideLines(ends, { linewidth: GAP_WIDTH }));
+  const marks = overAll(dots(ends, GAP_DOT));
+  for (const part of [line, marks]) theme.paint(part.material, 'highlight');
+  let shown = null;
+  const group = showWhile(new Group(), () => shown !== null && shown.culprits.every(isSeen));
+  group.add(line, marks);
+  const middle = new Vector3();
+  const show = (gap) => {
+    shown = gap?.ends ? gap : null;
+    if (!shown) return;
+    shown.ends.forEach((end, i) => frame.point(end, ends[i]));
+    moveWideLines(line, ends);
+    const places = marks.geometry.attributes.position;
+    ends.forEach((end, i) => places.setXYZ(i, end.x, end.y, end.z));
+    places.needsUpdate = true;
+    middle.copy(ends[0]).lerp(ends[1], 0.5);
+  };
+  return { group, middle, show, text: () => (shown ? formatApproach(shown.gap) : '') };
+}
+
+// Outlines of platform, cables and obstacles, made when they are first asked for.
+function createOutlines(model, frame, shapes, theme, isSeen) {
   const all = new Group();
-  const rotation = rotationOf(model.orientation);
-  const platform = wideLines([...shapes.edges, ...shapes.segments], { linewidth: WIDTH });
-  platform.quaternion.copy(rotation);
-  const cables = model.cables.map((cable) => {
-    const ends = [frame.point(cable.outlet), new Vector3()];
-    const arm = frame.vector(cable.attachment).applyQuaternion(rotation);
-    return { mark: wideLines(ends, { linewidth: WIDTH }), ends, arm };
-  });
-  const obstacles = new Map();
-  all.add(platform, ...cables.map(({ mark }) => mark));
-  for (const mark of all.children) mark.renderOrder = 6;
+  const outlines = new Map();
+  let shown = [];
+  const place = { position: new Vector3(), rotation: rotationOf(model.orientation) };
 
-  function markOf(name) {
-    const cable = model.cables.findIndex((c) => c.name === name);
-    if (cable >= 0) return cables[cable].mark;
-    const obstacle = model.obstacles.find((o) => o.name === name);
-    if (!obstacle) return platform;
-    if (!obstacles.has(name)) {
-      obstacles.set(name, obstacleMark(obstacle, frame, gap));
-      obstacles.get(name).renderOrder = 6;
-      all.add(obstacles.get(name));
-    }
-    return obstacles.get(name);
+  function cableOutline(cable) {
+    const ends = [frame.point(cable.outlet), new Vector3()];
+    const mark = wideLines(ends, { linewidth: OUTLINE_WIDTH });
+    const arm = frame.vector(cable.attachment);
+    const move = () => {
+      ends[1].copy(arm).applyQuaternion(place.rotation).add(place.position);
+      moveWideLines(mark, ends);
+    };
+    return { mark, move };
   }
+
+  function platformOutline() {
+    const mark = wideLines([...shapes.edges, ...shapes.segments], { linewidth: OUTLINE_WIDTH });
+    const move = () => {
+      mark.position.copy(place.position);
+      mark.quaternion.copy(place.rotation);
+    };
+    return { mark, move };
+  }
+
+  function obstacleOutline(obstacle) {
+    const { edges, segments } = buildShapes(obstacle.parts, (v) => frame.point(v));
+    return { mark: wideLines([...edges, ...segments], { linewidth: OUTLINE_WIDTH }), move: () => {} };
+  }
+
+  function create(name) {
+    const cable = model.cables.find((one) => one.name === name);
+    const obstacle = model.obstacles.find((one) => one.name === name);
+    if (cable) return cableOutline(cable);
+    return obstacle ? obstacleOutline(obstacle) : platformOutline();
+  }
+
+  function outlineOf(name) {
+    if (outlines.has(name)) return outlines.get(name);
+    const outline = create(name);
+    theme.paint(outline.mark.material, 'violation');
+    outline.mark.renderOrder = 6;
+    showWhile(outline.mark, () => shown.includes(name), () => isSeen(name));
+    outlines.set(name, outline);
+    all.add(outline.mark);
+    return outline;
+  }
+
+  function refresh() {
+    for (const name of shown) outlineOf(name).move();
+  }
+
+  return {
+    all,
+    show: (names) => {
+      shown = names;
+      refresh();
+    },
+    move: (position, rotation) => {
+      place.position.copy(position);
+      place.rotation.copy(rotation);
+      refresh();
+    },
+  };
+}
+
+// Groups without an object would have no row in the legend.
+const isUseful = ({ motion, result }) => motion?.approaches.length > 0 || Boolean(result?.reason);
+
+/**
+ * `objects` belong to a layer. `show` shows the gaps at a place along the path and outlines who is too near, `move`
+ * follows the platform, `see` sets what tells whether an obstacle with a name is seen; `gaps` have texts for labels.
+ */
+export function createHighlight(model, frame, shapes, theme) {
+  if (!isUseful(model)) return { objects: [], gaps: [], show: () => {}, move: () => {}, see: () => {} };
+  let sees = () => true;
+  const isSeen = (name) => sees(name);
+  const outlines = createOutlines(model, frame, shapes, theme, isSeen);
+  const gaps = (model.motion?.approaches ?? []).map(() => createGap(frame, theme, isSeen));
+  const always = model.motion ? [] : model.result.reason.culprits;
 
   function show(nearest) {
-    for (const mark of all.children) mark.visible = false;
-    for (const mark of (nearest?.culprits ?? []).map(markOf)) {
-      mark.visible = true;
-      mark.material = nearest.bad ? overlap : gap;
-    }
-  }
-
-  function move(position) {
-    platform.position.copy(position);
-    for (const { mark, ends, arm } of cables) {
-      ends[1].copy(position).add(arm);
-      moveWideLines(mark, ends);
-    }
+    gaps.forEach((gap, i) => gap.show(nearest?.gaps[i]?.tight ? nearest.gaps[i] : null));
+    outlines.show(nearest?.bad ? nearest.culprits : always);
   }
 
   show(null);
-  return { objects: [all], show, move };
+  return {
+    objects: [outlines.all, ...gaps.map(({ group }) => group)],
+    gaps,
+    show,
+    move: outlines.move,
+    see: (value) => {
+      sees = value;
+    },
+  };
 }

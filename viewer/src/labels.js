@@ -23,18 +23,27 @@ export function createLabels(container) {
   let labels = [];
   const projected = new Vector3();
 
-  function add(text, anchor, layer) {
+  /** Adds a label; one with a function for its text says at each picture what that returns, an empty text hides it. */
+  function add(text, anchor, layer, className = '') {
     const element = document.createElement('span');
-    element.className = 'label';
-    element.textContent = text;
+    element.className = `label ${className}`;
     container.append(element);
-    labels.push({ element, anchor, layer, x: 0, y: 0, width: 0, height: 0 });
+    const says = typeof text === 'function' ? text : () => text;
+    labels.push({ element, says, anchor, layer, x: 0, y: 0, width: 0, height: 0 });
+  }
+
+  function write(label) {
+    const text = label.says();
+    if (text === label.element.textContent) return;
+    label.element.textContent = text;
+    label.width = 0;
   }
 
   function project(label, camera, { clientWidth, clientHeight }) {
     const { element, anchor, layer } = label;
+    write(label);
     projected.copy(anchor).project(camera);
-    const hidden = !layer.visible || Math.abs(projected.z) > 1;
+    const hidden = !layer.visible || element.textContent === '' || Math.abs(projected.z) > 1;
     element.hidden = hidden;
     label.x = ((projected.x + 1) / 2) * clientWidth;
     label.y = ((1 - projected.y) / 2) * clientHeight;

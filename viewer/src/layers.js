@@ -1,30 +1,31 @@
 // Groups of the scene that the reader can show and hide.
 
 import { Group, Object3D } from 'three';
-import { addLegendFold, addLegendNote, addLegendRow } from './panel.js';
+import { addLegendFold, addLegendNote, addLegendRow, legendGroup } from './panel.js';
 
+// In the order of the legend, which has three groups.
 const NAMES = {
-  platform: { name: 'platform', swatch: 'solid' },
-  obstacles: { name: 'obstacles', swatch: 'solid' },
-  obstacleNames: { name: 'names of obstacles', swatch: 'letter' },
-  cables: { name: 'cables', swatch: 'line' },
-  cableNames: { name: 'names of cables', swatch: 'letter' },
-  outlets: { name: 'outlets and frame', swatch: 'outline' },
-  reachable: { name: 'can be reached from the start', swatch: 'ghost' },
-  walls: { name: 'wall that closes the way', swatch: 'solid' },
-  culprits: { name: 'obstacles that close the way', swatch: 'outline' },
-  nearestReachable: { name: 'nearest reachable position', swatch: 'ghost' },
-  detours: { name: 'path without an obstacle', swatch: 'thick' },
-  searchTree: { name: 'search tree', swatch: 'hair' },
-  rawPath: { name: 'raw path', swatch: 'dashed' },
-  finalPath: { name: 'final path', swatch: 'thick' },
-  nearest: { name: 'tightest pair', swatch: 'thick' },
-  violations: { name: 'violations', swatch: 'cross' },
-  startGoal: { name: 'start and goal', swatch: 'ghost' },
-  workspace: { name: 'workspace', swatch: 'outline' },
-  swept: { name: 'swept by cables', swatch: 'ghost' },
-  feasible: { name: 'wrench-feasible workspace', swatch: 'ramp' },
-  regions: { name: 'forbidden regions', swatch: 'ghost' },
+  platform: { name: 'platform', swatch: 'solid', group: 'scene' },
+  cables: { name: 'cables', swatch: 'rainbow', group: 'scene' },
+  cableNames: { name: 'names of cables', swatch: 'letter', group: 'scene' },
+  outlets: { name: 'outlets and frame', swatch: 'outline', group: 'scene' },
+  obstacles: { name: 'obstacles', swatch: 'solid', group: 'scene' },
+  obstacleNames: { name: 'names of obstacles', swatch: 'letter', group: 'scene' },
+  workspace: { name: 'workspace', swatch: 'outline', group: 'scene' },
+  startGoal: { name: 'start and goal', swatch: 'ghost', group: 'path' },
+  finalPath: { name: 'final path', swatch: 'thick', group: 'path' },
+  rawPath: { name: 'raw path', swatch: 'dashed', group: 'path' },
+  detours: { name: 'path without an obstacle', swatch: 'thick', group: 'path' },
+  searchTree: { name: 'search tree', swatch: 'hair', group: 'path' },
+  nearest: { name: 'tightest pair', swatch: 'gap', group: 'analysis' },
+  violations: { name: 'violations', swatch: 'cross', group: 'analysis' },
+  reachable: { name: 'can be reached from the start', swatch: 'ghost', group: 'analysis' },
+  walls: { name: 'wall that closes the way', swatch: 'solid', group: 'analysis' },
+  culprits: { name: 'obstacles that close the way', swatch: 'outline', group: 'analysis' },
+  nearestReachable: { name: 'nearest reachable position', swatch: 'ghost', group: 'analysis' },
+  swept: { name: 'swept by cables', swatch: 'ghost', group: 'analysis' },
+  feasible: { name: 'wrench-feasible workspace', swatch: 'ramp', group: 'analysis' },
+  regions: { name: 'forbidden regions', swatch: 'ghost', group: 'analysis' },
 };
 
 /** Something to put into layers whose content is not drawn in 3D. */
@@ -43,7 +44,7 @@ export function createSwitch({ name, swatch, shown, apply, parent }) {
       apply(visible);
     },
   };
-  const row = addLegendRow(name, swatch, layer, parent);
+  const row = addLegendRow(name, swatch, layer, parent ?? legendGroup('scene'));
   return Object.assign(layer, {
     fold: (title, open) => addLegendFold(title, open, row.element),
     note: (text) => addLegendNote(text, row.element),
@@ -72,9 +73,10 @@ export function createLayers(contents, hidden, names, scene, invalidate) {
     group.name = key;
     for (const object of contents[key] ?? []) group.add(object);
     scene.add(group);
-    const { name, swatch } = NAMES[key];
+    const { name, swatch, group: title } = NAMES[key];
     const shown = !hidden.includes(key);
-    layers[key] = createLayer(group, names[key] ?? name, `${swatch} of-${key}`, invalidate, shown);
+    const parent = group.children.length > 0 ? legendGroup(title) : undefined;
+    layers[key] = createLayer(group, names[key] ?? name, `${swatch} of-${key}`, invalidate, shown, parent);
   }
   return layers;
 }

@@ -2,11 +2,16 @@
 
 import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
+import { showCard } from './card.js';
 import { createEdit } from './edit/edit.js';
 import { rememberPage } from './edit/save.js';
 import { createFrame } from './frame.js';
+import { createGizmo } from './gizmo.js';
+import { createDrop, createGrid, gridStep } from './ground.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
+import { connectPrinting } from './print.js';
+import { watchPointer, watchSpotlight } from './spotlight.js';
 import { createLayer, createLayers, createSwitch, placeholder } from './layers.js';
 import { createNoPath } from './noPath.js';
 import * as panel from './panel.js';
@@ -19,12 +24,13 @@ import { createRoute } from './route.js';
 import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
 import { createSwept } from './swept.js';
-import { createTheme } from './theme.js';
+import { cableRole, createTheme } from './theme.js';
 import { createTimedRoute } from './trajectory.js';
 import { describeFeasible, describeTree } from './wording.js';
 import { createFeasible } from './workspace.js';
 
-function restingPosition({ start, workspace }) {
+function restingPosition({ start, goal, path, workspace }) {
+  if (path?.status === 'goal_invalid' && goal) return goal;
   if (start) return start;
   return workspace ? workspace.min.map((low, i) => (low + workspace.max[i]) / 2) : [0, 0, 0];
 }
@@ -54,9 +60,6 @@ function markedPlaces({ path, trajectory }, route) {
 
 // Names of more obstacles than this would hide the picture; they can be switched on.
 const MOST_NAMES = 12;
-
-// Larger trees would hide the picture, too.
-const MOST_EDGES = 500;
 // So many obstacles or walls have their switches in sight at first.
 const FEW = 3;
 
@@ -73,9 +76,10 @@ function fillScene(model, route, frame, stage, theme) {
   const regions = createRegions(model, frame, theme);
   const highlight = createHighlight(model, frame, shapes, theme);
   const noPath = createNoPath(model, frame, shapes, theme);
+  const drop = createDrop(model, frame, theme);
   const contents = {
     ...noPath?.contents,
-    platform: [platform],
+    platform: [platform, ...drop.objects],
     obstacles: obstacles.objects,
     obstacleNames: model.obstacles.length > 0 ? [placeholder()] : [],
     cables: cables.parts,
@@ -87,7 +91,7 @@ function fillScene(model, route, frame, stage, theme) {
     nearest: highlight.objects,
     violations: createViolations(model, route, frame, theme),
     startGoal: ghosts,
-    workspace: createWorkspace(model, frame, theme),
+    workspace: [...createWorkspace(model, frame, theme), ...createGrid(model, frame, theme)],
     swept: createSwept(model, frame, theme),
     feasible: createFeasible(model, frame),
     regions: regions.map(({ group }) => group),
@@ -98,19 +102,28 @@ function fillScene(model, route, frame, stage, theme) {
     frame.point(position, platform.position);
     platform.quaternion.copy(rotationOf(orientation));
     cables.move(platform.position, platform.quaternion);
-    highlight.move(platform.position);
+    drop.move(platform.position);
+    highlight.move(platform.position, platform.quaternion);
     highlight.show(nearest);
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();
   };
-  return { contents, obstacles, ghosts, cables, regions, noPath, move };
+  return { contents, obstacles, ghosts, cables, highlight, regions, noPath, move };
 }
 
-const hiddenAtFirst = ({ obstacles, regions, path }) => [
-  'cableNames',
+// Longer names of cables, or more of them, would hide the picture.
+const SHORT_NAME = 4;
+
+// The number alone where names are "cable 3".
+const shortName = (name) => name.replace(/^cable\s+(?=\d+$)/i, '');
+
+const hasShortNames = (cables) => cables.length <= MOST_NAMES && cables.every(({ name }) => shortName(name).length <= SHORT_NAME);
+
+const hiddenAtFirst = ({ cables, obstacles, regions }) => [
+  ...(hasShortNames(cables) ? [] : ['cableNames']),
+  'searchTree',
   'swept',
   'feasible',
-  ...(path?.tree?.count > MOST_EDGES ? ['searchTree'] : []),
   ...(regions?.shown ? [] : ['regions']),
   ...(obstacles.length > MOST_NAMES ? ['obstacleNames'] : []),
 ];
@@ -127,9 +140,9 @@ function otherNames({ regions, path, trajectory }) {
 // Names at their places, which are returned by kind and name.
 function addNames(model, frame, labels, layers) {
   const anchors = new Map();
-  const add = (key, name, at, layer) => {
+  const add = (key, name, at, ...how) => {
     anchors.set(key, { at, first: at.clone() });
-    labels.add(name, at, layer);
+    labels.add(name, at, ...how);
   };
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
@@ -137,8 +150,22 @@ function addNames(model, frame, labels, layers) {
     const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
     add(`obstacle ${name}`, name, box.getCenter(new Vector3()), seen);
   }
-  for (const { name, outlet } of model.cables) add(`cable ${name}`, name, frame.point(outlet), layers.cableNames);
+  let lit = null;
+  watchSpotlight('names', (index) => { lit = index; });
+  model.cables.forEach(({ name, outlet }, i) => {
+    const seen = { get visible() { return layers.cableNames.visible || lit === i; } };
+    add(`cable ${name}`, shortName(name), frame.point(outlet), seen, `cable of-${cableRole(i)}`);
+  });
   return anchors;
+}
+
+// The lengths of the gaps, and whether the reader sees the obstacles at them.
+function addGaps(drawn, labels, layers) {
+  const { gaps, see } = drawn.highlight;
+  see((name) => layers.obstacles.parts?.[name] === undefined || (layers.obstacles.visible && layers.obstacles.parts[name].visible));
+  for (const { group, middle, text } of gaps) {
+    labels.add(text, middle, { get visible() { return !drawn.outdated && layers.nearest.visible && group.visible; } }, 'gap');
+  }
 }
 
 // A switch for each obstacle.
@@ -202,12 +229,18 @@ function createSetting(model) {
   const container = document.getElementById('view');
   const labels = createLabels(document.getElementById('labels'));
   const frame = createFrame(model);
-  const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: labels.place });
+  let turnGizmo = () => {};
+  const stage = createStage(container, frame.box, { margins: panel.coveredMargins, onDraw: (camera, view) => {
+    labels.place(camera, view);
+    turnGizmo(camera);
+  } });
+  turnGizmo = createGizmo(document.getElementById('gizmo'), stage.look);
   const theme = createTheme(stage.invalidate);
   theme.createPainter().bind(stage.scene.background, 'background');
   const { look, cut, resize, statistics } = stage;
   const picture = () => labels.written(stage.picture(), container);
   const save = () => savePicture(picture(), document.getElementById('title').textContent);
+  connectPrinting(picture, panel.coveredMargins, theme.setPrinting);
   const tools = { look, cut, resize, picture, save, statistics, toggleLook: theme.toggle };
   return { frame, labels, stage, theme, tools };
 }
@@ -262,6 +295,11 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
   drawn.anchors = addNames(model, frame, labels, layers);
+  addGaps(drawn, labels, layers);
+  watchSpotlight('cables', (index) => {
+    drawn.cables.light(index);
+    stage.invalidate();
+  });
   if (noPath) addWalls(noPath, layers, stage.invalidate);
   for (const { text, anchor, of } of noPath?.labels ?? []) {
     labels.add(text, anchor, { get visible() { return !drawn.outdated && layers.nearestReachable.visible && of.visible; } });
@@ -277,10 +315,12 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
     // After the next picture, which may use the same programs of the graphics card.
     stage.afterNext(() => dispose(group));
   };
-  return { ...tools, move, leaveOut, layers, frame, drawn, remove };
+  const point = (signal) => watchPointer(stage, drawn.cables.ends, () => layers.cables.visible, signal);
+  panel.showGridStep(gridStep(model));
+  return { ...tools, move, leaveOut, layers, frame, drawn, point, remove };
 }
 
-const NOTHING = { move: () => {}, leaveOut: () => {}, layers: {}, drawn: null, remove: () => {} };
+const NOTHING = { move: () => {}, leaveOut: () => {}, layers: {}, drawn: null, point: () => {}, remove: () => {} };
 
 // The largest coordinate in the workspace, m.
 const sizeOf = ({ workspace }) => (workspace ? Math.max(...[...workspace.min, ...workspace.max].map(Math.abs)) : 1);
@@ -313,11 +353,15 @@ function connect(model, planned, view, signal) {
     view.leaveOut(name);
     playback.restart(route.length);
     panel.showTransport(route.length);
+    panel.showStops(route.corners, route.length);
   };
   showPlots = createPlots(model, route, jump);
+  showCard(model, route.length, jump);
   panel.connectTransport(playback, route.timed, signal);
+  panel.showStops(route.corners, route.length);
+  view.point(signal);
   panel.showNoPath(model.noPath, leaveOut);
-  panel.showViolations(model.violations, (violation) => route.placeOf(violation), jump);
+  panel.showViolations(model.violations, route, jump);
   panel.connectKeys(playback, view, signal);
   const position = () => route.positionAt(playback.distance());
   const orientation = () => orientationAt(playback.distance());
@@ -359,7 +403,7 @@ function createApp() {
     before?.session.abort();
     const session = new AbortController();
     const route = routeOf(model);
-    panel.showSummary(model, route.length);
+    panel.showSummary(model);
     if (!before) {
       panel.foldWhereNarrow();
       setting = hasWebGL() ? createSetting(model) : createPlainSetting();

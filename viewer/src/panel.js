@@ -2,11 +2,12 @@
 
 import { wallRole } from './theme.js';
 import { describeCulprits, describeDetour, describeProof, describeReached } from './wording.js';
-import { describeOutcome, describeRegions, describeViolation, formatPosition } from './wording.js';
+import { describeReason, describeViolation, describeViolations, formatPosition, lengthAxis } from './wording.js';
 
 const LISTED_VIOLATIONS = 100;
 const LISTED_CULPRITS = 8;
-const NARROW = '(max-width: 560px)';
+// Panel and charts share one sheet at the bottom.
+const NARROW = '(max-width: 899px)';
 
 const byId = (id) => document.getElementById(id);
 
@@ -17,14 +18,10 @@ function element(tag, className, text) {
   return result;
 }
 
-/** Writes title and outcome. */
-export function showSummary(model, length) {
+/** Writes the title. */
+export function showSummary(model) {
   byId('title').textContent = model.title;
   byId('title').title = model.title;
-  const outcome = describeOutcome(model.path, length, model.violations.length, model.trajectory);
-  byId('status').textContent = model.regions?.shown && !model.path ? describeRegions(model.regions) : outcome;
-  byId('status').classList.toggle('none', Boolean(model.noPath));
-  byId('planner').textContent = model.path?.planner ? `planner: ${model.path.planner}` : '';
 }
 
 // Those who close the way, in the colours of their walls.
@@ -62,14 +59,28 @@ export function showNoPath(noPath, onPick) {
   byId('remedies').replaceChildren(...(buttons.length > 0 ? buttons : [none]));
 }
 
-/** Folds what would cover a narrow page. A frame in a notebook may get its width only after the page has started. */
+const tabs = () => [...byId('tabs').querySelectorAll('button')];
+
+// Shows one part in the sheet; an empty name folds it.
+function showTab(name) {
+  document.body.dataset.tab = name;
+  for (const tab of tabs()) tab.setAttribute('aria-pressed', String(tab.dataset.tab === name));
+  byId('sheet').dispatchEvent(new Event('fold'));
+}
+
+/** Connects the tabs of narrow pages, where folds are open. A notebook's frame may get its width only later. */
 export function foldWhereNarrow() {
   const query = window.matchMedia(NARROW);
-  const fold = () => {
-    for (const id of ['details', 'plots']) byId(id).open = !query.matches;
+  const unfold = () => {
+    for (const id of ['details', 'plots']) byId(id).open = true;
   };
-  query.addEventListener('change', fold);
-  fold();
+  for (const tab of tabs()) {
+    const { tab: name } = tab.dataset;
+    tab.addEventListener('click', () => showTab(document.body.dataset.tab === name ? '' : name));
+  }
+  showTab('result');
+  query.addEventListener('change', unfold);
+  unfold();
 }
 
 /** Empties the legend, and returns a function that unfolds and scrolls what comes next as it was. */
@@ -113,8 +124,19 @@ export function addAllOrNone(fold, parts) {
   fold.querySelector('summary').after(row);
 }
 
-/** Adds a row with a checkbox to the legend, or to a fold of it, and returns it with a function that ticks it. */
-export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
+/** The part of the legend for a group of layers, made when it is first asked for. */
+export function legendGroup(title) {
+  const found = [...byId('legend').children].find((group) => group.dataset.title === title);
+  if (found) return found;
+  const group = element('section', 'legend-group');
+  group.dataset.title = title;
+  group.append(element('h3', '', title));
+  byId('legend').append(group);
+  return group;
+}
+
+/** Adds a row with a checkbox to a part of the legend, and returns it with a function that ticks it. */
+export function addLegendRow(name, swatch, layer, parent) {
   const row = element('label', 'legend-row');
   const box = element('input');
   box.type = 'checkbox';
@@ -130,35 +152,68 @@ export function addLegendRow(name, swatch, layer, parent = byId('legend')) {
   return { element: row, tick };
 }
 
-function violationItem(violation, place, onPick) {
+// Violations that begin at the same place, as one item: the first one, and a fold with the others.
+function violationItem({ place, members }, onPick) {
   const item = element('li');
-  const button = element('button', 'violation', describeViolation(violation, place));
+  const button = element('button', 'violation', describeViolation(members[0], place));
   button.type = 'button';
   button.addEventListener('click', () => onPick(place));
   item.append(button);
+  if (members.length === 1) return item;
+  const fold = element('details', 'same-place');
+  const list = element('ul');
+  const others = members.slice(1, LISTED_VIOLATIONS);
+  list.append(...others.map((violation) => element('li', '', describeReason(violation))));
+  if (others.length < members.length - 1) list.append(element('li', 'more', `and ${members.length - 1 - others.length} more`));
+  fold.append(element('summary', '', `and ${members.length - 1} more at this place`), list);
+  item.append(fold);
   return item;
 }
 
-/** Lists violations; `placeOf` tells where one begins, `onPick` hears the place of the one that is clicked. */
-export function showViolations(violations, placeOf, onPick) {
+// Violations nearer to each other than this share of the path are at one place.
+const ONE_PLACE = 1e-4;
+
+// Those of one place together; the list is sorted along the path.
+function byPlace(violations, placeOf, length) {
+  const groups = [];
+  for (const violation of violations) {
+    const place = placeOf(violation);
+    const last = groups.at(-1);
+    if (last && Math.abs(place - last.place) <= ONE_PLACE * length) last.members.push(violation);
+    else groups.push({ place, members: [violation] });
+  }
+  return groups;
+}
+
+/** Lists violations; `route` tells where one begins, `onPick` hears the place of the one that is clicked. */
+export function showViolations(violations, { placeOf, length }, onPick) {
   byId('violations').hidden = violations.length === 0;
-  const shown = violations.slice(0, LISTED_VIOLATIONS).map((v) => violationItem(v, placeOf(v), onPick));
+  const groups = byPlace(violations, placeOf, length);
+  const shown = groups.slice(0, LISTED_VIOLATIONS).map((group) => violationItem(group, onPick));
   byId('violation-list').replaceChildren(...shown);
-  byId('violation-count').textContent = `${violations.length} violation${violations.length === 1 ? '' : 's'}`;
-  const rest = violations.length - shown.length;
+  byId('violation-count').textContent = describeViolations(violations.length, groups.length);
+  const rest = groups.length - shown.length;
   if (rest > 0) byId('violation-list').append(element('li', 'more', `and ${rest} more`));
 }
 
 /** How much of the window panel and bar cover at each side, px. */
 export function coveredMargins() {
+  const topOf = (id) => (byId(id).getBoundingClientRect().height > 0 ? byId(id).getBoundingClientRect().top : window.innerHeight);
+  const tools = byId('tools').getBoundingClientRect().bottom;
+  if (window.matchMedia(NARROW).matches) {
+    const top = Math.min(...['bar', 'tabs'].map(topOf));
+    return { left: 0, right: 0, top: tools, bottom: window.innerHeight - top };
+  }
   const panel = byId('panel').getBoundingClientRect();
-  const bar = byId('bar').getBoundingClientRect();
-  const bottom = bar.height > 0 ? window.innerHeight - bar.top : 0;
-  const narrow = window.matchMedia(NARROW).matches;
-  if (narrow) return { left: 0, right: 0, top: panel.bottom, bottom };
   const plots = byId('plots').getBoundingClientRect();
   const right = byId('plots').open && plots.width > 0 ? window.innerWidth - plots.left : 0;
-  return { left: panel.right, right, top: 0, bottom };
+  return { left: panel.right, right, top: tools, bottom: window.innerHeight - topOf('bar') };
+}
+
+/** Says how far the lines of the grid are from each other, m; null: there is no grid. */
+export function showGridStep(step) {
+  byId('corner').hidden = false;
+  byId('grid-step').textContent = step === null ? '' : `grid ${lengthAxis(step).brief(step)}`;
 }
 
 /** Puts a plain message in place of the 3D view. */
@@ -215,6 +270,16 @@ export function showTransport(length) {
   byId('transport').hidden = length === 0;
 }
 
+/** Marks places on the slider: the waypoints. */
+export function showStops(places, length) {
+  const marks = places.filter((place) => place > 0 && place < length).map((place) => {
+    const mark = element('span', 'stop');
+    mark.style.setProperty('--at', String(place / length));
+    return mark;
+  });
+  byId('stops').replaceChildren(...marks);
+}
+
 /** Shows a distance or time on the slider, and in words. */
 export function showDistance(distance, length, text) {
   if (length === 0) return;
@@ -234,6 +299,13 @@ export function showPlaying(playing) {
   byId('play').dataset.playing = String(playing);
 }
 
+// The keys; pressed again, they go.
+function showHelp() {
+  const help = byId('help');
+  if (help.open) help.close();
+  else help.showModal();
+}
+
 const SECTIONS = ['', 'x', 'y', 'z'];
 
 /** Connects the buttons that change the view. */
@@ -242,7 +314,8 @@ export function connectTools({ look, cut, save, toggleLook, resize }) {
   byId('reset').addEventListener('click', () => look());
   byId('save').addEventListener('click', save);
   byId('look').addEventListener('click', toggleLook);
-  byId('plots').addEventListener('toggle', resize);
+  for (const [id, event] of [['plots', 'toggle'], ['sheet', 'fold']]) byId(id).addEventListener(event, resize);
+  byId('keys').addEventListener('click', showHelp);
   const section = () => {
     byId('section-at').disabled = byId('section').value === '';
     cut(byId('section').value, Number(byId('section-at').value));
@@ -272,6 +345,7 @@ const VIEW_KEYS = {
   s: nextSection,
   d: ({ toggleLook }) => toggleLook(),
   p: ({ save }) => save(),
+  '?': showHelp,
 };
 
 /** Keys for playing, for moving along the path and, where there is a view, for what its buttons do; until the signal. */

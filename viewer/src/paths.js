@@ -15,13 +15,33 @@ export function createSearchTree(path, frame, theme) {
   return [lines];
 }
 
-const samePoints = (a, b) => a.length === b.length && a.every((p, k) => p.every((x, axis) => x === b[k][axis]));
+const SAME_PLACE = 1e-6;
 
-/** The path as the planner found it, if that is another one: thin and dashed. */
+function distanceToSegment(p, a, b) {
+  const along = b.map((x, i) => x - a[i]);
+  const square = along.reduce((sum, x) => sum + x * x, 0);
+  const t = square > 0 ? Math.min(1, Math.max(0, along.reduce((sum, x, i) => sum + x * (p[i] - a[i]), 0) / square)) : 0;
+  return Math.hypot(...p.map((x, i) => x - a[i] - t * along[i]));
+}
+
+// Whether each corner of a path lies on another one.
+function liesOn(points, other, tolerance) {
+  const near = (p) => other.slice(1).some((b, i) => distanceToSegment(p, other[i], b) <= tolerance);
+  return points.every(near);
+}
+
+// Whether two paths lead the same way, even if one of them has more waypoints on it.
+function sameWay(a, b) {
+  const size = Math.max(...a.flatMap((p) => p.map((x, i) => Math.abs(x - a[0][i]))));
+  return b.length > 1 && liesOn(a, b, SAME_PLACE * size) && liesOn(b, a, SAME_PLACE * size);
+}
+
+/** The path as the planner found it, if that is another one: thin and dashed, below the final one. */
 export function createRawPath(path, frame, theme) {
-  if (!path || path.rawWaypoints.length < 2 || samePoints(path.rawWaypoints, path.waypoints)) return [];
+  if (!path || path.rawWaypoints.length < 2 || sameWay(path.rawWaypoints, path.waypoints)) return [];
   const points = path.rawWaypoints.map((p) => frame.point(p));
-  const line = wideLines(chain(points), { linewidth: 2, dashed: true, dashSize: 0.025, gapSize: 0.018 });
+  const behind = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 24 };
+  const line = wideLines(chain(points), { linewidth: 2, dashed: true, dashSize: 0.025, gapSize: 0.018, ...behind });
   theme.paint(line.material, 'rawPath');
   return [line];
 }

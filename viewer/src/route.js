@@ -1,6 +1,6 @@
 // A path as a curve over its length; where the platform turns, its length counts the turns.
 
-import { formatProgress, lengthAxis } from './wording.js';
+import { formatProgress, lengthAxis, roundTicks } from './wording.js';
 
 const distanceBetween = (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 
@@ -54,6 +54,12 @@ function segmentAt(lengths, distance) {
   return low;
 }
 
+// The horizontal axis of charts, with ticks at round numbers of its unit.
+function createAxis(length, title) {
+  const { unit, inUnit } = lengthAxis(length);
+  return { title, unit, ticks: length > 0 ? roundTicks(inUnit(length)) : [], whole: inUnit(length) };
+}
+
 /**
  * The polyline of at least one waypoint as a function of the distance travelled; `turns` has the orientation at each
  * waypoint and the weight of turns, m/rad, or is null if the platform keeps its orientation.
@@ -88,7 +94,9 @@ export function createRoute(waypoints, turns = null) {
   return {
     timed: false,
     length,
-    axis: { title: turns ? 'distance and turns' : 'distance along the path', ...lengthAxis(length) },
+    axis: createAxis(length, turns ? 'distance and turns' : 'distance'),
+    // The waypoints between both ends.
+    corners: lengths.slice(1, -1),
     positionAt,
     orientationAt,
     placeOf,

@@ -1,11 +1,13 @@
 // Renderer, camera, lights and mouse control. Draws only when something has changed.
 
-import { AmbientLight, Color, DirectionalLight, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Color, DirectionalLight, Group, OrthographicCamera } from 'three';
+import { PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const FIRST_VIEW = new Vector3(0.45, -1, 0.42).normalize();
 const FILL = 0.9;
 const TIMED_PICTURES = 10;
+const PARALLEL_DISTANCE = 4;
 // Not straight from above, where up has no meaning.
 const VIEWS = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -1e-4, 1] };
 // What the section plane keeps: the part that is away from the first view.
@@ -25,22 +27,30 @@ export function hasWebGL() {
 function createRenderer(container) {
   const renderer = new WebGLRenderer({ antialias: true });
   renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  renderer.localClippingEnabled = true;
   renderer.domElement.tabIndex = 0;
   renderer.domElement.setAttribute('role', 'img');
-  renderer.domElement.setAttribute('aria-label', '3D view; drag to turn, right-drag to pan, wheel to zoom, arrow keys to pan');
+  renderer.domElement.setAttribute('aria-label', '3D view; drag to turn, right-drag to pan, wheel to zoom, arrow keys to pan, with Shift to turn');
   container.append(renderer.domElement);
   return renderer;
 }
 
-function createCamera(scene) {
-  const camera = new PerspectiveCamera(30, 1, 0.01, 20);
-  camera.up.set(0, 0, 1);
+// A camera that sees in perspective and one of parallel projection, which look the same way.
+function createCameras() {
+  const cameras = { perspective: new PerspectiveCamera(30, 1, 0.01, 20), parallel: new OrthographicCamera() };
+  for (const camera of Object.values(cameras)) camera.up.set(0, 0, 1);
+  return cameras;
+}
+
+// The light that goes with the camera.
+function createLamp(scene) {
+  const carrier = new Group();
   const lamp = new DirectionalLight(0xffffff, 1.9);
   lamp.position.set(-0.6, 0.9, 1);
-  camera.add(lamp, lamp.target);
   lamp.target.position.set(0, 0, -1);
-  scene.add(camera, new AmbientLight(0xffffff, 1.5));
-  return camera;
+  carrier.add(lamp, lamp.target);
+  scene.add(carrier, new AmbientLight(0xffffff, 1.5));
+  return carrier;
 }
 
 function createControls(camera, canvas) {
@@ -68,19 +78,41 @@ function avoidMargins(camera, { clientWidth: width, clientHeight: height }, { le
   return { x: Math.max(0.3, 1 - (left + right) / width), y: Math.max(0.3, 1 - (top + bottom) / height) };
 }
 
-// The least distance from the box's centre at which all its corners are in the free part of the picture.
-function fittingDistance(camera, box, direction, free) {
+/**
+ * Where the camera has to look, and from how far, so that the corners of a box, as they are seen, fill the free part of the
+ * picture; `slopes` are half its width and height at a distance of one, 0 for parallel projection.
+ */
+function fit(box, up, direction, slopes) {
   const centre = box.getCenter(new Vector3());
-  const right = new Vector3().crossVectors(camera.up, direction).normalize();
-  const up = new Vector3().crossVectors(direction, right);
-  const slope = Math.tan((camera.fov * Math.PI) / 360) * FILL;
-  const slopeX = slope * camera.aspect * free.x;
-  const slopeY = slope * free.y;
-  const needed = cornersOf(box).map((corner) => {
-    const v = corner.sub(centre);
-    return v.dot(direction) + Math.max(Math.abs(v.dot(right)) / slopeX, Math.abs(v.dot(up)) / slopeY);
-  });
-  return Math.max(...needed);
+  const right = new Vector3().crossVectors(up, direction).normalize();
+  const top = new Vector3().crossVectors(direction, right);
+  const corners = cornersOf(box).map((corner) => corner.sub(centre));
+  const along = (axis, slope) => {
+    const high = Math.max(...corners.map((v) => v.dot(axis) + v.dot(direction) * slope));
+    const low = Math.min(...corners.map((v) => v.dot(axis) - v.dot(direction) * slope));
+    return { middle: (high + low) / 2, half: (high - low) / 2 };
+  };
+  const across = along(right, slopes.x);
+  const upwards = along(top, slopes.y);
+  const target = centre.addScaledVector(right, across.middle).addScaledVector(top, upwards.middle);
+  return { target, width: across.half, height: upwards.half };
+}
+
+// What the section plane cuts; paths, marks and labels stay whole.
+const CUT = new Set(['platform', 'obstacles', 'cables', 'outlets', 'workspace', 'swept', 'feasible', 'regions', 'reachable', 'walls', 'culprits']);
+// The plane is this much aside of round places, where faces lie in it.
+const ASIDE = 2e-4;
+
+function setClipping(object, planes) {
+  if (object.material) object.material.clippingPlanes = planes;
+  for (const child of object.children) setClipping(child, planes);
+}
+
+function cutLayers(object, planes) {
+  for (const child of object.children) {
+    if (CUT.has(child.name)) setClipping(child, planes);
+    else if (child.isGroup && child.name === '') cutLayers(child, planes);
+  }
 }
 
 /**
@@ -92,8 +124,11 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   const scene = new Scene();
   scene.background = new Color();
   const renderer = createRenderer(container);
-  const camera = createCamera(scene);
+  const cameras = createCameras();
+  const lamp = createLamp(scene);
+  let camera = cameras.perspective;
   const controls = createControls(camera, renderer.domElement);
+  let planes = [];
   let pending = false;
   let touched = false;
   const jobs = new Set();
@@ -111,7 +146,11 @@ export function createStage(container, firstBox, { margins, onDraw }) {
     const distance = camera.position.distanceTo(controls.target);
     camera.near = Math.max(1e-5, distance * 0.02);
     camera.far = camera.position.length() + 10;
+    if (camera.isOrthographicCamera) camera.near = -10;
     camera.updateProjectionMatrix();
+    lamp.position.copy(camera.position);
+    lamp.quaternion.copy(camera.quaternion);
+    cutLayers(scene, planes);
     renderer.render(scene, camera);
     onDraw(camera, container);
     for (const job of afterwards) job();
@@ -150,25 +189,44 @@ export function createStage(container, firstBox, { margins, onDraw }) {
     controls.enableDamping = damped;
   }
 
-  /** Looks from an axis, or as at first; everything is in the picture. */
+  /** Looks from an axis in parallel projection, or as at first; everything is in the picture. */
   function look(axis) {
     direction = VIEWS[axis] ? new Vector3(...VIEWS[axis]).normalize() : FIRST_VIEW;
+    camera = VIEWS[axis] ? cameras.parallel : cameras.perspective;
+    controls.object = camera;
     frameAll();
   }
 
   function frameAll() {
     touched = false;
     stop();
-    box.getCenter(controls.target);
     const free = avoidMargins(camera, container, margins());
-    const distance = fittingDistance(camera, box, direction, free);
-    camera.position.copy(controls.target).addScaledVector(direction, distance);
+    const aspect = container.clientWidth / container.clientHeight;
+    const slope = Math.tan((cameras.perspective.fov * Math.PI) / 360) * FILL;
+    const seen = { x: aspect * free.x, y: free.y };
+    const parallel = camera.isOrthographicCamera;
+    const slopes = { x: parallel ? 0 : slope * seen.x, y: parallel ? 0 : slope * seen.y };
+    const { target, width, height } = fit(box, camera.up, direction, slopes);
+    controls.target.copy(target);
+    // The half height of the picture at the target.
+    const half = Math.max(width / seen.x, height / seen.y) / FILL;
+    if (parallel) widen(half, aspect);
+    camera.position.copy(target).addScaledVector(direction, parallel ? PARALLEL_DISTANCE : half / (slope / FILL));
     controls.update();
     invalidate();
   }
 
+  // Parallel projection shows this half height.
+  function widen(half, aspect) {
+    Object.assign(camera, { top: half, bottom: -half, right: half * aspect, left: -half * aspect, zoom: 1 });
+  }
+
   function keepView() {
     avoidMargins(camera, container, margins());
+    if (camera.isOrthographicCamera) {
+      camera.right = (camera.top * container.clientWidth) / container.clientHeight;
+      camera.left = -camera.right;
+    }
     invalidate();
   }
 
@@ -183,11 +241,11 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   /** Cuts away what lies beyond a plane across an axis, at a fraction of the box; no axis, no cut. */
   function cut(axis, fraction) {
     section = { axis, fraction };
-    renderer.clippingPlanes = [];
+    planes = [];
     if (KEPT[axis]) {
       const at = box.min[axis] + (box.max[axis] - box.min[axis]) * fraction;
       const normal = new Vector3(...KEPT[axis]);
-      renderer.clippingPlanes = [new Plane(normal, -at * normal[axis])];
+      planes = [new Plane(normal, ASIDE - at * normal[axis])];
     }
     invalidate();
   }
@@ -223,6 +281,8 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   new ResizeObserver(resize).observe(container);
   resize();
   const canvas = renderer.domElement;
-  const own = { scene, camera, controls, canvas };
-  return { ...own, invalidate, beforeNext, afterNext, setBox, look, cut, picture, resize, statistics };
+  const isCut = (point) => planes.some((plane) => plane.distanceToPoint(point) < 0);
+  const own = { scene, controls, canvas, invalidate, beforeNext, afterNext, setBox, look, cut, isCut, picture, resize, statistics };
+  // Which camera it is depends on the view.
+  return Object.defineProperty(own, 'camera', { get: () => camera });
 }

@@ -1,12 +1,15 @@
 // Colours of the light and the dark look, after the Okabe–Ito palette.
 
-// Regions have up to nine colours at once: the palettes "muted" and "light" of Paul Tol, which colour-blind readers can
-// tell apart, too.
-const MUTED = ['#332288', '#44aa99', '#aa4499', '#117733', '#cc6677', '#88ccee', '#882255', '#999933', '#ddcc77'];
+// Cables and their regions have up to nine colours at once: the palettes "muted" (its pale colours darker, to be seen as
+// thin lines) and "light" of Paul Tol, which colour-blind readers can tell apart, too.
+const MUTED = ['#332288', '#2f8f80', '#aa4499', '#117733', '#cc6677', '#3a9bc4', '#882255', '#8a8a1f', '#b58e1c'];
 const PALE = ['#77aadd', '#ee8866', '#eedd88', '#ffaabb', '#99ddff', '#44bb99', '#bbcc33', '#aaaa00', '#dddddd'];
 
-/** How many colours there are for regions: roles `region0`, `region1` and so on. */
+/** How many colours there are for cables and their regions: roles `region0`, `region1` and so on. */
 export const REGION_COLORS = MUTED.length;
+
+/** The role of the colour of a cable, the same everywhere. */
+export const cableRole = (index) => `region${index % REGION_COLORS}`;
 
 const roles = (name, colors) => Object.fromEntries(colors.map((color, index) => [name.replace('#', index), color]));
 
@@ -59,6 +62,9 @@ const LIGHT = {
   workspace: '#8d97a3',
   floor: '#8d97a3',
   violation: '#d40000',
+  shadow: '#000000',
+  good: '#00704f',
+  warn: '#8a5a00',
 };
 
 const DARK = {
@@ -90,7 +96,10 @@ const DARK = {
   frame: '#a9b1bb',
   workspace: '#68717d',
   floor: '#68717d',
-  violation: '#f0392b',
+  violation: '#ff6b5e',
+  shadow: '#000000',
+  good: '#3ddbaa',
+  warn: '#f0b23c',
 };
 
 /**
@@ -101,7 +110,8 @@ export function createTheme(onChange) {
   const query = window.matchMedia('(prefers-color-scheme: dark)');
   const painters = new Set();
   let chosen = null;
-  const isDark = () => chosen ?? query.matches;
+  let printing = false;
+  const isDark = () => !printing && (chosen ?? query.matches);
   const palette = () => (isDark() ? DARK : LIGHT);
 
   function apply() {
@@ -110,13 +120,18 @@ export function createTheme(onChange) {
     for (const [role, color] of Object.entries(colors)) {
       document.documentElement.style.setProperty(`--${role}`, color);
     }
-    for (const bound of painters) for (const { color, role } of bound) color.set(colors[role]);
+    for (const { bound, watchers } of painters) {
+      for (const { color, role } of bound) color.set(colors[role]);
+      for (const watcher of watchers) watcher();
+    }
     onChange();
   }
 
   function createPainter() {
     const bound = [];
-    painters.add(bound);
+    const watchers = [];
+    const painter = { bound, watchers };
+    painters.add(painter);
     const bind = (color, role) => {
       bound.push({ color, role });
       color.set(palette()[role]);
@@ -125,11 +140,17 @@ export function createTheme(onChange) {
       bind(material.color, role);
       return material;
     };
-    return { bind, paint, release: () => painters.delete(bound) };
+    const watch = (watcher) => watchers.push(watcher);
+    return { bind, paint, watch, release: () => painters.delete(painter) };
   }
 
   function toggle() {
     chosen = !isDark();
+    apply();
+  }
+
+  function setPrinting(value) {
+    printing = value;
     apply();
   }
 
@@ -138,9 +159,11 @@ export function createTheme(onChange) {
   return {
     /** From light to dark and back. */
     toggle,
+    /** Paper is light. */
+    setPrinting,
     /**
-     * `bind` ties a colour to a role of the palette, `paint` that of a material; `release` unties them all, once what
-     * they belong to is replaced.
+     * `bind` ties a colour to a role of the palette, `paint` that of a material, `watch` runs a function whenever the
+     * colours have changed; `release` unties them all, once what they belong to is replaced.
      */
     createPainter,
   };

@@ -2,7 +2,7 @@
 
 import { cableSwatch, colorOf, createArea, ground, html, largest } from './charts.js';
 import { accelerationAxis, describeCorner, describeCorners, describeLimit, describeOtherLimits, describePiece } from './wording.js';
-import { forceAxis, formatShare, formatTimeProgress, speedAxis, timeAxis, timeTicks } from './wording.js';
+import { forceAxis, formatShare, formatTimeProgress, speedAxis, timeAxis, roundTicks } from './wording.js';
 
 // Limits of a trajectory are drawn even where the curves stay well away from them.
 const FAR = 3;
@@ -23,7 +23,7 @@ function sampleAt(times, time) {
 }
 
 /** The positions of a trajectory as a function of time, s. */
-export function createTimedRoute({ times, positions, duration }) {
+export function createTimedRoute({ times, positions, duration, corners }) {
   function positionAt(time) {
     const i = sampleAt(times, time);
     const share = (time - times[i]) / (times[i + 1] - times[i]);
@@ -33,7 +33,8 @@ export function createTimedRoute({ times, positions, duration }) {
   return {
     timed: true,
     length: duration,
-    axis: { title: 'time', ...timeAxis, ticks: timeTicks(duration) },
+    corners: corners.map(({ time }) => time),
+    axis: { title: 'time', unit: timeAxis.unit, ticks: roundTicks(duration), whole: duration },
     positionAt,
     placeOf: ({ time }) => time,
     describe: (time) => formatTimeProgress(time, duration),

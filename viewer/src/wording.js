@@ -20,6 +20,8 @@ const rounded = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/,
 
 const axisOf = ({ factor, digits, name }) => ({
   unit: name,
+  /** A number in this unit. */
+  inUnit: (value) => value * factor,
   /** A number in this unit, without the unit; a dash where there is none. */
   format: (value) => (Number.isFinite(value) ? rounded(value * factor, digits) : '–'),
   /** A number in this unit, with the unit and without needless digits: "1.5 m/s". */
@@ -45,12 +47,12 @@ export const timeAxis = axisOf({ factor: 1, digits: 2, name: 's' });
 
 const MOST_TICKS = 6;
 
-/** Round times from 0 to a duration. */
-export function timeTicks(duration) {
-  const least = duration / MOST_TICKS;
+/** Round numbers from 0 to a length or a duration. */
+export function roundTicks(whole) {
+  const least = whole / MOST_TICKS;
   const decade = 10 ** Math.floor(Math.log10(least));
   const step = decade * [1, 2, 5, 10].find((factor) => factor * decade >= least);
-  return Array.from({ length: Math.floor(duration / step) + 1 }, (_, i) => Number((i * step).toPrecision(6)));
+  return Array.from({ length: Math.floor(whole / step) + 1 }, (_, i) => Number((i * step).toPrecision(6)));
 }
 
 /** A time of a whole: "0.50 of 4.35 s". */
@@ -139,11 +141,20 @@ export function formatGap(metres) {
   return `${Number((metres * 1e6).toPrecision(3))}\u00a0µm`;
 }
 
+/** Gaps up to this are only touching, m: they are smaller than anything that can be built. */
+export const TOUCHING = 1e-6;
+
+/** A gap as a label: "62 mm", "touching", "75 mm deep". */
+export function formatApproach(gap) {
+  if (Math.abs(gap) < TOUCHING) return 'touching';
+  return gap < 0 ? `${formatGap(-gap)} deep` : formatGap(gap);
+}
+
 /** How the tightest pair keeps its distance: "tightest: cable 3 and pillar, 62 mm apart, 50 mm required". */
 export function describeTightest({ culprits, gap, required }) {
   const who = culprits.join(' and ');
   if (gap < 0 && gap < required) return `in collision: ${who}, ${formatGap(-gap)} deep`;
-  if (required <= 0) return gap === 0 ? `nearest: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
+  if (required <= 0) return gap < TOUCHING ? `nearest: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
   const which = gap < required ? 'too near' : 'tightest';
   return `${which}: ${who}, ${formatGap(gap)} apart, ${formatGap(required)} required`;
 }
@@ -189,27 +200,67 @@ export const describeProof = ({ margin }) =>
   `Proved: no path keeps a gap of more than ${formatGap(margin)}. What can be reached is drawn as far as it is certain.`;
 
 const NO_PATH = {
-  no_path: 'there is no path (proved)',
-  budget_spent: 'no path found within the budget',
-  start_invalid: 'no path: the start is not valid',
-  goal_invalid: 'no path: the goal is not valid',
+  no_path: { verdict: 'no path', tone: 'bad', headline: 'proved: there is none' },
+  budget_spent: { verdict: 'none found', tone: 'warn', headline: 'no path within the budget' },
+  start_invalid: { verdict: 'start not valid', tone: 'bad', headline: '' },
+  goal_invalid: { verdict: 'goal not valid', tone: 'bad', headline: '' },
 };
 
-function verdict(status, violations) {
-  if (violations > 0) return 'not valid';
-  return status === 'solved' ? 'solved' : 'valid';
+function verdictOf(status, violations) {
+  if (violations > 0) return { verdict: 'not valid', tone: 'bad' };
+  return { verdict: status === 'solved' ? 'solved' : 'valid', tone: 'good' };
 }
 
-/** The outcome of planning or checking in one line. */
-export function describeOutcome(path, length, violations, trajectory = null) {
-  if (!path) return 'no path';
-  if (path.waypoints.length === 0) return NO_PATH[path.status] ?? 'no path';
-  const said = verdict(path.status, violations);
-  if (trajectory) return `${said}: ${formatLength(trajectory.length)} in ${timeAxis.format(trajectory.duration)}\u00a0s`;
-  const cost = formatLength(path.cost ?? length);
-  const raw = path.rawCost === null ? cost : formatLength(path.rawCost);
-  return raw === cost ? `${said}: ${cost}` : `${said}: ${cost}, ${raw} before it was made shorter`;
+// Lengths that differ by less than this share are the same.
+const SAME_LENGTH = 1e-6;
+
+/** Whether a path has been changed since it was written: its length is not what its file states. */
+export const isEdited = (path, length) => path.cost !== null && Math.abs(path.cost - length) > SAME_LENGTH * length;
+
+/**
+ * The outcome of planning or checking: the verdict, whether it is `good`, `bad`, or a warning, and the number that
+ * matters most.
+ */
+export function describeOutcome({ path, trajectory, regions, violations }, length) {
+  if (regions?.shown && !path) return { verdict: 'regions', tone: 'plain', headline: describeRegions(regions) };
+  if (!path) return { verdict: 'scene', tone: 'plain', headline: 'no path' };
+  if (path.waypoints.length === 0) return NO_PATH[path.status] ?? { verdict: 'no path', tone: 'plain', headline: '' };
+  const edited = !trajectory && isEdited(path, length);
+  const { verdict, tone } = verdictOf(edited ? null : path.status, violations.length);
+  const whole = `${formatLength(trajectory?.length ?? length)}`;
+  return { verdict, tone, headline: trajectory ? `${whole} in ${timeAxis.format(trajectory.duration)}\u00a0s` : whole };
 }
+
+/** What is known about a shorter path: "at most 0.1 % above the shortest". */
+export function describeBound(cost, bound) {
+  const share = cost / bound - 1;
+  if (share < 1e-6) return 'the shortest path';
+  return `at most ${formatPercent(share)} above the shortest`;
+}
+
+// Rounded up, as it is a promise.
+function formatPercent(share) {
+  const percent = 100 * share;
+  const unit = 10 ** (Math.floor(Math.log10(percent)) - 1);
+  return `${Number((Math.ceil(percent / unit - 1e-9) * unit).toPrecision(2))}\u00a0%`;
+}
+
+/** How much longer a path is than the straight line: "23 % longer than the straight line". */
+export function describeDirectness(cost, straight) {
+  const share = cost / straight - 1;
+  if (share < 1e-6) return 'the straight line, so the shortest path';
+  return `${formatPercent(share)} longer than the straight line`;
+}
+
+/** A time that planning took: "27 ms". */
+export function formatSeconds(seconds) {
+  if (seconds >= 1) return `${Number(seconds.toPrecision(3))}\u00a0s`;
+  const milliseconds = 1e3 * seconds;
+  return milliseconds < 1 ? '<\u00a01\u00a0ms' : `${Number(milliseconds.toPrecision(2))}\u00a0ms`;
+}
+
+/** Why a pose is not valid: "platform meets pillar, 225 mm deep". */
+export const describeReason = (violation) => `${describeEvent(violation)}${describeGap(violation)}`;
 
 const SPACES = {
   attachment: 'where the end of that cable cannot be',
@@ -241,8 +292,14 @@ function describeGap({ kind, gap, required }) {
   if (gap === null) return '';
   if (kind === 'workspace') return gap < 0 ? `, ${formatGap(-gap)} outside` : '';
   if (kind === 'cable-length') return gap < 0 ? `, by ${formatGap(-gap)}` : '';
-  if (gap < 0) return `, ${formatGap(-gap)} deep`;
+  if (gap < 0) return Math.abs(gap) < TOUCHING ? '' : `, ${formatGap(-gap)} deep`;
   return gap > 0 ? `, only ${formatGap(gap)} apart, ${formatGap(required)} required` : '';
+}
+
+/** How many violations there are: "18 violations at 2 places". */
+export function describeViolations(count, places) {
+  const found = `${count} violation${count === 1 ? '' : 's'}`;
+  return places < count ? `${found} at ${places} place${places === 1 ? '' : 's'}` : found;
 }
 
 /** A violation that begins at a distance along the path, or at a time, in one sentence. */

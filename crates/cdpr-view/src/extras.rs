@@ -4,9 +4,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::region;
+use super::{region, xyz};
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Clearance, Conditions, WrenchLimit, tightest};
+use cdpr_core::collision::{Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_of};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, Point, Pose};
 use cdpr_core::model::Scene;
@@ -30,14 +30,8 @@ pub(super) struct Motion {
     s: Vec<f32>,
     /// Length of each cable, m.
     lengths: Vec<Vec<f32>>,
-    /// Gap of the pair with the smallest slack beyond its required gap, m; empty if there are no pairs to check.
-    clearance: Vec<f32>,
-    /// Required gap of that pair, m.
-    required: Vec<f32>,
-    /// That pair, as an index into `pairs`.
-    tightest: Vec<usize>,
-    /// Names of the pairs that have the smallest slack somewhere.
-    pairs: Vec<Vec<String>>,
+    /// The tightest pairs of each group; groups without pairs are left out.
+    approaches: Vec<Approach>,
     /// Tension of each cable at rest, N, `None` where the loads cannot be balanced; empty for a trajectory, and if the
     /// robot has no mass or no tension limits.
     tensions: Vec<Vec<Option<f32>>>,
@@ -53,14 +47,52 @@ impl Motion {
         Motion {
             s,
             lengths: by_cable(rows),
-            clearance: Vec::new(),
-            required: Vec::new(),
-            tightest: Vec::new(),
-            pairs: Vec::new(),
+            approaches: Vec::new(),
             tensions: Vec::new(),
             tension_limits: Vec::new(),
             margins: Vec::new(),
         }
+    }
+}
+
+/// The groups of pairs that are plotted apart: what can come near obstacles, and the robot's own neighbours.
+const GROUPS: [(&str, [Kind; 2]); 2] =
+    [("obstacles", [Kind::PlatformObstacle, Kind::CableObstacle]), ("robot", [Kind::CablePlatform, Kind::CableCable])];
+
+/// The pair of a group with the smallest slack beyond its required gap, at each place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Approach {
+    of: &'static str,
+    /// Its gap, m.
+    gap: Vec<f32>,
+    /// Its required gap, m.
+    required: Vec<f32>,
+    /// The pair, as an index into `pairs`.
+    tightest: Vec<usize>,
+    /// Names of the pairs that have the smallest slack somewhere.
+    pairs: Vec<Vec<String>>,
+    /// x, y, z of the nearest points of its two members, one after the other, m; NaN where unknown.
+    points: Vec<f32>,
+}
+
+impl Approach {
+    fn of(of: &'static str, found: Vec<Tightest>) -> Self {
+        let mut approach =
+            Approach { of, gap: vec![], required: vec![], tightest: vec![], pairs: vec![], points: vec![] };
+        for Tightest { clearance: Clearance { value, required, culprits, .. }, points } in found {
+            let known = approach.pairs.iter().position(|pair| *pair == culprits);
+            // A gap that is kept to within the tolerance of the engines must not look violated.
+            let kept = value >= required - TOUCH_DEPTH;
+            approach.gap.push(if kept { value.max(required) } else { value } as f32);
+            approach.required.push(required as f32);
+            approach.tightest.push(known.unwrap_or(approach.pairs.len()));
+            if known.is_none() {
+                approach.pairs.push(culprits);
+            }
+            let ends = points.unwrap_or([Point::from([f64::NAN; 3]); 2]);
+            approach.points.extend(ends.iter().flat_map(|p| xyz(p).map(|x| x as f32)));
+        }
+        approach
     }
 }
 
@@ -82,15 +114,59 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     if !(length > 0.0) {
         return Ok(None);
     }
-    let places = even_steps(waypoints, length / STEPS)?;
-    let positions: Vec<Point> = places.iter().map(|place| place.position).collect();
-    let mut motion = untensed(scene, places.iter().map(|place| place.s as f32).collect(), &positions, watch)?;
+    let (s, positions) = places(scene, waypoints, length, watch)?;
+    let mut motion = untensed(scene, s, &positions, watch)?;
     // A robot without mass or tension limits has no tensions.
     if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
         motion.tensions = tensions(&statics, &positions, watch)?;
         motion.tension_limits = statics.limits();
     }
     Ok(Some(motion))
+}
+
+/// Places nearer to each other than this share of the path are plotted as one.
+const SAME_PLACE: f64 = 1e-6;
+
+/// Where a path is plotted: at even steps, at its waypoints, and where the pairs of each group come nearest to each other.
+fn places(scene: &Scene, waypoints: &[Point], length: f64, watch: &Watch) -> Result<(Vec<f32>, Vec<Point>), Error> {
+    let mut starts = vec![0.0];
+    starts.extend(waypoints.windows(2).scan(0.0, |way, pair| {
+        *way += (pair[1] - pair[0]).norm();
+        Some(*way)
+    }));
+    // With a rank: of two at the same place the lower one is kept.
+    let mut all: Vec<(f64, u8, Point)> = Vec::new();
+    for (segment, at) in nearest_places(scene, waypoints, watch)? {
+        let along = (waypoints[segment + 1] - waypoints[segment]) * at;
+        all.push((starts[segment] + along.norm(), 0, waypoints[segment] + along));
+    }
+    all.extend(starts.iter().zip(waypoints).map(|(s, position)| (*s, 1, *position)));
+    all.extend(even_steps(waypoints, length / STEPS)?.iter().map(|place| (place.s, 2, place.position)));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut kept: Vec<(f64, u8, Point)> = Vec::new();
+    for place in all {
+        match kept.last_mut().filter(|last| place.0 - last.0 <= SAME_PLACE * length) {
+            Some(last) if place.1 < last.1 => *last = place,
+            Some(_) => {}
+            None => kept.push(place),
+        }
+    }
+    let last = kept.len() - 1;
+    (kept[0].0, kept[last].0) = (0.0, length);
+    Ok(kept.into_iter().map(|(s, _, position)| (s as f32, position)).unzip())
+}
+
+/// The segment of the nearest approach of each group of pairs, and the fraction of it.
+fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Vec<(usize, f64)>, Error> {
+    let conditions = Conditions::within(scene, watch)?;
+    let mut found = Vec::new();
+    for (_, kinds) in GROUPS {
+        let within = |index: &usize| kinds.contains(&conditions.kind(&conditions.list[*index]));
+        let indices: Vec<usize> = (0..conditions.list.len()).filter(within).collect();
+        let nearest = path_clearance(&conditions, &indices, waypoints, watch)?;
+        found.extend(nearest.map(|(segment, clearance)| (segment, clearance.at)));
+    }
+    Ok(found)
 }
 
 /// The cable lengths along a path of poses, whose length counts the turns; `None` for a path of length zero.
@@ -132,18 +208,13 @@ fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> R
     let at = |position: &Point| lengths(scene, &Pose::new(*position, *scene.orientation()));
     let margins = margins(scene, positions, watch)?;
     let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
-    let tightest: Result<Vec<_>, Error> =
-        positions.par_iter().map(|position| watch.check().map(|()| tightest(&conditions, position))).collect();
-    for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
-        let known = motion.pairs.iter().position(|pair| *pair == culprits);
-        // A gap that is kept to within the tolerance of the engines must not look violated.
-        let kept = value >= required - TOUCH_DEPTH;
-        motion.clearance.push(if kept { value.max(required) } else { value } as f32);
-        motion.required.push(required as f32);
-        motion.tightest.push(known.unwrap_or(motion.pairs.len()));
-        if known.is_none() {
-            motion.pairs.push(culprits);
-        }
+    for (name, kinds) in GROUPS {
+        let tightest = |position| {
+            watch.check()?;
+            Ok(tightest_of(&conditions, position, |kind| kinds.contains(&kind)))
+        };
+        let found: Result<Option<Vec<_>>, Error> = positions.par_iter().map(tightest).collect();
+        motion.approaches.extend(found?.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
     }
     Ok(motion)
 }
@@ -309,10 +380,19 @@ mod tests {
     fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
         let found =
             motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
-        assert_eq!((found.s.len(), found.s[300]), (301, 1.0));
-        assert_eq!((found.lengths.len(), found.lengths[0].len(), found.clearance.len()), (8, 301, 301));
-        assert!(found.tightest.iter().all(|&k| found.pairs[k].len() == 2));
-        assert!(found.required.iter().all(|&required| required == 0.0));
+        let count = found.s.len();
+        assert!((301..=303).contains(&count) && found.s[count - 1] == 1.0 && found.s.is_sorted_by(|a, b| a < b));
+        assert_eq!((found.lengths.len(), found.lengths[0].len()), (8, count));
+        assert_eq!(found.approaches.iter().map(|approach| approach.of).collect::<Vec<_>>(), ["obstacles", "robot"]);
+        for approach in &found.approaches {
+            assert_eq!((approach.gap.len(), approach.points.len()), (count, 6 * count));
+            assert!(approach.tightest.iter().all(|&k| approach.pairs[k].len() == 2));
+            assert!(approach.required.iter().all(|&required| required == 0.0));
+            for (gap, ends) in approach.gap.iter().zip(approach.points.chunks(6)) {
+                let apart = (0..3).map(|k| (ends[k] - ends[k + 3]).powi(2)).sum::<f32>().sqrt();
+                assert!((gap - apart).abs() < 1e-5, "{gap} {apart}");
+            }
+        }
         let (first, end) = (Point::new(0.225, 0.925, 0.275), found.lengths[0][0]);
         assert!((f64::from(end) - first.coords.norm()).abs() < 1e-6);
         assert!(found.tensions.iter().all(|cable| cable.iter().flatten().all(|t| (9.9..1000.1).contains(t))));
@@ -327,9 +407,10 @@ mod tests {
         spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
         let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
         let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
-        let named = |k: usize| found.pairs[found.tightest[k]] == ["cable 3", "pillar"];
+        let near = &found.approaches[0];
+        let named = |k: usize| near.pairs[near.tightest[k]] == ["cable 3", "pillar"];
         for k in 0..found.s.len() {
-            assert_eq!(found.required[k], if named(k) { 0.08 } else { 0.02 });
+            assert_eq!(near.required[k], if named(k) { 0.08 } else { 0.02 });
         }
         assert!((0..found.s.len()).any(named) && !(0..found.s.len()).all(named));
     }
@@ -365,9 +446,9 @@ mod tests {
             panic!("one measure")
         };
         let [measure] = &measures(&demanding).unwrap()[..] else { panic!("one measure") };
-        assert_eq!((found.measure, found.unit, found.values.len()), ("capacity", "N", 301));
+        assert_eq!((found.measure, found.unit), ("capacity", "N"));
         assert_eq!(found.values[0], Some(measure.slack(&path[0]) as f32));
-        assert_eq!(found.values[300], Some(measure.slack(&path[1]) as f32));
+        assert_eq!(found.values.last(), Some(&Some(measure.slack(&path[1]) as f32)));
     }
 
     #[test]

@@ -17,7 +17,7 @@ use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::error::{Error, ErrorClass};
 use cdpr_core::geometry::{Point, Polytope, Pose, Rotation, wxyz};
 use cdpr_core::model::{Obstacle, Scene};
-use cdpr_core::path_file::PathFile;
+use cdpr_core::path_file::{PathFile, PlannedKeys};
 use cdpr_core::regions::{NamedMesh, Regions};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::turning::turn_weight;
@@ -145,6 +145,7 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
         "start_orientation": wxyz(&first.unwrap_or(at_start)),
         "goal_orientation": wxyz(&last.unwrap_or(at_goal)),
         "path": path.map(|path| path_value(scene, path)),
+        "result": path.and_then(|path| path.planned.as_ref()).map(result_value),
         "no_path": no_path.map(no_path::shown),
         "violations": violations,
     })
@@ -166,6 +167,18 @@ fn quaternions(poses: &[Pose]) -> Vec<Rotation> {
         all.push(Rotation::new_unchecked(if same { digits } else { -digits }));
     }
     all
+}
+
+/// How planning went, for the card on top of the page.
+fn result_value(planned: &PlannedKeys) -> Value {
+    let PlannedKeys { reason, opening_below, seed, stats, lower_bound, .. } = planned;
+    json!({
+        "reason": reason,
+        "opening_below": opening_below,
+        "seed": seed,
+        "seconds": stats.planning_seconds + stats.post_seconds,
+        "lower_bound": lower_bound.flatten(),
+    })
 }
 
 /// The keys of a path file that users write as well, and the search tree.

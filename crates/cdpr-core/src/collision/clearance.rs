@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::along::{at, first_true};
-use crate::conditions::{Condition, Conditions};
+use crate::conditions::{Condition, Conditions, Kind};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::numerics::TOUCH_DEPTH;
@@ -81,32 +81,47 @@ pub fn path_clearance(
     }))
 }
 
-/// The pair with the least slack at a position: gap minus required gap is smallest. Here, unlike elsewhere, `required`
-/// is negative where only the axes of thick cables must stay apart.
-pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> {
+/// The pair with the least slack at a position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tightest {
+    /// Its gap. Here, unlike elsewhere, `required` is negative where only the axes of thick cables must stay apart.
+    pub clearance: Clearance,
+    /// The points of both members that are nearest to each other, world.
+    pub points: Option<[Point; 2]>,
+}
+
+/// The pair with the least slack at a position: gap minus required gap is smallest.
+pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Tightest> {
+    tightest_of(conditions, position, |_| true)
+}
+
+/// As [`tightest`], for the conditions of some kinds.
+pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(Kind) -> bool) -> Option<Tightest> {
     let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
-    let (room, index) = least(conditions, position, position, required)?;
+    let deducted = |condition: &Condition| of(conditions.kind(condition)).then(|| required(condition));
+    let (room, index) = least(conditions, position, position, deducted)?;
     let condition = &conditions.list[index];
     let required = required(condition);
-    Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
+    let clearance = Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required };
+    Some(Tightest { clearance, points: condition.details().nearest_points(&conditions.bodies, position) })
 }
 
 /// The smallest gap of a motion, m, and the index of its condition.
 pub fn nearest(conditions: &Conditions, from: &Point, to: &Point) -> Option<(f64, usize)> {
-    least(conditions, from, to, |_| 0.0)
+    least(conditions, from, to, |_| Some(0.0))
 }
 
-/// The smallest gap of a motion after a deduction for each condition, m, and the index of the condition. Bodies whose
-/// bounding boxes are further apart than the smallest gap found so far are skipped.
+/// The smallest gap of a motion after a deduction for each condition, m, and the index of the condition; conditions without
+/// a deduction are left out. Bodies whose bounding boxes are further apart than the smallest gap found so far are skipped.
 fn least(
     conditions: &Conditions,
     from: &Point,
     to: &Point,
-    deducted: impl Fn(&Condition) -> f64,
+    deducted: impl Fn(&Condition) -> Option<f64>,
 ) -> Option<(f64, usize)> {
     let mut best: Option<(f64, usize)> = None;
     for (index, condition) in conditions.list.iter().enumerate() {
-        let deducted = deducted(condition);
+        let Some(deducted) = deducted(condition) else { continue };
         if best
             .is_some_and(|(least, _)| condition.details().boxes_apart(&conditions.bodies, from, to) - deducted >= least)
         {

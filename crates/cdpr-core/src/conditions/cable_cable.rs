@@ -335,6 +335,14 @@ impl PhysicalCondition for CableCable {
         self.least_distance(from, to).0 - self.radii
     }
 
+    fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
+        let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        let pair = self.nearest(position);
+        let along = |cable: &CableAt, share: f64| cable.outlet + (position + cable.arm - cable.outlet) * share;
+        let axis = pair.offset.try_normalize(0.0).unwrap_or_else(Vector::zeros);
+        Some([along(i, pair.s) + axis * i.radius, along(j, pair.r) - axis * j.radius])
+    }
+
     fn worst_distance(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> Option<f64> {
         Some(match interference {
             Interference::Exact => self.distance(bodies, from, to),

@@ -124,6 +124,12 @@ impl PhysicalCondition for CableObstacle {
         shape_distance(&cable.sweep(from, to), &bodies.obstacles[self.body].body).signed() - cable.radius
     }
 
+    fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
+        let cable = &bodies.cables[self.cable];
+        let found = shape_distance(&cable.sweep(position, position), &bodies.obstacles[self.body].body);
+        Some([found.on_a + found.axis * cable.radius, found.on_b])
+    }
+
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
         let swept = Aabb::around(&cable.sweep(from, to).corners);

@@ -117,6 +117,13 @@ impl PhysicalCondition for CablePlatform {
         shape_distance(&cable.sweep_seen_from_platform(from, to), &bodies.platform[self.body]).signed() - cable.radius
     }
 
+    fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
+        let cable = &bodies.cables[self.cable];
+        let seen = cable.sweep_seen_from_platform(position, position);
+        let found = shape_distance(&seen, &bodies.platform[self.body]);
+        Some([found.on_a + found.axis * cable.radius, found.on_b].map(|point| point + position.coords))
+    }
+
     fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
         if self.ends_on_body() {
             return f64::NEG_INFINITY;

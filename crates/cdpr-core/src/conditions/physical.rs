@@ -122,6 +122,12 @@ pub trait PhysicalCondition {
     /// The smallest distance during a motion, m.
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64;
 
+    /// The points on the surfaces of its two members that are nearest to each other at a position, world, in the order of
+    /// the members; where they overlap, points in the overlap. `None` if it does not limit a gap between two members.
+    fn nearest_points(&self, _: &Bodies, _position: &Point) -> Option<[Point; 2]> {
+        None
+    }
+
     /// A lower bound of [`PhysicalCondition::distance`] from bounding boxes, m; minus infinity if they overlap.
     fn boxes_apart(&self, _: &Bodies, _from: &Point, _to: &Point) -> f64 {
         f64::NEG_INFINITY

@@ -101,6 +101,12 @@ impl PhysicalCondition for PlatformObstacle {
         shape_distance(&swept, &bodies.obstacles[self.body].body).signed()
     }
 
+    fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
+        let placed = Swept::new(&bodies.platform[self.part], position.coords, Vector::zeros());
+        let found = shape_distance(&placed, &bodies.obstacles[self.body].body);
+        Some([found.on_a, found.on_b])
+    }
+
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let swept = bodies.platform[self.part].aabb().swept(&from.coords, &to.coords);
         let apart = swept.distance(bodies.obstacles[self.body].body.aabb());

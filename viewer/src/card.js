@@ -1,0 +1,77 @@
+// The result card: the verdict, how good the path is, where it is tightest, and how it was found.
+
+import { html } from './charts.js';
+import { describeBound, describeDirectness, describeOutcome, describeReason } from './wording.js';
+import { formatApproach, formatGap, formatLength, formatSeconds, isEdited } from './wording.js';
+
+const byId = (id) => document.getElementById(id);
+
+const GROUPS = { obstacles: 'nearest obstacle', robot: 'within the robot' };
+
+const distance = (a, b) => Math.hypot(...a.slice(0, 3).map((x, i) => x - b[i]));
+
+function showVerdict({ verdict, tone, headline }) {
+  byId('status').replaceChildren(html('span', `chip ${tone}`, verdict));
+  if (headline) byId('status').append(html('span', tone === 'plain' ? '' : 'headline', headline));
+}
+
+// What is known about how short the path is.
+function quality({ path, result, trajectory }, length) {
+  if (!path || path.waypoints.length < 2 || trajectory) return null;
+  if (result?.lowerBound > 0) return describeBound(length, result.lowerBound);
+  const straight = distance(path.waypoints[0], path.waypoints.at(-1));
+  return path.turns || straight === 0 ? null : describeDirectness(length, straight);
+}
+
+function remarks(model, length) {
+  const { path, result, trajectory } = model;
+  if (result?.reason) return [describeReason(result.reason)];
+  if (result?.openingBelow > 0) return [`every path passes an opening narrower than ${formatGap(result.openingBelow)}`];
+  if (!path || path.waypoints.length < 2 || trajectory) return [];
+  if (isEdited(path, length)) return [`changed since it was planned: its file states ${formatLength(path.cost)}`];
+  const found = [quality(model, length)];
+  const raw = path.rawCost === null ? '' : formatLength(path.rawCost);
+  if (raw !== '' && raw !== formatLength(length)) found.push(`${raw} before it was made shorter`);
+  return found.filter(Boolean);
+}
+
+// The place at which a group of pairs has the least room.
+function tightestPlace({ gap, required }) {
+  return gap.reduce((best, value, i) => (value - required[i] < gap[best] - required[best] ? i : best), 0);
+}
+
+function tightestButton(approach, s, jump) {
+  const i = tightestPlace(approach);
+  const [gap, required] = [approach.gap[i], approach.required[i]];
+  const button = html('button', 'tightest');
+  button.type = 'button';
+  button.title = 'show this place';
+  const demand = required > 0 ? `${formatGap(required)} required` : '';
+  const value = html('span', gap < required ? 'value bad' : 'value', formatApproach(gap));
+  button.append(
+    html('span', 'what', GROUPS[approach.of] ?? approach.of),
+    value,
+    html('span', 'who', approach.pairs[approach.tightest[i]].join(' and ')),
+    html('span', 'what', demand),
+  );
+  button.addEventListener('click', () => jump(s[i]));
+  return button;
+}
+
+// How the path was found: "anytime, seed 0, 27 ms".
+function provenance({ path, result }) {
+  const parts = [path?.planner];
+  if (result?.seed !== null && result?.seed !== undefined) parts.push(`seed ${result.seed}`);
+  if (result?.seconds > 0) parts.push(formatSeconds(result.seconds));
+  return parts.filter(Boolean).join(' · ');
+}
+
+/** Fills the card; `jump` hears the place of the tightest pair that the reader chooses. */
+export function showCard(model, length, jump) {
+  showVerdict(describeOutcome(model, length));
+  byId('remarks').replaceChildren(...remarks(model, length).map((text) => html('p', '', text)));
+  const { motion } = model;
+  const buttons = (motion?.approaches ?? []).map((approach) => tightestButton(approach, motion.s, jump));
+  byId('tightest').replaceChildren(...buttons);
+  byId('planner').textContent = provenance(model);
+}
