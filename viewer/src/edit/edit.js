@@ -246,6 +246,8 @@ export function createEdit(app, live, page, fill) {
     active = value;
     toolbar.setActive(active);
     handles?.setActive(active);
+    // Makes room for the bar, if the reader has not turned the view.
+    setting.stage?.resize();
     showAll();
     if (!active) {
       handles?.setBad([]);

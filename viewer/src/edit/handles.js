@@ -16,7 +16,7 @@ const reachOf = (event) => (event.pointerType === 'touch' ? REACH.touch : REACH.
  * `drag(thing, place, phase)` with the phases `begin`, `move`, `end` and `cancel`.
  */
 export function createHandles({ stage, theme }, source, on) {
-  const { canvas, camera, controls } = stage;
+  const { canvas, controls } = stage;
   const container = canvas.parentElement;
   const arrows = createArrows();
   const outlines = { hover: [], selected: [], bad: [] };
@@ -55,7 +55,7 @@ export function createHandles({ stage, theme }, source, on) {
   function arrowAt(point, { arrow: reach }) {
     if (!arrows.group.visible) return null;
     const found = arrows.ends().flatMap(([from, to], axis) => {
-      const [a, b] = [from, to].map((end) => onScreen(end, camera, canvas));
+      const [a, b] = [from, to].map((end) => onScreen(end, stage.camera, canvas));
       const distance = a && b ? segmentDistance(point, a, b) : Infinity;
       return distance <= reach ? [{ axis, distance }] : [];
     });
@@ -64,7 +64,7 @@ export function createHandles({ stage, theme }, source, on) {
   }
 
   function solidAt(things, point) {
-    const ray = rayAt(point, camera, canvas);
+    const ray = rayAt(point, stage.camera, canvas);
     const hits = things.flatMap((thing) => {
       const [hit] = [proxyOf(thing)].filter(Boolean).flatMap((proxy) => ray.intersectObject(proxy));
       return hit ? [{ thing, axis: null, at: hit.point, distance: hit.distance }] : [];
@@ -76,7 +76,7 @@ export function createHandles({ stage, theme }, source, on) {
   function dotAt(things, point, { dot: reach }) {
     const near = things.filter(({ kind }) => kind !== 'obstacle').flatMap((thing) => {
       const at = placeOf(thing);
-      const seen = onScreen(at, camera, canvas);
+      const seen = onScreen(at, stage.camera, canvas);
       const distance = seen ? Math.hypot(seen.x - point.x, seen.y - point.y) : Infinity;
       return distance <= reach ? [{ thing, axis: null, at, distance }] : [];
     });
@@ -110,8 +110,8 @@ export function createHandles({ stage, theme }, source, on) {
   function fitArrows() {
     arrows.group.visible = active && selected !== null;
     if (!arrows.group.visible) return;
-    camera.updateMatrixWorld();
-    arrows.fit(placeOf(selected), camera, canvas.clientHeight);
+    stage.camera.updateMatrixWorld();
+    arrows.fit(placeOf(selected), stage.camera, canvas.clientHeight);
   }
 
   function hover(thing) {
@@ -169,8 +169,8 @@ export function createHandles({ stage, theme }, source, on) {
     if (!drag.moving && Math.hypot(point.x - drag.start.x, point.y - drag.start.y) < STILL) return;
     if (!drag.moving) on.drag(drag.thing, drag.from, 'begin');
     drag.moving = true;
-    const ray = rayAt(point, camera, canvas);
-    on.drag(drag.thing, drag.to(ray, camera, { vertical: event.shiftKey, free: event.altKey }), 'move');
+    const ray = rayAt(point, stage.camera, canvas);
+    on.drag(drag.thing, drag.to(ray, stage.camera, { vertical: event.shiftKey, free: event.altKey }), 'move');
   }
 
   function move(event) {
@@ -243,7 +243,7 @@ export function createHandles({ stage, theme }, source, on) {
     },
     /** Where a thing is on the page, px. */
     where: (thing) => {
-      const seen = onScreen(placeOf(thing), camera, canvas);
+      const seen = onScreen(placeOf(thing), stage.camera, canvas);
       const { left, top } = canvas.getBoundingClientRect();
       return seen && { x: seen.x + left, y: seen.y + top };
     },

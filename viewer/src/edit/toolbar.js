@@ -118,17 +118,22 @@ function createTools(on, { planner, orientations }) {
   return { box, undo, redo, remove, planners, turned, clearance, save };
 }
 
+const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
+
 function createThing(on) {
   const name = make('strong', { className: 'edit-name' });
   const fields = ['x', 'y', 'z'].map((axis, i) => numberField(`${axis}, m`, { step: '0.01' }, (value) => on.setCoordinate(i, value)));
   const labels = fields.map((field, i) => make('label', { className: 'edit-field' }, 'xyz'[i], field));
   const sides = ['width', 'depth', 'height'].map((side, i) => numberField(`${side}, m`, { step: '0.01', min: '0.001' }, (value) => on.setSide(i, value)));
   const size = make('span', { className: 'edit-size' }, 'size', ...sides, 'm');
-  const box = make('div', { className: 'edit-thing' }, name, ...labels, 'm', size);
-  box.hidden = true;
+  const box = make('div', { className: 'edit-thing' }, name, ...labels, make('span', { className: 'edit-unit' }, 'm'), size);
   const show = (thing, place, sizes) => {
-    box.hidden = !thing;
-    if (!thing) return;
+    box.classList.toggle('none', !thing);
+    if (!thing) {
+      name.textContent = NOTHING;
+      name.title = '';
+      return;
+    }
     name.textContent = thing.name;
     name.title = thing.name;
     fields.forEach((field, i) => setNumber(field, place[i]));
@@ -201,20 +206,22 @@ function createStatus(on) {
 export function createToolbar(on, setup) {
   const toggle = button('Edit', 'edit the scene (key E)', on.toggle);
   toggle.id = 'edit-toggle';
+  document.getElementById('tools').prepend(make('div', { className: 'tool-group' }, toggle));
+  const done = button('Done', 'stop editing (key E)', on.toggle);
+  done.className = 'edit-done';
   const tools = createTools(on, setup);
   const thing = createThing(on);
   const status = createStatus(on);
-  const head = make('div', { className: 'edit-head' }, toggle, tools.box);
+  const head = make('div', { className: 'edit-head' }, done, tools.box);
   const section = make('section', { id: 'edit' }, head, thing.box, status.box);
   section.setAttribute('aria-label', 'edit');
-  document.getElementById('bar').before(section);
+  document.getElementById('tools').after(section);
 
   function setActive(active) {
-    section.classList.toggle('active', active);
+    section.hidden = !active;
+    document.documentElement.classList.toggle('editing', active);
     toggle.setAttribute('aria-pressed', String(active));
     toggle.textContent = active ? 'Done' : 'Edit';
-    for (const part of [tools.box, status.box]) part.hidden = !active;
-    if (!active) thing.show(null);
   }
 
   setActive(false);
