@@ -1,11 +1,11 @@
 // Plans while the scene changes: quickly while something is dragged, fully afterwards. Only the newest scene counts.
 
-import { pageOf, placeOf, thingsOf } from './document.js';
+import { orientationNames, pageOf, placeOf, thingsOf } from './document.js';
 
 /** The answer to whoever asked for a plan that a later change has made pointless. */
 export const SUPERSEDED = { status: 'superseded', cost: null, waypoints: [], milliseconds: 0 };
 
-const SKETCH = { planner: 'two-trees', budget_ms: 60, proof: false };
+const SKETCH = { planner: 'rrt-connect', budget_ms: 40, proof: false };
 
 const ENDS = ['start', 'goal'];
 
@@ -46,7 +46,8 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
 
   function say(news) {
     Object.assign(state, news);
-    tell(state);
+    // A path is the better witness.
+    tell(state.answer?.status === 'solved' ? { ...state, invalid: [] } : state);
   }
 
   function put(newPage, of, fresh) {
@@ -75,9 +76,12 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     const [asked, of] = [revision, scene];
     const { place } = await planner.ready();
     const found = [];
-    for (const end of ENDS) {
+    // Where the planner chooses among orientations, only it knows.
+    const open = orientationNames(of).length > 1 && !of.query?.orientation;
+    for (const end of open ? [] : ENDS) {
       const at = of.query?.[end];
-      const answer = at && (await place.ask({ ask: 'place', scene: of, at }));
+      const orientation = page[`${end}_orientation`];
+      const answer = at && (await place.ask({ ask: 'place', scene: of, at, orientation }));
       if (answer === null) return;
       if (answer?.violation) found.push({ end, ...answer });
     }
