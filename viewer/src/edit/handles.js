@@ -134,6 +134,8 @@ export function createHandles({ stage, theme }, source, on) {
     controls.enabled = false;
     canvas.setPointerCapture(event.pointerId);
     canvas.style.cursor = 'grabbing';
+    // What the pointer has brought out is no longer pointed at.
+    canvas.dispatchEvent(new PointerEvent('pointerleave'));
     if (axis !== null) arrows.only(axis);
     stage.invalidate();
   }
@@ -175,6 +177,7 @@ export function createHandles({ stage, theme }, source, on) {
 
   function move(event) {
     if (!active) return;
+    if (drag) event.stopPropagation();
     if (drag?.id === event.pointerId) follow(event);
     else if (!drag && event.pointerType !== 'touch' && event.buttons === 0) {
       const hit = pick(event);
