@@ -2,7 +2,7 @@
 
 import { html } from './charts.js';
 import { describeBound, describeDirectness, describeOutcome, describeReason } from './wording.js';
-import { formatApproach, formatGap, formatLength, formatSeconds, isEdited } from './wording.js';
+import { formatApproach, formatGap, formatLength, formatSeconds, isEdited, statedLength } from './wording.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -28,7 +28,9 @@ function remarks(model, length) {
   if (result?.reason) return [describeReason(result.reason)];
   if (result?.openingBelow > 0) return [`every path passes an opening narrower than ${formatGap(result.openingBelow)}`];
   if (!path || path.waypoints.length < 2 || trajectory) return [];
-  if (isEdited(path, length)) return [`changed since it was planned: its file states ${formatLength(path.cost)}`];
+  if (isEdited(model, length)) return [`changed since it was planned: its file states ${formatLength(statedLength(model))}`];
+  // How short a path is that cannot be followed says nothing.
+  if (model.violations.length > 0) return [];
   const found = [quality(model, length)];
   const raw = path.rawCost === null ? '' : formatLength(path.rawCost);
   if (raw !== '' && raw !== formatLength(length)) found.push(`${raw} before it was made shorter`);
@@ -59,8 +61,10 @@ function tightestButton(approach, s, jump) {
 }
 
 // How the path was found: "anytime, seed 0, 27 ms".
-function provenance({ path, result }) {
-  const parts = [path?.planner];
+function provenance(model, length) {
+  const { path, result, trajectory } = model;
+  if (!path || (!trajectory && path.waypoints.length > 0 && isEdited(model, length))) return '';
+  const parts = [path.planner];
   if (result?.seed !== null && result?.seed !== undefined) parts.push(`seed ${result.seed}`);
   if (result?.seconds > 0) parts.push(formatSeconds(result.seconds));
   return parts.filter(Boolean).join(' · ');
@@ -73,5 +77,5 @@ export function showCard(model, length, jump) {
   const { motion } = model;
   const buttons = (motion?.approaches ?? []).map((approach) => tightestButton(approach, motion.s, jump));
   byId('tightest').replaceChildren(...buttons);
-  byId('planner').textContent = provenance(model);
+  byId('planner').textContent = provenance(model, length);
 }

@@ -219,6 +219,8 @@ function readResult(result) {
     seed: numberOrNull(result.seed),
     seconds: numberOrNull(result.seconds),
     lowerBound: numberOrNull(result.lower_bound),
+    // The length that the path's file states.
+    cost: numberOrNull(result.cost),
   };
 }
 

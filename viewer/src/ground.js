@@ -84,12 +84,15 @@ export function createDrop(model, frame, theme) {
   const floor = frame.point(model.workspace.min).z;
   const group = new Group();
   group.add(line, shadow);
-  const move = (position) => {
+  const ahead = new Vector3();
+  const move = (position, rotation) => {
     ends[0].copy(position);
     ends[1].copy(position).setZ(floor);
     moveWideLines(line, ends);
     line.computeLineDistances();
     shadow.position.copy(ends[1]);
+    ahead.set(1, 0, 0).applyQuaternion(rotation);
+    shadow.rotation.z = Math.atan2(ahead.y, ahead.x);
   };
   return { objects: [group], move };
 }

@@ -18,6 +18,10 @@ function nudge(labels) {
   }
 }
 
+// How far right of its point and below it a label is, px; numbers of cables are level with their outlets.
+const ASIDE = { x: 8, y: 6 };
+const LEVEL = { x: 7, y: -9 };
+
 /** Labels over the view; `place` is called after each picture. */
 export function createLabels(container) {
   let labels = [];
@@ -29,7 +33,8 @@ export function createLabels(container) {
     element.className = `label ${className}`;
     container.append(element);
     const says = typeof text === 'function' ? text : () => text;
-    labels.push({ element, says, anchor, layer, x: 0, y: 0, width: 0, height: 0 });
+    const aside = className.startsWith('cable') ? LEVEL : ASIDE;
+    labels.push({ element, says, anchor, layer, aside, x: 0, y: 0, width: 0, height: 0 });
   }
 
   function write(label) {
@@ -45,8 +50,8 @@ export function createLabels(container) {
     projected.copy(anchor).project(camera);
     const hidden = !layer.visible || element.textContent === '' || Math.abs(projected.z) > 1;
     element.hidden = hidden;
-    label.x = ((projected.x + 1) / 2) * clientWidth;
-    label.y = ((1 - projected.y) / 2) * clientHeight;
+    label.x = ((projected.x + 1) / 2) * clientWidth + label.aside.x;
+    label.y = ((1 - projected.y) / 2) * clientHeight + label.aside.y;
     if (!hidden && label.width === 0) ({ offsetWidth: label.width, offsetHeight: label.height } = element);
   }
 
@@ -65,7 +70,7 @@ export function createLabels(container) {
     context.textBaseline = 'top';
     context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--text');
     for (const { element, x, y } of labels) {
-      if (!element.hidden) context.fillText(element.textContent, (x + 13) * ratio, (y + 8) * ratio);
+      if (!element.hidden) context.fillText(element.textContent, (x + 5) * ratio, (y + 2) * ratio);
     }
     return canvas;
   }

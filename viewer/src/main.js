@@ -102,7 +102,7 @@ function fillScene(model, route, frame, stage, theme) {
     frame.point(position, platform.position);
     platform.quaternion.copy(rotationOf(orientation));
     cables.move(platform.position, platform.quaternion);
-    drop.move(platform.position);
+    drop.move(platform.position, platform.quaternion);
     highlight.move(platform.position, platform.quaternion);
     highlight.show(nearest);
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
@@ -119,7 +119,10 @@ const shortName = (name) => name.replace(/^cable\s+(?=\d+$)/i, '');
 
 const hasShortNames = (cables) => cables.length <= MOST_NAMES && cables.every(({ name }) => shortName(name).length <= SHORT_NAME);
 
-const hiddenAtFirst = ({ cables, obstacles, regions }) => [
+const isUnchanged = (path) => Boolean(path) && Math.abs(path.rawCost - path.cost) <= 1e-6 * path.cost;
+
+const hiddenAtFirst = ({ cables, obstacles, regions, path }) => [
+  ...(isUnchanged(path) ? ['rawPath'] : []),
   ...(hasShortNames(cables) ? [] : ['cableNames']),
   'searchTree',
   'swept',
@@ -138,7 +141,7 @@ function otherNames({ regions, path, trajectory }) {
 }
 
 // Names at their places, which are returned by kind and name.
-function addNames(model, frame, labels, layers) {
+function addNames(model, frame, labels, layers, isCut) {
   const anchors = new Map();
   const add = (key, name, at, ...how) => {
     anchors.set(key, { at, first: at.clone() });
@@ -146,15 +149,17 @@ function addNames(model, frame, labels, layers) {
   };
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
+    const centre = box.getCenter(new Vector3());
     const part = layers.obstacles.parts[name];
-    const seen = { get visible() { return layers.obstacleNames.visible && part.visible; } };
-    add(`obstacle ${name}`, name, box.getCenter(new Vector3()), seen);
+    const seen = { get visible() { return layers.obstacleNames.visible && part.visible && !isCut(centre); } };
+    add(`obstacle ${name}`, name, centre, seen);
   }
   let lit = null;
   watchSpotlight('names', (index) => { lit = index; });
   model.cables.forEach(({ name, outlet }, i) => {
-    const seen = { get visible() { return layers.cableNames.visible || lit === i; } };
-    add(`cable ${name}`, shortName(name), frame.point(outlet), seen, `cable of-${cableRole(i)}`);
+    const place = frame.point(outlet);
+    const seen = { get visible() { return (layers.cableNames.visible && !isCut(place)) || lit === i; } };
+    add(`cable ${name}`, shortName(name), place, seen, `cable of-${cableRole(i)}`);
   });
   return anchors;
 }
@@ -294,7 +299,7 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
-  drawn.anchors = addNames(model, frame, labels, layers);
+  drawn.anchors = addNames(model, frame, labels, layers, stage.isCut);
   addGaps(drawn, labels, layers);
   watchSpotlight('cables', (index) => {
     drawn.cables.light(index);

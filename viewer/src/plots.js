@@ -108,15 +108,15 @@ function createNearest(motion) {
     if (motion.approaches.length === 0) return null;
     // Where a collision begins between two steps, it is shown.
     const shown = !tooNear(step) && tooNear(other) ? other : step;
-    const tightest = { culprits: motion.culprits[shown], gap: motion.clearance[shown], required: motion.required[shown] };
     const bad = tooNear(shown);
-    byId('nearest').textContent = describeTightest(tightest);
-    byId('nearest').classList.toggle('bad', bad);
     const steps = shown === step ? [step, other] : [other, other];
     const gaps = motion.approaches.map((approach) => {
       const tight = approach.of === 'obstacles' || isTightest(approach, shown);
       return { ...gapAt(approach, motion.s, steps, at), tight };
     });
+    const tightest = gaps.find(({ culprits }) => culprits === motion.culprits[shown]);
+    byId('nearest').textContent = describeTightest(tightest);
+    byId('nearest').classList.toggle('bad', bad);
     return { ...tightest, bad, gaps };
   };
 }

@@ -3,7 +3,7 @@
 // Cables and their regions have up to nine colours at once: the palettes "muted" (its pale colours darker, to be seen as
 // thin lines) and "light" of Paul Tol, which colour-blind readers can tell apart, too.
 const MUTED = ['#332288', '#2f8f80', '#aa4499', '#117733', '#cc6677', '#3a9bc4', '#882255', '#8a8a1f', '#b58e1c'];
-const PALE = ['#77aadd', '#ee8866', '#eedd88', '#ffaabb', '#99ddff', '#44bb99', '#bbcc33', '#aaaa00', '#dddddd'];
+const PALE = ['#77aadd', '#ee8866', '#eedd88', '#ffaabb', '#44bb99', '#b889f4', '#bbcc33', '#dddddd', '#c95c88'];
 
 /** How many colours there are for cables and their regions: roles `region0`, `region1` and so on. */
 export const REGION_COLORS = MUTED.length;

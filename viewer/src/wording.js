@@ -214,18 +214,25 @@ function verdictOf(status, violations) {
 // Lengths that differ by less than this share are the same.
 const SAME_LENGTH = 1e-6;
 
+/** The length that the file of a path states, m. */
+export const statedLength = ({ path, result }) => result?.cost ?? path.cost;
+
 /** Whether a path has been changed since it was written: its length is not what its file states. */
-export const isEdited = (path, length) => path.cost !== null && Math.abs(path.cost - length) > SAME_LENGTH * length;
+export function isEdited(model, length) {
+  const stated = statedLength(model);
+  return stated !== null && Math.abs(stated - length) > SAME_LENGTH * length;
+}
 
 /**
  * The outcome of planning or checking: the verdict, whether it is `good`, `bad`, or a warning, and the number that
  * matters most.
  */
-export function describeOutcome({ path, trajectory, regions, violations }, length) {
+export function describeOutcome(model, length) {
+  const { path, trajectory, regions, violations } = model;
   if (regions?.shown && !path) return { verdict: 'regions', tone: 'plain', headline: describeRegions(regions) };
   if (!path) return { verdict: 'scene', tone: 'plain', headline: 'no path' };
   if (path.waypoints.length === 0) return NO_PATH[path.status] ?? { verdict: 'no path', tone: 'plain', headline: '' };
-  const edited = !trajectory && isEdited(path, length);
+  const edited = !trajectory && isEdited(model, length);
   const { verdict, tone } = verdictOf(edited ? null : path.status, violations.length);
   const whole = `${formatLength(trajectory?.length ?? length)}`;
   return { verdict, tone, headline: trajectory ? `${whole} in ${timeAxis.format(trajectory.duration)}\u00a0s` : whole };

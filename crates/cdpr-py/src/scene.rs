@@ -19,7 +19,7 @@ use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
 use cdpr_files::{Loader, PathFile, text::Notation};
-use cdpr_view::page_within;
+use cdpr_view::{Told, page_told_within, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -554,6 +554,7 @@ impl Scene {
             return interruptible(py, |stop| page_within(&self.0, None, &[], &Watch::on(stop)));
         };
         let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
+        let told = Told::of_json(path);
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         if let Some(poses) = answered(|| file.poses())? {
             let engine = turning_of(py, self, Engine::default().name(), interference)?;
@@ -561,7 +562,7 @@ impl Scene {
             return interruptible(py, |stop| {
                 let watch = Watch::on(stop);
                 let violations = check_poses(&self.0, &engine, &poses, &watch)?.violations;
-                page_within(&self.0, Some(&file), &violations, &watch)
+                page_told_within(&self.0, Some(&file), told.as_ref(), &violations, &watch)
             });
         }
         let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
@@ -575,7 +576,7 @@ impl Scene {
             let no_path = ends.as_ref().map(decided).transpose()?.flatten();
             let file = PathFile { no_path: no_path.map(Arc::new), ..file };
             let violations = check_path(&*engine, &waypoints, &watch)?.violations;
-            page_within(&self.0, Some(&file), &violations, &watch)
+            page_told_within(&self.0, Some(&file), told.as_ref(), &violations, &watch)
         })
     }
 }

@@ -48,6 +48,43 @@ pub fn page_within(
     violations: &[PathViolation],
     watch: &Watch,
 ) -> Result<String, Error> {
+    page_told_within(scene, path, None, violations, watch)
+}
+
+/// What the JSON of a path states about its planning: seed, time, bound, why an end is not valid, and its length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Told(Value);
+
+impl Told {
+    /// `None` for a path that no planner wrote.
+    pub fn of_json(json: &str) -> Option<Self> {
+        let mut path: Value = serde_json::from_str(json).ok()?;
+        let seconds = |key: &str| path["stats"][key].as_f64().unwrap_or(0.0);
+        let seconds = seconds("planning_seconds") + seconds("post_seconds");
+        path.get("status")?.as_str()?;
+        let mut take = |key: &str| path[key].take();
+        Some(Told(json!({
+            "reason": take("reason"),
+            "opening_below": take("opening_below"),
+            "seed": take("seed"),
+            "seconds": seconds,
+            "lower_bound": take("lower_bound"),
+            "cost": take("cost"),
+        })))
+    }
+}
+
+/// As [`page_within`], for a path that was read: `told` is what its file states about its planning.
+///
+/// # Errors
+/// As [`page_within`].
+pub fn page_told_within(
+    scene: &Scene,
+    path: Option<&PathFile>,
+    told: Option<&Told>,
+    violations: &[PathViolation],
+    watch: &Watch,
+) -> Result<String, Error> {
     let motion = |path: &PathFile| match poses(path) {
         Some(poses) => Ok(extras::turning_motion(scene, &poses)),
         None => extra(extras::motion(scene, &path.points(), watch)),
@@ -55,6 +92,9 @@ pub fn page_within(
     let motion = path.map(motion).transpose()?.flatten();
     let mut data = data(scene, path, violations);
     data["motion"] = json!(motion);
+    if let Some(Told(told)) = told {
+        data["result"] = told.clone();
+    }
     complete(scene, data, watch)
 }
 

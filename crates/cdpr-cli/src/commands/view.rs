@@ -10,7 +10,7 @@ use cdpr_core::turning::check_poses;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
-use cdpr_view::{page_within, trajectory_page_within};
+use cdpr_view::{Told, page_told_within, page_within, trajectory_page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
@@ -50,7 +50,11 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
                     }
                 };
                 let shown = shown(&loaded, report.length);
-                (page_within(&scene, Some(&shown), &report.violations, &watch)?, report.violations)
+                // Of what cannot be read as JSON nothing is told.
+                let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
+                let told = text.and_then(|text| Told::of_json(&text));
+                let found = &report.violations;
+                (page_told_within(&scene, Some(&shown), told.as_ref(), found, &watch)?, report.violations)
             }
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;
