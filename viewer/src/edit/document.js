@@ -9,17 +9,36 @@ const plus = (p, q) => tidy(p.map((x, i) => x + q[i]));
 
 const minus = (p, q) => p.map((x, i) => x - q[i]);
 
-const positionOf = (body) => body.position ?? [0, 0, 0];
+const ORIGIN = Object.freeze([0, 0, 0]);
+
+const positionOf = (body) => body.position ?? ORIGIN;
 
 const obstaclesOf = (scene) => scene.obstacles ?? [];
 
 /** The name of an obstacle's entry; one without a name counts from 0. */
 export const nameOf = (body, index) => body.name ?? `obstacle ${index}`;
 
-/** The names of the obstacles, each once. */
-export const obstacleNames = (scene) => [...new Set(obstaclesOf(scene).map(nameOf))];
+// The entries of each obstacle by name, for every list of obstacles that is in use.
+const known = new WeakMap();
 
-const entriesOf = (scene, name) => obstaclesOf(scene).filter((body, i) => nameOf(body, i) === name);
+function entriesByName({ obstacles }) {
+  if (!obstacles) return new Map();
+  if (!known.has(obstacles)) {
+    const found = new Map();
+    obstacles.forEach((body, i) => {
+      const name = nameOf(body, i);
+      if (found.has(name)) found.get(name).push(body);
+      else found.set(name, [body]);
+    });
+    known.set(obstacles, found);
+  }
+  return known.get(obstacles);
+}
+
+const entriesOf = (scene, name) => entriesByName(scene).get(name) ?? [];
+
+/** The names of the obstacles, each once. */
+export const obstacleNames = (scene) => [...entriesByName(scene).keys()];
 
 /** Whether an obstacle has this name. */
 export const hasObstacle = (scene, name) => entriesOf(scene, name).length > 0;
@@ -136,14 +155,13 @@ const shifted = (part, by) => ({ ...part, vertices: part.vertices.map((v) => v.m
 
 // How an obstacle looks: as in the page it was last drawn in, moved by as much as since then.
 function shownObstacle(scene, name, { shown, drawn }) {
-  const before = entriesOf(shown, name);
-  const known = drawn.get(name);
   const [own] = entriesOf(scene, name);
-  if (!known || before.length === 0) return { name, parts: own.box && !own.rpy ? [boxPart(own)] : [] };
-  const resized = String(before[0].box) !== String(own.box);
-  if (resized) return { name, parts: [boxPart({ ...own, position: positionOf(own) })] };
-  const by = minus(positionOf(own), positionOf(before[0]));
-  return by.every((x) => x === 0) ? known : { name, parts: known.parts.map((part) => shifted(part, by)) };
+  const [before] = entriesOf(shown, name);
+  const look = drawn.get(name);
+  if (!look || !before) return { name, parts: own.box && !own.rpy ? [boxPart(own)] : [] };
+  if (String(before.box) !== String(own.box)) return { name, parts: [boxPart({ ...own, position: positionOf(own) })] };
+  const by = minus(positionOf(own), positionOf(before));
+  return by.every((x) => x === 0) ? look : { name, parts: look.parts.map((part) => shifted(part, by)) };
 }
 
 /**

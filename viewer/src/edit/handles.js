@@ -1,9 +1,11 @@
 // Picking and dragging things in the 3D view, with mouse, pen or finger.
 
+import { Box3, Vector3 } from 'three';
 import { createDrag } from './dragging.js';
 import { isSame } from './document.js';
 import { createArrows, createOutline, createProxy, onScreen, rayAt, segmentDistance, shapesOf } from './markers.js';
 
+const EVERYWHERE = new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity));
 // How near the pointer must come, px.
 const REACH = { mouse: { arrow: 8, dot: 11 }, touch: { arrow: 20, dot: 24 } };
 const STILL = 4;
@@ -21,6 +23,7 @@ export function createHandles({ stage, theme }, source, on) {
   const arrows = createArrows();
   const outlines = { hover: [], selected: [], bad: [] };
   const proxies = new Map();
+  const boxes = new Map();
   let active = false;
   let selected = null;
   let drag = null;
@@ -46,6 +49,19 @@ export function createHandles({ stage, theme }, source, on) {
     return proxy;
   }
 
+  // The box around an obstacle where it was drawn, by name.
+  function boxesOf() {
+    if (boxes.size === 0) {
+      for (const { name, parts } of source.model().obstacles) {
+        boxes.set(name, new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => source.frame().point(v)))));
+      }
+    }
+    return boxes;
+  }
+
+  // Whether a ray may meet a thing, found out quickly.
+  const mayMeet = (thing, { ray }) => thing.kind !== 'obstacle' || ray.intersectsBox(boxesOf().get(thing.id) ?? EVERYWHERE);
+
   const pointOf = (event) => {
     const { left, top } = canvas.getBoundingClientRect();
     return { x: event.clientX - left, y: event.clientY - top };
@@ -65,7 +81,7 @@ export function createHandles({ stage, theme }, source, on) {
 
   function solidAt(things, point) {
     const ray = rayAt(point, stage.camera, canvas);
-    const hits = things.flatMap((thing) => {
+    const hits = things.filter((thing) => mayMeet(thing, ray)).flatMap((thing) => {
       const [hit] = [proxyOf(thing)].filter(Boolean).flatMap((proxy) => ray.intersectObject(proxy));
       return hit ? [{ thing, axis: null, at: hit.point, distance: hit.distance }] : [];
     });
@@ -239,6 +255,7 @@ export function createHandles({ stage, theme }, source, on) {
     refresh: () => {
       for (const proxy of proxies.values()) proxy?.geometry.dispose();
       proxies.clear();
+      boxes.clear();
       const known = source.things();
       const still = (thing) => known.some((other) => isSame(other, thing));
       for (const style of Object.keys(outlines)) outline(style, outlines[style].map(({ thing }) => thing).filter(still));

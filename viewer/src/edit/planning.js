@@ -235,6 +235,9 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
       check();
     },
     /** Whether a thing has moved since the picture was made. */
-    hasMoved: (thing) => String(placeOf(scene, thing)) !== String(placeOf(shown.scene, thing)),
+    hasMoved: (thing) => {
+      const [now, then] = [scene, shown.scene].map((one) => placeOf(one, thing));
+      return now !== then && String(now) !== String(then);
+    },
   };
 }
