@@ -9,6 +9,10 @@ const SKETCH = { planner: 'rrt-connect', budget_ms: 40, proof: false };
 
 const ENDS = ['start', 'goal'];
 
+// A picture that takes longer to build than this, ms, waits until the thing is let go; so do those of so many obstacles.
+const LONGEST = 60;
+const MANY = 200;
+
 const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
 /** What of a page's path is a path file. */
@@ -40,6 +44,8 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   let checking = false;
   let refining = null;
   let own = { ...options };
+  // How long the last picture took to build, ms.
+  let building = (page.obstacles ?? []).length > MANY ? Infinity : 0;
   const initial = firstAnswer(page);
   const state = { invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
   if (initial) answers.set(first, initial);
@@ -52,7 +58,9 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
 
   function put(newPage, of, fresh) {
     shown = { scene: of, page: newPage };
+    const begin = performance.now();
     draw(newPage, of, fresh);
+    building = performance.now() - begin;
   }
 
   // A bound that holds for every path of the scene: the straight line.
@@ -108,7 +116,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     }
     if (!answer || asked <= shownRevision || answer.waypoints.length === 0) return;
     shownRevision = asked;
-    put(answer.page, of, asked === revision);
+    if (building <= LONGEST) put(answer.page, of, asked === revision);
     say({ best: { cost: answer.cost, bound: straight() }, error: null });
   }
 
@@ -116,10 +124,11 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   function improve({ cost, waypoints }) {
     const known = state.best?.cost ?? Infinity;
     if (!(cost < known)) return;
+    say({ best: { cost, bound: straight(), waypoints } });
+    if (building > LONGEST) return;
     const { path: before, motion } = shown.page;
     const path = { ...before, status: 'solved', orientations: undefined, waypoints, raw_waypoints: [], cost, raw_cost: null, tree: null };
     put({ ...pageOf(scene, shown.page, shown.scene), path, motion }, scene, 'path');
-    say({ best: { cost, bound: straight(), waypoints } });
   }
 
   async function cancel() {
