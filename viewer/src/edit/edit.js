@@ -194,7 +194,8 @@ export function createEdit(app, live, page, fill) {
     cancelAnimationFrame(frame);
     frame = 0;
     drag = null;
-    if (keep) commit(edited.moveThing(planning.scene, thing, to));
+    const isThere = String(edited.placeOf(planning.scene, thing)) === String(to);
+    if (keep) commit(isThere ? planning.scene : edited.moveThing(planning.scene, thing, to));
     else quietly(apply(history.present));
   }
 

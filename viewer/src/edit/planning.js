@@ -117,14 +117,14 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     if (!answer || asked <= shownRevision || answer.waypoints.length === 0) return;
     shownRevision = asked;
     if (building <= LONGEST) put(answer.page, of, asked === revision);
-    say({ best: { cost: answer.cost, bound: straight() }, error: null });
+    say({ best: { cost: answer.cost, bound: straight(), of }, error: null });
   }
 
   // A better path while it is refined, drawn without what takes longer.
   function improve({ cost, waypoints }) {
     const known = state.best?.cost ?? Infinity;
     if (!(cost < known)) return;
-    say({ best: { cost, bound: straight(), waypoints } });
+    say({ best: { cost, bound: straight(), waypoints, of: scene } });
     if (building > LONGEST) return;
     const { path: before, motion } = shown.page;
     const path = { ...before, status: 'solved', orientations: undefined, waypoints, raw_waypoints: [], cost, raw_cost: null, tree: null };
@@ -180,11 +180,13 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
    */
   async function change(next, { dragging = false, budget, again = false } = {}) {
     const resized = String(next.obstacles?.map(({ box }) => box)) !== String(shown.scene.obstacles?.map(({ box }) => box));
+    // While dragging the last length stands until the next one is there.
+    const best = dragging || state.best?.of === next ? state.best : null;
     revision += 1;
     scene = next;
     cancel();
     const known = again ? null : answers.get(scene);
-    say({ dragging, answer: known ?? null, busy: false, stopped: false, error: null, best: dragging ? state.best : state.best });
+    say({ dragging, answer: known ?? null, busy: false, stopped: false, error: null, best });
     if (known) {
       check();
       present(known);
