@@ -31,6 +31,11 @@ def status(page: Page) -> str:
     return page.locator(".edit-text").inner_text().replace("\xa0", " ")
 
 
+def length_in(text: str) -> float:
+    """The length at the beginning of a status line, m."""
+    return float(text.split(" m")[0])
+
+
 def where(page: Page, name: str) -> np.ndarray[Any, Any]:
     """Where a thing is on the page, px."""
     place = page.evaluate("(name) => cdpr.where(name)", name)
@@ -39,7 +44,8 @@ def where(page: Page, name: str) -> np.ndarray[Any, Any]:
 
 def numbers(page: Page) -> np.ndarray[Any, Any]:
     """The position in the number fields, m."""
-    return np.array(page.locator(".edit-thing > .edit-field input").evaluate_all("(all) => all.map((x) => x.valueAsNumber)"))
+    fields = page.locator(".edit-thing > .edit-field input")
+    return np.array(fields.evaluate_all("(all) => all.map((x) => x.valueAsNumber)"))
 
 
 def edit(page: Page) -> None:
@@ -97,18 +103,13 @@ def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Pa
     moved = numbers(live)
     assert 0.27 < math.dist(moved, PILLAR) < 0.33
     after = settled(live)
-    assert re_length(after) != re_length(before)
+    assert length_in(after) != length_in(before)
     files = [tmp_path / "scene.toml", tmp_path / "path.json"]
     for file, what in zip(files, ["scene (TOML)", "path (JSON)"], strict=True):
         saved(live, what).save_as(file)
     check(*files)
     assert cdpr.Scene.load(files[0]).to_dict()["obstacles"][0]["position"] == moved.tolist()
-    assert json.loads(files[1].read_text())["cost"] == pytest.approx(re_length(after), abs=1e-3)
-
-
-def re_length(text: str) -> float:
-    """The length at the beginning of a status line, m."""
-    return float(text.split(" m")[0])
+    assert json.loads(files[1].read_text())["cost"] == pytest.approx(length_in(after), abs=1e-3)
 
 
 def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
