@@ -27,6 +27,8 @@ HOW = (
 MOST_BYTES = 2_000_000
 DESK = (1280, 800)
 PHONE = (390, 800)
+# What the page itself has made: nothing is fetched.
+INSIDE = ("data:", "blob:")
 HOSTILE = [
     "</script><script>window.hacked = 1</script>",
     "<img src=x onerror='window.hacked = 1'>",
@@ -77,7 +79,7 @@ def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) 
         page.on("console", lambda message: complain(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: complain(str(error)))
         page.on("dialog", lambda dialog: (complain(f"dialog {dialog.message}"), dialog.dismiss()))
-        page.on("request", lambda r: None if r.url == own or r.url[:5] == "data:" else complain(f"request {r.url}"))
+        page.on("request", lambda r: None if r.url == own or r.url[:5] in INSIDE else complain(f"request {r.url}"))
         page.goto(own)
         wait_until(page, "Boolean(window.cdprViewer?.ready)")
         pages.append(page)

@@ -3,6 +3,8 @@
 import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
 import { showCard } from './card.js';
+import { createEdit } from './edit/edit.js';
+import { rememberPage } from './edit/save.js';
 import { createFrame } from './frame.js';
 import { createGizmo } from './gizmo.js';
 import { createDrop, createGrid, gridStep } from './ground.js';
@@ -138,28 +140,36 @@ function otherNames({ regions, path, trajectory }) {
   };
 }
 
+// Names at their places, which are returned by kind and name.
 function addNames(model, frame, labels, layers, isCut) {
+  const anchors = new Map();
+  const add = (key, name, at, ...how) => {
+    anchors.set(key, { at, first: at.clone() });
+    labels.add(name, at, ...how);
+  };
   for (const { name, parts } of model.obstacles) {
     const box = new Box3().setFromPoints(parts.flatMap(({ vertices }) => vertices.map((v) => frame.point(v))));
     const centre = box.getCenter(new Vector3());
     const part = layers.obstacles.parts[name];
     const seen = { get visible() { return layers.obstacleNames.visible && part.visible && !isCut(centre); } };
-    labels.add(name, centre, seen);
+    add(`obstacle ${name}`, name, centre, seen);
   }
   let lit = null;
   watchSpotlight('names', (index) => { lit = index; });
   model.cables.forEach(({ name, outlet }, i) => {
     const place = frame.point(outlet);
     const seen = { get visible() { return (layers.cableNames.visible && !isCut(place)) || lit === i; } };
-    labels.add(shortName(name), place, seen, `cable of-${cableRole(i)}`);
+    add(`cable ${name}`, shortName(name), place, seen, `cable of-${cableRole(i)}`);
   });
+  return anchors;
 }
 
 // The lengths of the gaps, and whether the reader sees the obstacles at them.
-function addGaps({ gaps, see }, labels, layers) {
+function addGaps(drawn, labels, layers) {
+  const { gaps, see } = drawn.highlight;
   see((name) => layers.obstacles.parts?.[name] === undefined || (layers.obstacles.visible && layers.obstacles.parts[name].visible));
   for (const { group, middle, text } of gaps) {
-    labels.add(text, middle, { get visible() { return layers.nearest.visible && group.visible; } }, 'gap');
+    labels.add(text, middle, { get visible() { return !drawn.outdated && layers.nearest.visible && group.visible; } }, 'gap');
   }
 }
 
@@ -289,15 +299,15 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
-  addNames(model, frame, labels, layers, stage.isCut);
-  addGaps(drawn.highlight, labels, layers);
+  drawn.anchors = addNames(model, frame, labels, layers, stage.isCut);
+  addGaps(drawn, labels, layers);
   watchSpotlight('cables', (index) => {
     drawn.cables.light(index);
     stage.invalidate();
   });
   if (noPath) addWalls(noPath, layers, stage.invalidate);
   for (const { text, anchor, of } of noPath?.labels ?? []) {
-    labels.add(text, anchor, { get visible() { return layers.nearestReachable.visible && of.visible; } });
+    labels.add(text, anchor, { get visible() { return !drawn.outdated && layers.nearestReachable.visible && of.visible; } });
   }
   const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
@@ -388,11 +398,11 @@ function progressOf({ playback }) {
   return { share: length > 0 ? playback.distance() / length : 0, playing: playback.playing() };
 }
 
-/** Shows a model in place of the one before; camera, colours, switches and the place along the path stay. */
-function createShow() {
+/** Shows models one after the other; camera, colours, switches and the place along the path stay. */
+function createApp() {
   let setting = null;
   let current = null;
-  return (model) => {
+  const show = (model) => {
     const before = current;
     const { share, playing } = before ? progressOf(before) : { share: 0, playing: false };
     before?.session.abort();
@@ -412,14 +422,16 @@ function createShow() {
     before?.view.remove();
     publish(view, connected);
     current = { ...connected, model, view, session, setting };
-    return current;
   };
+  return { show, current: () => current };
 }
 
 function start() {
-  const raw = JSON.parse(document.getElementById('cdpr-data').textContent);
-  const show = createShow();
-  show(readModel(raw));
+  const { live, ...page } = JSON.parse(document.getElementById('cdpr-data').textContent);
+  const fill = live ? rememberPage() : null;
+  const app = createApp();
+  app.show(readModel(page));
+  if (live) createEdit(app, live, page, fill);
 }
 
 try {

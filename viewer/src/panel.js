@@ -199,7 +199,7 @@ export function showViolations(violations, { placeOf, length }, onPick) {
 /** How much of the window panel and bar cover at each side, px. */
 export function coveredMargins() {
   const topOf = (id) => (byId(id).getBoundingClientRect().height > 0 ? byId(id).getBoundingClientRect().top : window.innerHeight);
-  const tools = byId('tools').getBoundingClientRect().bottom;
+  const tools = Math.max(...['tools', 'edit'].map((id) => byId(id)?.getBoundingClientRect().bottom ?? 0));
   if (window.matchMedia(NARROW).matches) {
     const top = Math.min(...['bar', 'tabs'].map(topOf));
     return { left: 0, right: 0, top: tools, bottom: window.innerHeight - top };

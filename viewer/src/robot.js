@@ -116,6 +116,7 @@ function createColors(count, theme) {
 /**
  * The cables, each in its colour; `move` brings the platform end of the cables to a position and rotation of the
  * platform, `light` brings out the one with an index (null: none), `ends` has outlet and platform end of each.
+ * `moveOutlet` brings an outlet to a place; its cable is drawn there with the next `move`.
  */
 export function createCables(model, frame, theme) {
   const cables = layCables(model, frame);
@@ -159,5 +160,6 @@ export function createCables(model, frame, theme) {
 
   if (cables.length > 0) paint();
   theme.watch(paint);
-  return { parts: cables.length > 0 ? [lines, tubes, lit] : [], ends, light, move };
+  const moveOutlet = (index, place) => cables[index].outlet.copy(place);
+  return { parts: cables.length > 0 ? [lines, tubes, lit] : [], ends, light, move, moveOutlet };
 }

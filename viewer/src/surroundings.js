@@ -1,6 +1,6 @@
 // What stands still around the robot: workspace and obstacles.
 
-import { Box3, DoubleSide, LineBasicMaterial, Mesh, MeshBasicMaterial } from 'three';
+import { Box3, DoubleSide, Group, LineBasicMaterial, Mesh, MeshBasicMaterial } from 'three';
 import { MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
 import { dots, hairlines, pointGeometry, wideGeometry, wideLines } from './marks.js';
 import { buildShapes, mergeShapes, solidGeometry } from './shapes.js';
@@ -71,7 +71,10 @@ function replaceGeometry(geometry, ...objects) {
   for (const object of objects) object.geometry = geometry;
 }
 
-/** All obstacles as a handful of merged objects, however many; `show` draws those whose index is not in a set. */
+/**
+ * All obstacles as a handful of merged objects, however many; `show` draws those whose index is not in a set, `move`
+ * shifts one from where it was drawn.
+ */
 export function createObstacles(model, frame, theme) {
   const all = model.obstacles.map(({ parts }) => buildShapes(parts, (v) => frame.point(v)));
   const [depth, color] = translucentSolid(theme);
@@ -93,6 +96,39 @@ export function createObstacles(model, frame, theme) {
     marks.visible = shapes.dots.length > 0;
   }
 
+  const merged = [depth, color, edges, bars, marks];
+  const apart = new Group();
+  const lifted = new Map();
+  let hiddenNow = new Set();
+
+  // The objects of one obstacle, which moves by itself.
+  function lift(index) {
+    const shapes = all[index];
+    const solid = solidGeometry(shapes);
+    const group = new Group();
+    const pieces = [solid, solid, pointGeometry(shapes.edges), wideGeometry(shapes.segments), pointGeometry(shapes.dots)];
+    merged.forEach((object, i) => {
+      const piece = object.clone();
+      piece.geometry = pieces[i];
+      piece.visible = i < 3 || [shapes.segments, shapes.dots][i - 3].length > 0;
+      group.add(piece);
+    });
+    lifted.set(index, group);
+    apart.add(group);
+    showAll(hiddenNow);
+  }
+
+  function showAll(hidden) {
+    hiddenNow = hidden;
+    show(new Set([...hidden, ...lifted.keys()]));
+    for (const [index, group] of lifted) group.visible = !hidden.has(index);
+  }
+
+  function move(index, by) {
+    if (!lifted.has(index)) lift(index);
+    lifted.get(index).position.copy(by);
+  }
+
   show(new Set());
-  return { objects: all.length > 0 ? [depth, color, edges, bars, marks] : [], show };
+  return { objects: all.length > 0 ? [...merged, apart] : [], show: showAll, move };
 }

@@ -315,3 +315,14 @@ export function describeViolation(violation, distance) {
   const where = violation.time === null ? place : `at ${timeAxis.format(violation.time)}\u00a0s`;
   return `${describeEvent(violation)} ${where}${describeGap(violation)}`;
 }
+
+/** What is wrong with a position, in one sentence: "platform meets pillar, 225 mm deep". */
+export const describeInvalid = (violation) => `${describeEvent(violation)}${describeGap(violation)}`;
+
+/** How much longer a path may be than the shortest: "at most 3.1 % above the shortest". */
+export function describeExcess(cost, bound) {
+  const share = (100 * (cost - bound)) / bound;
+  if (!(share >= 0) || !Number.isFinite(share)) return '';
+  if (share < 0.01) return 'the shortest there is';
+  return `at most ${Number(share.toPrecision(2))}\u00a0% above the shortest`;
+}

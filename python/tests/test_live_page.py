@@ -1,0 +1,315 @@
+"""The page that plans, in a real browser: things are dragged with the pointer, and the path follows."""
+
+import contextlib
+import json
+import math
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import program
+from pages import HOSTILE, PHONE, SCENES, Open, wait_until
+from playwright.sync_api import Browser, Download, Page
+
+import cdpr
+
+STATUS = "document.querySelector('.edit-status')"
+SETTLED = f"['good', 'bad'].includes({STATUS}.dataset.kind) && !{STATUS}.classList.contains('busy')"
+PILLAR = [1.0, 1.0, 0.75]
+
+
+def settled(page: Page, seconds: float = 30.0) -> str:
+    """Waits for the answer and returns what the page says about it."""
+    wait_until(page, SETTLED, seconds)
+    return status(page)
+
+
+def status(page: Page) -> str:
+    return page.locator(".edit-text").inner_text().replace("\xa0", " ")
+
+
+def length_in(text: str) -> float:
+    """The length at the beginning of a status line, m."""
+    return float(text.split(" m")[0])
+
+
+def where(page: Page, name: str) -> np.ndarray[Any, Any]:
+    """Where a thing is on the page, px."""
+    place = page.evaluate("(name) => cdpr.where(name)", name)
+    return np.array([place["x"], place["y"]])
+
+
+def numbers(page: Page) -> np.ndarray[Any, Any]:
+    """The position in the number fields, m."""
+    fields = page.locator(".edit-thing > .edit-field input")
+    return np.array(fields.evaluate_all("(all) => all.map((x) => x.valueAsNumber)"))
+
+
+def edit(page: Page) -> None:
+    page.keyboard.press("e")
+    assert page.locator("#edit-toggle").inner_text() == "Done"
+
+
+def drag_pillar(page: Page, by: tuple[float, float]) -> None:
+    """Presses on the pillar and moves the pointer until it has moved by x and y, m; the button stays down."""
+    at = where(page, "pillar")
+    page.mouse.move(*at)
+    page.mouse.down()
+    page.mouse.move(*(at + [6, 0]))
+    begin, first = np.array(PILLAR), None
+    columns = []
+    for step in [(0, 0), (60, 0), (0, 60)]:
+        page.mouse.move(*(at + step), steps=4)
+        page.wait_for_timeout(120)
+        first = numbers(page) if first is None else first
+        columns.append((numbers(page) - first)[:2] / 60)
+    place = at
+    for steps in [12, 2, 2]:
+        rest = np.asarray(by) - (numbers(page) - begin)[:2] if steps == 2 else by
+        place = place + np.linalg.solve(np.array(columns[1:]).T, rest)
+        page.mouse.move(*place, steps=steps)
+        page.wait_for_timeout(200)
+
+
+def saved(page: Page, what: str) -> Download:
+    """Saves by the menu."""
+    page.locator("summary", has_text="save").click()
+    with page.expect_download() as download:
+        page.get_by_role("button", name=what).click()
+    return download.value
+
+
+def check(scene: Path, path: Path) -> None:
+    """As `cdpr check`."""
+    done = subprocess.run([program(), "check", scene, path], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.fixture
+def live(open_page: Open, hard1: cdpr.Scene) -> Page:
+    page = open_page(hard1, cdpr.plan(hard1, seed=0))
+    edit(page)
+    return page
+
+
+def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Path) -> None:
+    before = settled(live)
+    drag_pillar(live, (0.3, 0.0))
+    assert np.allclose(numbers(live), [1.3, 1.0, 0.75], atol=0.011)
+    live.mouse.up()
+    moved = numbers(live)
+    assert 0.27 < math.dist(moved, PILLAR) < 0.33
+    after = settled(live)
+    assert length_in(after) != length_in(before)
+    files = [tmp_path / "scene.toml", tmp_path / "path.json"]
+    for file, what in zip(files, ["scene (TOML)", "path (JSON)"], strict=True):
+        saved(live, what).save_as(file)
+    check(*files)
+    assert cdpr.Scene.load(files[0]).to_dict()["obstacles"][0]["position"] == moved.tolist()
+    assert json.loads(files[1].read_text())["cost"] == pytest.approx(length_in(after), abs=1e-3)
+
+
+def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
+    before = (settled(live), live.evaluate("document.querySelector('#status').textContent"))
+    drag_pillar(live, (0.1, 0.1))
+    wait_until(live, "document.querySelector('.edit-text').textContent.includes('above the shortest')")
+    live.mouse.up()
+    settled(live)
+    moved = numbers(live)
+    live.keyboard.press("Control+z")
+    assert (settled(live), live.evaluate("document.querySelector('#status').textContent")) == before
+    assert numbers(live).tolist() == PILLAR
+    assert live.get_by_role("button", name="undo").is_disabled()
+    live.keyboard.press("Control+y")
+    settled(live)
+    assert numbers(live).tolist() == moved.tolist()
+
+
+def test_escape_cancels_a_drag(live: Page) -> None:
+    before = settled(live)
+    drag_pillar(live, (0.3, 0.3))
+    live.keyboard.press("Escape")
+    live.mouse.up()
+    assert settled(live) == before
+    assert numbers(live).tolist() == PILLAR
+    assert live.get_by_role("button", name="undo").is_disabled()
+
+
+def test_things_move_along_arrows_vertically_by_keys_and_by_typing(live: Page) -> None:
+    settled(live)
+    live.mouse.click(*where(live, "pillar"))
+    for key, moved in [("ArrowRight", [0.01, 0, 0]), ("ArrowUp", [0.01, 0.01, 0]), ("PageUp", [0.01, 0.01, 0.01])]:
+        live.keyboard.press(key)
+        assert np.allclose(numbers(live), np.array(PILLAR) + moved)
+    live.keyboard.press("Shift+ArrowDown")
+    assert np.allclose(numbers(live), [1.01, 1.01, 0.75])
+    fields = live.locator(".edit-thing > .edit-field input")
+    fields.nth(0).fill("1.123")
+    fields.nth(0).press("Enter")
+    assert numbers(live)[0] == 1.123
+    at = where(live, "pillar")
+    live.mouse.move(*at)
+    live.keyboard.down("Shift")
+    live.mouse.down()
+    live.mouse.move(*(at - [0, 40]), steps=5)
+    live.keyboard.up("Shift")
+    live.mouse.up()
+    x, y, z = numbers(live)
+    assert (x, y) == (1.123, 1.01) and z > 0.8
+    settled(live)
+
+
+def test_an_invalid_goal_says_why_and_offers_the_nearest_place(live: Page) -> None:
+    settled(live)
+    live.mouse.click(*where(live, "goal"))
+    for field, value in enumerate(["1", "1", "1"]):
+        live.locator(".edit-thing > .edit-field input").nth(field).fill(value)
+        live.locator(".edit-thing > .edit-field input").nth(field).press("Enter")
+    wait_until(live, "document.querySelector('.edit-text').textContent.includes('platform meets pillar')")
+    assert status(live).startswith("goal not valid: platform meets pillar, 2")
+    assert status(live).endswith(" mm deep")
+    assert not live.locator("#plots").is_visible() or live.locator("html.outdated").count() == 1
+    live.get_by_role("button", name="move to the nearest valid place").click()
+    assert "above the shortest" in settled(live) or "the shortest there is" in status(live)
+    assert not live.get_by_role("button", name="move to the nearest valid place").is_visible()
+
+
+def test_boxes_are_added_and_removed(live: Page) -> None:
+    before = settled(live)
+    live.get_by_role("button", name="+ box").click()
+    settled(live)
+    assert "box 1" in live.locator(".legend-name").all_inner_texts()
+    assert live.locator(".edit-name").inner_text() == "box 1"
+    live.keyboard.press("Delete")
+    settled(live)
+    assert "box 1" not in live.locator(".legend-name").all_inner_texts()
+    live.keyboard.press("Control+z")
+    live.keyboard.press("Control+z")
+    assert settled(live) == before
+
+
+def test_the_changed_page_is_saved_as_one_file(live: Page, open_page: Open, tmp_path: Path) -> None:
+    settled(live)
+    cost = live.evaluate("cdpr.move('pillar', [1.1, 1.1, 0.75])")["cost"]
+    saved(live, "this page (HTML)").save_as(tmp_path / "changed.html")
+    again = open_page(tmp_path / "changed.html", file="again.html")
+    assert again.evaluate("cdprViewer.length") == pytest.approx(cost)
+    edit(again)
+    again.mouse.click(*where(again, "pillar"))
+    assert numbers(again).tolist() == [1.1, 1.1, 0.75]
+    assert again.evaluate("cdpr.plan({ seed: 0 })")["cost"] == pytest.approx(cost, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", ["hard1", "hard3", "concave"])
+def test_the_page_plans_as_the_program_does(open_page: Open, name: str) -> None:
+    scene = cdpr.Scene.load(SCENES / f"{name}.toml")
+    page = open_page(scene, cdpr.plan(scene, seed=0))
+    for seed in [0, 3]:
+        native = cdpr.plan(scene, seed=seed)
+        found = page.evaluate("(seed) => cdpr.plan({ seed })", seed)
+        assert found["status"] == "solved"
+        assert found["cost"] == pytest.approx(native.cost, rel=1e-12)
+        assert np.allclose(found["waypoints"], native.waypoints, rtol=0, atol=1e-12)
+
+
+def test_plans_with_other_ends_are_shown(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1, cdpr.plan(hard1, seed=0))
+    start, goal = [0.5, 1.0, 1.6], [1.0, 1.6, 1.6]
+    found = page.evaluate("(ends) => cdpr.plan(ends)", {"start": start, "goal": goal})
+    assert found["cost"] == pytest.approx(cdpr.plan(hard1, start=start, goal=goal, seed=0).cost, rel=1e-12)
+    page.evaluate("cdprViewer.setDistance(0)")
+    assert page.evaluate("cdprViewer.position()") == start
+    assert page.evaluate("cdprViewer.length") == pytest.approx(found["cost"])
+
+
+def test_the_last_of_many_moves_wins(live: Page) -> None:
+    answers = live.evaluate("""() => Promise.all(
+        Array.from({ length: 30 }, (_, k) => cdpr.move('pillar', [1, 0.85 + k / 100, 0.75])))""")
+    *others, last = [answer["status"] for answer in answers]
+    assert last == "solved" and set(others) == {"superseded"}
+    live.wait_for_timeout(500)
+    assert live.evaluate("cdprViewer.length") == pytest.approx(answers[-1]["cost"])
+    assert f"{answers[-1]['cost']:.3f} m" in status(live)
+
+
+def test_unknown_and_hostile_names(open_page: Open, hard1: cdpr.Scene) -> None:
+    spec = hard1.to_dict()
+    side = {"box": [0.1, 0.1, 0.1]}
+    spec["obstacles"] = [{"name": n, **side, "position": [1.0, 1.0, 0.2 + 0.3 * k]} for k, n in enumerate(HOSTILE)]
+    scene = cdpr.Scene.from_dict(spec)
+    page = open_page(scene, cdpr.plan(scene, seed=0))
+    message = page.evaluate("cdpr.move('toString', [1, 1, 1]).catch((error) => error.message)")
+    assert message.startswith('there is no obstacle "toString"; there are "')
+    edit(page)
+    for name in HOSTILE:
+        to = [0.5, 1.5, 1.0]
+        assert page.evaluate("([name, to]) => cdpr.move(name, to)", [name, to])["status"] == "solved"
+        page.mouse.click(*where(page, name))
+        assert page.locator(".edit-name").inner_text() == name
+        assert page.evaluate("([name, to]) => cdpr.move(name, to)", [name, [1.9, 0.1, 0.1]])["status"] == "solved"
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("#edit img, #edit script, #edit svg[onload]").count() == 0
+
+
+def test_a_finger_selects_before_it_moves(browser: Browser, hard1: cdpr.Scene, tmp_path: Path) -> None:
+    with phone(browser, hard1, tmp_path) as page:
+        page.locator("#edit-toggle").tap()
+        at, goal = where(page, "pillar"), where(page, "goal")
+        swipe(page, at, at + [60, 0])
+        assert page.locator(".edit-thing.none").count() == 1
+        assert np.abs(where(page, "goal") - goal).max() > 5  # the view has turned
+        page.touchscreen.tap(*where(page, "pillar"))
+        assert page.locator(".edit-name").inner_text() == "pillar"
+        assert numbers(page).tolist() == PILLAR
+        at = where(page, "pillar") + [0, 20]
+        swipe(page, at, at + [40, 0])
+        settled(page)
+        assert math.dist(numbers(page), PILLAR) > 0.05
+        for button in page.locator("#edit button:visible").all():
+            box = button.bounding_box()
+            assert box and min(box["width"], box["height"]) >= 43.5
+
+
+def swipe(page: Page, start: Any, end: Any) -> None:
+    """A finger that goes from one place to another."""
+    session = page.context.new_cdp_session(page)
+
+    def touch(kind: str, *places: Any) -> None:
+        points = [{"x": float(x), "y": float(y)} for x, y in places]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    touch("touchStart", start)
+    for share in np.linspace(0.1, 1, 10):
+        touch("touchMove", np.asarray(start) + share * (np.asarray(end) - start))
+        page.wait_for_timeout(30)
+    touch("touchEnd")
+    page.wait_for_timeout(300)
+
+
+@contextlib.contextmanager
+def phone(browser: Browser, scene: cdpr.Scene, folder: Path, script: str = "") -> Iterator[Page]:
+    cdpr.save_view(folder / "phone.html", scene, cdpr.plan(scene, seed=0))
+    size = {"width": PHONE[0], "height": PHONE[1]}
+    context = browser.new_context(viewport=size, has_touch=True, is_mobile=True)
+    page = context.new_page()
+    problems: list[str] = []
+    page.on("pageerror", lambda error: problems.append(str(error)))
+    if script:
+        page.add_init_script(script)
+    page.goto((folder / "phone.html").as_uri())
+    wait_until(page, "Boolean(window.cdprViewer?.ready)")
+    yield page
+    context.close()
+    assert problems == []
+
+
+@pytest.mark.parametrize("lacking", ["WebAssembly", "Worker", "DecompressionStream"])
+def test_what_the_browser_lacks_is_said(browser: Browser, hard1: cdpr.Scene, tmp_path: Path, lacking: str) -> None:
+    with phone(browser, hard1, tmp_path, f"delete window.{lacking}") as page:
+        assert page.locator("#edit-toggle").count() == 0
+        said = page.locator("#edit-missing").inner_text()
+        assert said.startswith("Editing is not available: this browser, or this private window, lacks ")
+        assert page.evaluate("cdpr.plan({}).catch((error) => error.message)") == said

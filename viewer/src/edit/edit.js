@@ -1,0 +1,355 @@
+// Editing: things are moved in the picture or by typing, and the path follows.
+
+import { readModel } from '../data.js';
+import * as edited from './document.js';
+import { createHandles } from './handles.js';
+import { createHistory } from './history.js';
+import { markOutdated, moveDrawn } from './picture.js';
+import { createPlanner, missing } from './planner.js';
+import { createPlanning, SUPERSEDED } from './planning.js';
+import { saveFile } from './save.js';
+import { createToolbar, showMissing } from './toolbar.js';
+
+const STEP = 0.01;
+// A new box, as a share of the workspace.
+const NEW_BOX = 0.12;
+
+const isTyping = (target) => target instanceof Element && target.closest('input, select, textarea') !== null;
+
+// The scene as the page shows it: a path may have other ends than the scene's own.
+function shownScene({ scene, options }, page) {
+  const ends = Object.fromEntries(['start', 'goal'].filter((end) => page[end]).map((end) => [end, page[end]]));
+  return { scene: { ...scene, query: { ...scene.query, ...ends } }, options };
+}
+
+const round = (x) => Math.round(x * 100) / 100;
+
+// Steps of the keys that move a thing: axis and sign.
+function stepOf({ key, shiftKey }) {
+  if (shiftKey) return { ArrowUp: [2, 1], ArrowDown: [2, -1] }[key];
+  const flat = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1] };
+  return { ...flat, PageUp: [2, 1], PageDown: [2, -1] }[key];
+}
+
+const briefly = ({ status, cost, waypoints, milliseconds }) => ({ status, cost, waypoints, milliseconds });
+
+/** Makes the page editable; `app` has `show(model)` and `current()`, `page` is its data without `live`. */
+export function createEdit(app, live, page, fill) {
+  const lack = missing();
+  if (lack) {
+    showMissing(lack);
+    publishLack(lack);
+    return;
+  }
+  const { scene: first, options } = shownScene(live, page);
+  const { setting } = app.current();
+  const history = createHistory(first);
+  let active = false;
+  let drag = null;
+  let frame = 0;
+
+  const planning = createPlanning({ planner: createPlanner(), scene: first, page, options, draw, tell });
+  const cables = page.cables ?? [];
+  const things = () => edited.thingsOf(planning.scene, cables);
+  const size = () => page.workspace.max.map((high, i) => high - page.workspace.min[i]);
+
+  const toolbar = createToolbar({
+    toggle: () => setActive(!active),
+    undo,
+    redo,
+    addBox,
+    remove: removeSelected,
+    setPlanner: (planner) => {
+      // Other settings belong to the planner before.
+      planning.setOptions({ planner, gap: undefined, post: undefined, settings: undefined });
+      quietly(apply(planning.scene, { again: true }));
+    },
+    setOrientation: (name) => commit(edited.setOrientation(planning.scene, name)),
+    setClearance: (value) => commit(edited.setClearance(planning.scene, value)),
+    setCoordinate,
+    setSide,
+    moveToNearest,
+    stop: planning.stop,
+    save,
+  }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first) });
+
+  const source = {
+    things,
+    placeOf: (thing) => edited.placeOf(planning.scene, thing) ?? edited.placeOf(planning.shownScene, thing) ?? [0, 0, 0],
+    shownAt: (thing) => edited.placeOf(planning.shownScene, thing) ?? edited.placeOf(planning.scene, thing),
+    model: () => app.current().model,
+    frame: () => app.current().view.frame,
+    limits,
+    isVisible,
+  };
+  const handles = setting.stage ? createHandles(setting, source, { select: showAll, drag: onDrag }) : null;
+
+  // Twice as far as the workspace reaches.
+  function limits() {
+    const { min, max } = page.workspace;
+    return { min: min.map((low, i) => low - size()[i] / 2), max: max.map((high, i) => high + size()[i] / 2) };
+  }
+
+  function isVisible({ kind, id }) {
+    const { layers } = app.current().view;
+    if (kind === 'end') return layers.startGoal.visible;
+    if (kind === 'outlet') return layers.outlets.visible;
+    return layers.obstacles.visible && (layers.obstacles.parts?.[id]?.visible ?? true);
+  }
+
+  // Shows a page that belongs to a scene; `fresh` if that is the scene as it is, "path" if only its path is.
+  function draw(newPage, scene, fresh) {
+    const { path } = newPage;
+    app.show(readModel(newPage));
+    mark({ outdated: fresh !== true, dimmed: !fresh && Boolean(path) });
+    adjust();
+    handles?.refresh();
+  }
+
+  const mark = (how) => {
+    markOutdated(app.current().view.drawn, how);
+    setting.stage?.invalidate();
+  };
+
+  // Moves what is drawn to where it is now.
+  function adjust() {
+    const { view, playback } = app.current();
+    if (!view.drawn) return;
+    for (const thing of things().filter(planning.hasMoved)) {
+      const from = edited.placeOf(planning.shownScene, thing);
+      const to = edited.placeOf(planning.scene, thing);
+      if (from && to) moveDrawn({ ...view, model: app.current().model }, thing, from, to);
+    }
+    playback.setDistance(playback.distance());
+  }
+
+  // What is in the way at start and goal.
+  function badThings({ invalid }) {
+    const names = new Set(invalid.flatMap(({ end, violation }) => [end, ...violation.culprits]));
+    return things().filter(({ kind, name }) => kind !== 'outlet' && names.has(name));
+  }
+
+  function tell(state) {
+    toolbar.showState(state);
+    if (active || state.invalid.length === 0) handles?.setBad(badThings(state));
+    showAll();
+  }
+
+  function showAll() {
+    const { scene } = planning ?? {};
+    if (!scene) return;
+    const thing = handles?.selected ?? null;
+    const place = thing && edited.placeOf(scene, thing);
+    const isObstacle = thing?.kind === 'obstacle' && place !== null;
+    toolbar.showThing(active && place ? thing : null, place, isObstacle ? edited.boxSize(scene, thing.id) : null);
+    const { clearance = 0, query } = scene;
+    const canSave = Boolean(planning.answer?.path);
+    const tools = { canUndo: history.canUndo, canRedo: history.canRedo, canRemove: isObstacle, canSave };
+    toolbar.showTools({ ...tools, clearance, orientation: query?.orientation });
+  }
+
+  // Goes on with a scene; a promise of the plan's answer.
+  function apply(scene, how) {
+    const answer = planning.change(scene, how);
+    if (!planning.answer) mark({ outdated: true, dimmed: true });
+    adjust();
+    handles?.place();
+    showAll();
+    return answer;
+  }
+
+  const quietly = (promise) => promise.catch(() => {});
+
+  // One step of the history.
+  function commit(scene, how) {
+    history.push(scene);
+    return quietly(apply(scene, how));
+  }
+
+  function undo() {
+    if (handles?.cancel() || !history.undo()) return;
+    quietly(apply(history.present));
+  }
+
+  function redo() {
+    if (drag || !history.redo()) return;
+    quietly(apply(history.present));
+  }
+
+  // At most once for each picture.
+  function onDrag(thing, to, phase) {
+    if (phase === 'begin') drag = { thing, to };
+    if (phase === 'move') {
+      drag.to = to;
+      frame ||= requestAnimationFrame(() => {
+        frame = 0;
+        if (drag) quietly(apply(edited.moveThing(planning.scene, thing, drag.to), { dragging: true }));
+      });
+    }
+    if (phase === 'end' || phase === 'cancel') endDrag(thing, phase === 'end');
+  }
+
+  function endDrag(thing, keep) {
+    const { to } = drag;
+    cancelAnimationFrame(frame);
+    frame = 0;
+    drag = null;
+    const isThere = String(edited.placeOf(planning.scene, thing)) === String(to);
+    if (keep) commit(isThere ? planning.scene : edited.moveThing(planning.scene, thing, to));
+    else quietly(apply(history.present));
+  }
+
+  function setCoordinate(axis, value) {
+    const thing = handles?.selected;
+    const to = thing && edited.placeOf(planning.scene, thing).map((x, i) => (i === axis ? value : x));
+    if (to) commit(edited.moveThing(planning.scene, thing, to));
+  }
+
+  function setSide(side, value) {
+    const { id } = handles?.selected ?? {};
+    const sides = edited.boxSize(planning.scene, id).map((x, i) => (i === side ? value : x));
+    commit(edited.resizeBox(planning.scene, id, sides));
+  }
+
+  function addBox() {
+    const middle = page.workspace.min.map((low, i) => round(low + size()[i] / 2));
+    const sides = size().map((x) => Math.max(0.001, round(NEW_BOX * x)));
+    const { scene, name } = edited.addBox(planning.scene, sides, middle);
+    commit(scene);
+    handles?.select({ kind: 'obstacle', id: name, name });
+  }
+
+  function removeSelected() {
+    const thing = handles?.selected;
+    if (thing?.kind !== 'obstacle') return;
+    handles.select(null);
+    commit(edited.removeObstacle(planning.scene, thing.id));
+  }
+
+  // Ends go where they are valid.
+  function moveToNearest(invalid) {
+    const ends = invalid.filter(({ nearest }) => nearest);
+    commit(ends.reduce((scene, { end, nearest }) => edited.moveEnd(scene, end, nearest), planning.scene));
+  }
+
+  async function save(what) {
+    const { title = 'scene' } = page;
+    if (what === 'scene') saveFile(await planning.toml(), title, '.toml', 'application/toml');
+    const { answer } = planning;
+    if (what === 'path') saveFile(`${JSON.stringify(answer.path, null, 2)}\n`, title, '.path.json', 'application/json');
+    if (what === 'page') {
+      const data = { ...answer.page, live: { ...live, scene: planning.scene, options: planning.options } };
+      saveFile(fill(data), title, '.html', 'text/html');
+    }
+  }
+
+  function setActive(value) {
+    active = value;
+    toolbar.setActive(active);
+    handles?.setActive(active);
+    // Makes room for the bar, if the reader has not turned the view.
+    setting.stage?.resize();
+    showAll();
+    if (!active) {
+      handles?.setBad([]);
+      return;
+    }
+    planning.check();
+    const { query } = planning.scene;
+    if (!planning.answer && query?.start && query?.goal) quietly(apply(planning.scene));
+  }
+
+  // Moves the selected thing by a centimetre; while the key is held it is one step of the history.
+  function nudge(event) {
+    const thing = handles?.selected;
+    const step = stepOf(event);
+    if (!thing || !step || drag) return false;
+    const [axis, sign] = step;
+    const to = edited.placeOf(planning.scene, thing).map((x, i) => (i === axis ? x + sign * STEP : x));
+    const scene = edited.moveThing(planning.scene, thing, to);
+    if (event.repeat) history.replace(scene);
+    else history.push(scene);
+    quietly(apply(scene, { dragging: event.repeat }));
+    return true;
+  }
+
+  function onShortcut({ key, shiftKey }) {
+    const name = key.toLowerCase();
+    if (name === 'z') (shiftKey ? redo : undo)();
+    else if (name === 'y') redo();
+    else return false;
+    return true;
+  }
+
+  function escape() {
+    if (handles?.cancel()) return true;
+    if (!handles?.selected) return false;
+    handles.select(null);
+    return true;
+  }
+
+  function onKey(event) {
+    const { key, target } = event;
+    if (isTyping(target) && !(target.type === 'range' || target.type === 'checkbox')) return false;
+    if (event.ctrlKey || event.metaKey) return active && !event.altKey && onShortcut(event);
+    if (event.altKey) return false;
+    if (key.toLowerCase() === 'e' && !event.repeat) {
+      setActive(!active);
+      return true;
+    }
+    if (!active || target.type === 'range') return false;
+    if (key === 'Escape') return escape();
+    if ((key === 'Delete' || key === 'Backspace') && handles?.selected?.kind === 'obstacle') {
+      removeSelected();
+      return true;
+    }
+    return nudge(event);
+  }
+
+  window.addEventListener('keydown', (event) => {
+    if (!onKey(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  }, { capture: true });
+  window.addEventListener('keyup', (event) => {
+    if (stepOf(event) && active && !drag && planning.isSketched) quietly(apply(planning.scene));
+  });
+
+  const where = (name) => {
+    const thing = things().find((one) => one.name === name);
+    return (thing && handles?.where(thing)) ?? null;
+  };
+  publish({ planning, history, apply, where });
+  showAll();
+}
+
+// For scripts: plans with other ends, moves obstacles, and tells where things are on the page, px.
+function publish({ planning, history, apply, where }) {
+  const step = async (scene, how) => {
+    history.push(scene);
+    const answer = await apply(scene, how);
+    return answer === SUPERSEDED ? { ...SUPERSEDED } : briefly(answer);
+  };
+  const plan = async ({ start, goal, seed, budgetMs } = {}) => {
+    if (seed !== undefined) planning.setOptions({ seed });
+    const ends = Object.entries({ start, goal }).filter(([, at]) => at);
+    const scene = ends.reduce((before, [end, at]) => edited.moveEnd(before, end, [...at]), planning.scene);
+    return step(scene, { budget: budgetMs, again: true });
+  };
+  const move = async (obstacle, position) => {
+    const { scene } = planning;
+    if (!edited.hasObstacle(scene, obstacle)) {
+      const known = edited.obstacleNames(scene).map((name) => `"${name}"`).join(', ');
+      throw new Error(`there is no obstacle "${obstacle}"; there ${known ? `are ${known}` : 'are none'}`);
+    }
+    return step(edited.moveThing(scene, { kind: 'obstacle', id: obstacle }, [...position]));
+  };
+  window.cdpr = { plan, move, where };
+}
+
+function publishLack(sentence) {
+  const lacking = async () => {
+    throw new Error(sentence);
+  };
+  window.cdpr = { plan: lacking, move: lacking };
+}

@@ -1,0 +1,254 @@
+// Plans while the scene changes: quickly while something is dragged, fully afterwards. Only the newest scene counts.
+
+import { orientationNames, pageOf, placeOf, thingsOf } from './document.js';
+
+/** The answer to whoever asked for a plan that a later change has made pointless. */
+export const SUPERSEDED = { status: 'superseded', cost: null, waypoints: [], milliseconds: 0 };
+
+const SKETCH = { planner: 'rrt-connect', budget_ms: 40, proof: false };
+
+const ENDS = ['start', 'goal'];
+
+// A picture that takes longer to build than this, ms, waits until the thing is let go; so do those of so many obstacles.
+const LONGEST = 60;
+const MANY = 200;
+
+const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+
+/** What of a page's path is a path file. */
+function pathFile(path) {
+  if (!path) return null;
+  const { tree, turn_weight: weight, ...file } = path;
+  return file;
+}
+
+// What is known about a path at first.
+function firstAnswer({ path, ...rest }) {
+  if (!path) return null;
+  const { status, cost = null, waypoints = [] } = path;
+  return { status, cost, waypoints, milliseconds: 0, path: pathFile(path), page: { ...rest, path } };
+}
+
+/**
+ * Plans for a scene and its changes. `draw(page, scene, fresh)` shows a page that belongs to a scene, `tell(state)`
+ * hears how it stands.
+ */
+export function createPlanning({ planner, scene: first, page, options, draw, tell }) {
+  let scene = first;
+  let revision = 0;
+  let shownRevision = 0;
+  // What is drawn: a page and the scene that it belongs to.
+  let shown = { scene: first, page };
+  let answers = new WeakMap();
+  let checked = -1;
+  let checking = false;
+  let refining = null;
+  let own = { ...options };
+  // How long the last picture took to build, ms.
+  let building = (page.obstacles ?? []).length > MANY ? Infinity : 0;
+  const initial = firstAnswer(page);
+  const state = { invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
+  if (initial) answers.set(first, initial);
+
+  function say(news) {
+    Object.assign(state, news);
+    // A path is the better witness.
+    tell(state.answer?.status === 'solved' ? { ...state, invalid: [] } : state);
+  }
+
+  function put(newPage, of, fresh) {
+    shown = { scene: of, page: newPage };
+    const begin = performance.now();
+    draw(newPage, of, fresh);
+    building = performance.now() - begin;
+  }
+
+  // A bound that holds for every path of the scene: the straight line.
+  const straight = () => ENDS.every((end) => scene.query?.[end]) ? distance(scene.query.start, scene.query.goal) : 0;
+
+  async function check() {
+    if (checking) return;
+    checking = true;
+    try {
+      while (checked !== revision) await checkOnce();
+    } catch {
+      // A scene that cannot be read: the plan's answer says why.
+      checked = revision;
+      say({ invalid: [] });
+    } finally {
+      checking = false;
+    }
+  }
+
+  async function checkOnce() {
+    const [asked, of] = [revision, scene];
+    const { place } = await planner.ready();
+    const found = [];
+    // Where the planner chooses among orientations, only it knows.
+    const open = orientationNames(of).length > 1 && !of.query?.orientation;
+    for (const end of open ? [] : ENDS) {
+      const at = of.query?.[end];
+      const orientation = page[`${end}_orientation`];
+      const answer = at && (await place.ask({ ask: 'place', scene: of, at, orientation }));
+      if (answer === null) return;
+      if (answer?.violation) found.push({ end, ...answer });
+    }
+    checked = asked;
+    if (!state.answer || asked === revision) say({ invalid: found });
+  }
+
+  function present(answer) {
+    shownRevision = revision;
+    put(answer.page, scene, true);
+    say({ answer, busy: false, best: null, error: null, stopped: false });
+  }
+
+  async function sketch() {
+    const [asked, of] = [revision, scene];
+    const { plan } = await planner.ready();
+    if (refining) return;
+    const request = { ask: 'plan', scene: of, options: { ...own, gap: undefined, post: undefined, settings: undefined, ...SKETCH }, page: true, extras: false };
+    let answer = null;
+    try {
+      answer = await plan.ask(request);
+    } catch (error) {
+      if (asked === revision) say({ error: error.message });
+    }
+    if (!answer || asked <= shownRevision || answer.waypoints.length === 0) return;
+    shownRevision = asked;
+    if (building <= LONGEST) put(answer.page, of, asked === revision);
+    say({ best: { cost: answer.cost, bound: straight(), of }, error: null });
+  }
+
+  // A better path while it is refined, drawn without what takes longer.
+  function improve({ cost, waypoints }) {
+    const known = state.best?.cost ?? Infinity;
+    if (!(cost < known)) return;
+    say({ best: { cost, bound: straight(), waypoints, of: scene } });
+    if (building > LONGEST) return;
+    const { path: before, motion } = shown.page;
+    const path = { ...before, status: 'solved', orientations: undefined, waypoints, raw_waypoints: [], cost, raw_cost: null, tree: null };
+    put({ ...pageOf(scene, shown.page, shown.scene), path, motion }, scene, 'path');
+  }
+
+  async function cancel() {
+    if (!refining) return;
+    refining = null;
+    (await planner.ready()).plan.cancel();
+  }
+
+  async function ask(asked, of, budget) {
+    const { plan } = await planner.ready();
+    if (asked !== revision) return null;
+    const token = {};
+    refining = token;
+    const limits = budget === undefined ? {} : { budget_ms: budget };
+    const request = { ask: 'plan', scene: of, options: { ...own, ...limits }, page: true, extras: true };
+    try {
+      return await plan.ask(request, (better) => asked === revision && improve(better));
+    } finally {
+      if (refining === token) refining = null;
+    }
+  }
+
+  async function refine(budget) {
+    const [asked, of] = [revision, scene];
+    say({ busy: true, stopped: false });
+    try {
+      const answer = await ask(asked, of, budget);
+      if (answer) answers.set(of, answer);
+      if (!answer || asked !== revision) return SUPERSEDED;
+      present(answer);
+      return answer;
+    } catch (error) {
+      if (asked === revision) say({ busy: false, error: error.message });
+      throw error;
+    }
+  }
+
+  // Draws things that have come or gone, with the path before.
+  function redraw() {
+    const { path, motion } = shown.page;
+    put({ ...pageOf(scene, shown.page, shown.scene), path, motion }, scene, false);
+  }
+
+  const count = (of) => thingsOf(of, []).length;
+
+  /**
+   * Goes on with a changed scene; while dragging it is planned quickly. Returns a promise of the answer. `again` plans
+   * anew what is known.
+   */
+  async function change(next, { dragging = false, budget, again = false } = {}) {
+    const resized = String(next.obstacles?.map(({ box }) => box)) !== String(shown.scene.obstacles?.map(({ box }) => box));
+    // While dragging the last length stands until the next one is there.
+    const best = dragging || state.best?.of === next ? state.best : null;
+    revision += 1;
+    scene = next;
+    cancel();
+    const known = again ? null : answers.get(scene);
+    say({ dragging, answer: known ?? null, busy: false, stopped: false, error: null, best });
+    if (known) {
+      check();
+      present(known);
+      return known;
+    }
+    if (resized || count(scene) !== count(shown.scene)) redraw();
+    check();
+    if (!dragging) return refine(budget);
+    sketch();
+    return SUPERSEDED;
+  }
+
+  /** Ends planning; the best path so far stays. */
+  async function stop() {
+    const { best } = state;
+    revision += 1;
+    checked = revision;
+    await cancel();
+    say({ busy: false, stopped: true });
+    if (!best?.waypoints) return;
+    const asked = revision;
+    const path = { version: 1, status: 'solved', planner: own.planner, waypoints: best.waypoints, cost: best.cost };
+    const { place } = await planner.ready();
+    const answer = await place.ask({ ask: 'page', scene, path, extras: true });
+    if (answer && asked === revision) {
+      present({ status: 'solved', cost: best.cost, waypoints: best.waypoints, milliseconds: 0, path, page: answer.page });
+      say({ stopped: true });
+    }
+  }
+
+  async function toml() {
+    const { place } = await planner.ready();
+    const answer = await place.ask({ ask: 'toml', scene });
+    return answer?.toml ?? toml();
+  }
+
+  return {
+    get scene() { return scene; },
+    get shownScene() { return shown.scene; },
+    get options() { return own; },
+    /** Whether the scene has been planned only quickly. */
+    get isSketched() { return !state.answer && !state.busy; },
+    /** The answer for the scene as it is, or null while there is none. */
+    get answer() { return state.answer; },
+    change,
+    stop,
+    /** Plans with other options from now on. */
+    setOptions: (news) => {
+      own = { ...own, ...news };
+      answers = new WeakMap();
+    },
+    /** The scene as a TOML file. */
+    toml,
+    /** Checks start and goal. */
+    check: () => {
+      checked = -1;
+      check();
+    },
+    /** Whether a thing has moved since the picture was made. */
+    hasMoved: (thing) => {
+      const [now, then] = [scene, shown.scene].map((one) => placeOf(one, thing));
+      return now !== then && String(now) !== String(then);
+    },
+  };
+}

@@ -1,0 +1,249 @@
+// The bar above the picture: the Edit button and, while editing, its tools, the selected thing and the state.
+
+import { describeCulprits, describeExcess, describeInvalid, formatLength } from '../wording.js';
+
+const PLANNERS = ['anytime', 'two-trees', 'rrt-connect', 'modified-rrt', 'rrt', 'rrt-star'];
+const SVG = 'http://www.w3.org/2000/svg';
+const UNDO = 'M5 3 2 6l3 3M2.5 6H10a3.5 3.5 0 0 1 0 7H7';
+const REDO = 'M11 3l3 3-3 3M13.5 6H6a3.5 3.5 0 0 0 0 7h3';
+
+const KEYS = [
+  ['drag', 'move in the floor plane'],
+  ['Shift + drag', 'move vertically'],
+  ['arrows at the selected thing', 'move along one axis'],
+  ['Alt', 'without the grid of 1 cm'],
+  ['← → ↑ ↓', '1 cm along x and y'],
+  ['Page Up, Page Down, Shift + ↑ ↓', '1 cm vertically'],
+  ['Ctrl + Z, Ctrl + Y', 'undo, redo'],
+  ['Delete', 'remove the obstacle'],
+  ['Esc', 'cancel the drag, or select nothing'],
+  ['touch', 'tap to select, then drag'],
+];
+
+function make(tag, properties = {}, ...children) {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+}
+
+const button = (text, title, onClick) => {
+  const element = make('button', { type: 'button', title }, text);
+  element.addEventListener('click', onClick);
+  return element;
+};
+
+function iconButton(path, label, onClick) {
+  const element = button('', label, onClick);
+  const icon = document.createElementNS(SVG, 'svg');
+  const line = document.createElementNS(SVG, 'path');
+  icon.setAttribute('viewBox', '0 0 16 16');
+  icon.setAttribute('aria-hidden', 'true');
+  line.setAttribute('d', path);
+  icon.append(line);
+  element.append(icon);
+  element.setAttribute('aria-label', label);
+  element.classList.add('icon');
+  return element;
+}
+
+function choice(label, options, onChange) {
+  const select = make('select', { title: label }, ...options.map(([value, text]) => make('option', { value }, text)));
+  select.setAttribute('aria-label', label);
+  select.addEventListener('change', () => onChange(select.value));
+  return select;
+}
+
+// A number that is heard once it is complete.
+function numberField(label, { step, min }, onChange) {
+  const input = make('input', { type: 'number', step, inputMode: 'decimal' });
+  if (min !== undefined) input.min = min;
+  input.setAttribute('aria-label', label);
+  input.addEventListener('change', () => {
+    const good = Number.isFinite(input.valueAsNumber) && !input.validity.rangeUnderflow;
+    input.setAttribute('aria-invalid', String(!good));
+    if (good) onChange(input.valueAsNumber);
+  });
+  return input;
+}
+
+const shownNumber = (x) => String(Math.round(x * 1e4) / 1e4);
+
+// Leaves it alone while it shows the same number.
+function setNumber(input, value) {
+  if (Number(shownNumber(value)) === input.valueAsNumber) return;
+  input.value = shownNumber(value);
+  input.removeAttribute('aria-invalid');
+}
+
+function menu(text, title, items) {
+  const fold = make('details', { className: 'edit-menu' });
+  const box = make('div', { className: 'edit-menu-items' }, ...items);
+  fold.append(make('summary', { title }, text), box);
+  const close = (event) => {
+    if (!fold.contains(event.target) || box.contains(event.target)) fold.open = false;
+  };
+  document.addEventListener('click', close);
+  return fold;
+}
+
+const keyList = () => make('dl', { className: 'edit-keys' }, ...KEYS.flatMap(([key, text]) => [make('dt', {}, key), make('dd', {}, text)]));
+
+function saveMenu(on) {
+  const scene = button('scene (TOML)', 'the scene as a file for cdpr', () => on.save('scene'));
+  const path = button('path (JSON)', 'the path as a file for cdpr', () => on.save('path'));
+  const page = button('this page (HTML)', 'the changed page as one file', () => on.save('page'));
+  return { fold: menu('save', 'save scene, path or page', [scene, path, page]), path, page };
+}
+
+// Which planner is chosen; that of the page may be another one.
+const plannersWith = (own) => (PLANNERS.includes(own) ? PLANNERS : [own, ...PLANNERS]);
+
+function createTools(on, { planner, orientations }) {
+  const undo = iconButton(UNDO, 'undo (Ctrl+Z)', on.undo);
+  const redo = iconButton(REDO, 'redo (Ctrl+Shift+Z)', on.redo);
+  const add = button('+ box', 'add a box', on.addBox);
+  const remove = button('remove', 'remove the selected obstacle (Delete)', on.remove);
+  const planners = choice('planner', plannersWith(planner).map((name) => [name, name]), on.setPlanner);
+  planners.value = planner;
+  const named = orientations.map((name) => [`=${name}`, name]);
+  const turned = choice('orientation', [['', 'best orientation'], ...named], (value) => on.setOrientation(value === '' ? null : value.slice(1)));
+  turned.hidden = orientations.length < 2;
+  const clearance = numberField('clearance, m', { step: '0.005', min: '0' }, on.setClearance);
+  const label = make('label', { className: 'edit-field', title: 'least distance between bodies' }, 'clearance', clearance, 'm');
+  const save = saveMenu(on);
+  const help = menu('?', 'keys', [keyList()]);
+  help.firstChild.setAttribute('aria-label', 'keys of the editor');
+  const group = (...items) => make('div', { className: 'edit-group' }, ...items);
+  const box = make('div', { className: 'edit-tools' }, group(undo, redo), group(add, remove), group(planners, turned), group(label), group(save.fold, help));
+  return { box, undo, redo, remove, planners, turned, clearance, save };
+}
+
+const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
+
+function createThing(on) {
+  const name = make('strong', { className: 'edit-name' });
+  const fields = ['x', 'y', 'z'].map((axis, i) => numberField(`${axis}, m`, { step: '0.01' }, (value) => on.setCoordinate(i, value)));
+  const labels = fields.map((field, i) => make('label', { className: 'edit-field' }, 'xyz'[i], field));
+  const sides = ['width', 'depth', 'height'].map((side, i) => numberField(`${side}, m`, { step: '0.01', min: '0.001' }, (value) => on.setSide(i, value)));
+  const size = make('span', { className: 'edit-size' }, 'size', ...sides, 'm');
+  const box = make('div', { className: 'edit-thing' }, name, ...labels, make('span', { className: 'edit-unit' }, 'm'), size);
+  const show = (thing, place, sizes) => {
+    box.classList.toggle('none', !thing);
+    if (!thing) {
+      name.textContent = NOTHING;
+      name.title = '';
+      return;
+    }
+    name.textContent = thing.name;
+    name.title = thing.name;
+    fields.forEach((field, i) => setNumber(field, place[i]));
+    size.hidden = !sizes;
+    if (sizes) sides.forEach((field, i) => setNumber(field, sizes[i]));
+  };
+  return { box, show };
+}
+
+const lengthWith = (cost, bound) => [formatLength(cost), describeExcess(cost, bound)].filter(Boolean).join(' · ');
+
+function describeNoPath({ page }) {
+  const culprits = page?.no_path?.culprits ?? [];
+  const who = culprits.slice(0, 4).map((names) => describeCulprits(names.map(String))).join('; ');
+  return who ? `no path (proved): closed by ${who}` : 'no path (proved)';
+}
+
+const OUTCOMES = {
+  solved: ({ cost, path, waypoints }) => lengthWith(cost, path?.lower_bound ?? distanceOf(waypoints)),
+  no_path: describeNoPath,
+  budget_spent: () => 'no path found in time; this is no proof that there is none',
+  start_invalid: () => 'the start is not valid',
+  goal_invalid: () => 'the goal is not valid',
+};
+
+function distanceOf(waypoints) {
+  const [a, b] = [waypoints[0], waypoints.at(-1)];
+  return a && b ? Math.hypot(...a.map((x, i) => x - b[i])) : 0;
+}
+
+/** The state in one line, with a kind for its colour: "good", "bad", "busy" or "". */
+export function describeState({ invalid, busy, dragging, answer, best, error, stopped }) {
+  if (error) return { kind: 'bad', text: error };
+  if (invalid.length > 0) {
+    return { kind: 'bad', text: invalid.map(({ end, violation }) => `${end} not valid: ${describeInvalid(violation)}`).join('; ') };
+  }
+  if (answer) {
+    const text = OUTCOMES[answer.status]?.(answer) ?? answer.status;
+    const good = answer.status === 'solved';
+    return { kind: good ? 'good' : 'bad', text: stopped ? `${text} (stopped)` : text };
+  }
+  const length = best ? lengthWith(best.cost, best.bound) : '';
+  if (stopped) return { kind: '', text: 'stopped before a path was found' };
+  if (busy) return { kind: 'busy', text: length ? `shorter? ${length}` : 'planning' };
+  return { kind: dragging ? 'busy' : '', text: length };
+}
+
+function createStatus(on) {
+  const text = make('span', { className: 'edit-text' });
+  text.setAttribute('role', 'status');
+  let invalid = [];
+  const nearest = button('move to the nearest valid place', '', () => on.moveToNearest(invalid));
+  const stop = button('stop', 'stop planning; the best path so far stays', on.stop);
+  const bar = make('div', { className: 'edit-bar' });
+  bar.setAttribute('aria-hidden', 'true');
+  stop.classList.add('edit-stop');
+  const box = make('div', { className: 'edit-status' }, text, nearest, stop, bar);
+  const show = (state) => {
+    const { kind, text: line } = describeState(state);
+    invalid = state.invalid;
+    box.dataset.kind = kind;
+    text.textContent = line;
+    nearest.hidden = state.dragging || !state.invalid.some((one) => one.nearest);
+    box.classList.toggle('busy', state.busy);
+  };
+  return { box, show };
+}
+
+/** The bar; `on` hears what the reader does. */
+export function createToolbar(on, setup) {
+  const toggle = button('Edit', 'edit the scene (key E)', on.toggle);
+  toggle.id = 'edit-toggle';
+  document.getElementById('tools').prepend(make('div', { className: 'tool-group' }, toggle));
+  const done = button('Done', 'stop editing (key E)', on.toggle);
+  done.className = 'edit-done';
+  const tools = createTools(on, setup);
+  const thing = createThing(on);
+  const status = createStatus(on);
+  const head = make('div', { className: 'edit-head' }, done, tools.box);
+  const section = make('section', { id: 'edit' }, head, thing.box, status.box);
+  section.setAttribute('aria-label', 'edit');
+  document.getElementById('tools').after(section);
+
+  function setActive(active) {
+    section.hidden = !active;
+    document.documentElement.classList.toggle('editing', active);
+    toggle.setAttribute('aria-pressed', String(active));
+    toggle.textContent = active ? 'Done' : 'Edit';
+  }
+
+  setActive(false);
+  return {
+    setActive,
+    showThing: thing.show,
+    showState: status.show,
+    /** What can be done now, and the scene's own settings. */
+    showTools: ({ canUndo, canRedo, canRemove, canSave, clearance, orientation }) => {
+      tools.undo.disabled = !canUndo;
+      tools.redo.disabled = !canRedo;
+      tools.remove.disabled = !canRemove;
+      tools.save.path.disabled = !canSave;
+      tools.save.page.disabled = !canSave;
+      setNumber(tools.clearance, clearance);
+      tools.turned.value = typeof orientation === 'string' ? `=${orientation}` : '';
+    },
+  };
+}
+
+/** Says what is missing where editing is not possible. */
+export function showMissing(sentence) {
+  const note = make('p', { id: 'edit-missing', className: 'more' }, sentence);
+  document.getElementById('status').after(note);
+}
