@@ -3,7 +3,7 @@
 //! [`crate::conditions`] lists the conditions of a scene at a fixed orientation. An engine checks motions against that
 //! list; planners only use the trait [`Validity`].
 
-mod along;
+pub(crate) mod along;
 pub(crate) mod clearance;
 pub(crate) mod cspace;
 mod explain;
