@@ -4,7 +4,7 @@
 //! second order, and the slack is below its chord by no more than these deviations, times the tensions, and the changes of the
 //! columns, times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight.
 
-use crate::collision::{Kind, Violation};
+use crate::collision::Violation;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, PoseMotion, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
@@ -33,6 +33,9 @@ struct Known {
 
 /// The slack by each measure; there are at most two.
 type Slack = [f64; 2];
+
+/// Why the statics exist at every orientation.
+const CHECKED: &str = "checked at the orientation of the scene";
 
 impl TurningWrench {
     /// The requirement of a scene; `None` if it has none.
@@ -106,7 +109,8 @@ impl TurningWrench {
         let fast = match &self.measures[..] {
             [Measure::Capacity(margin)] => {
                 let placed = poses.map(|pose| Placed::new(&pose, &self.loads.orientation));
-                margin.at_four_poses(&placed, &poses.map(|pose| self.balance(&pose)))
+                let balance = |pose: &Pose| self.loads.at(&pose.orientation).balance(&self.robot);
+                margin.at_four_poses(&placed, &poses.each_ref().map(|pose| balance(pose).expect(CHECKED).into()))
             }
             _ => None,
         };
@@ -127,20 +131,8 @@ impl TurningWrench {
 
     /// The measures at the orientation of a pose.
     fn measures_at(&self, pose: &Pose) -> Vec<Measure> {
-        let loads = Loads { orientation: pose.orientation, ..self.loads.clone() };
-        let checked = "checked at the orientation of the scene";
-        let statics = Statics::new(&self.robot, &loads).expect(checked);
-        measures_by(&statics, &self.required, self.margin).expect(checked)
-    }
-
-    /// The wrench that the cables must exert for balance, [force; moment / ℓ], N.
-    fn balance(&self, pose: &Pose) -> [f64; 6] {
-        let weight = self.weight();
-        let moment = (pose.orientation * self.robot.center_of_mass().coords).cross(&weight);
-        let load = &self.loads.load;
-        let [force, moment] = [weight + load.fixed_rows::<3>(0), moment + load.fixed_rows::<3>(3)];
-        let moment = moment / self.loads.characteristic_length;
-        [-force.x, -force.y, -force.z, -moment.x, -moment.y, -moment.z]
+        let statics = Statics::new(&self.robot, &self.loads.at(&pose.orientation)).expect(CHECKED);
+        measures_by(&statics, &self.required, self.margin).expect(CHECKED)
     }
 
     fn weight(&self) -> Vector {
@@ -205,9 +197,6 @@ impl TurningWrench {
             self.measures_at(&pose).iter().map(|measure| limit_at(measure, &pose.position)).collect::<Vec<_>>()
         });
         let limit = limits.min_by(|a, b| a.order().total_cmp(&b.order()))?;
-        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
-        let wrench = Some(limit);
-        Some(Violation { at, kind: Kind::Wrench, culprits, gap: None, required: None, margin: None, unproved, wrench })
+        Some(Violation::of_wrench(at, limit))
     }
 }

@@ -5,7 +5,7 @@ use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use super::statics::{Loads, Statics};
 use super::{CapacityMargin, Required};
-use crate::collision::{Conditions, Kind, Violation, WrenchLimit};
+use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point};
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
@@ -151,18 +151,7 @@ impl WrenchConstraint {
                 (at, WrenchLimit { corner: Some((*corner).into()), ..limit })
             }
         };
-        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
-        Some(Violation {
-            at,
-            kind: Kind::Wrench,
-            culprits,
-            gap: None,
-            required: None,
-            margin: None,
-            unproved,
-            wrench: Some(limit),
-        })
+        Some(Violation::of_wrench(at, limit))
     }
 
     /// The measure with the smallest slack on a motion, and the fraction at which it is smallest.
