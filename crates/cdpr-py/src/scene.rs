@@ -59,7 +59,7 @@ fn turning_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -
         return Ok(engine);
     }
     let compile = |watch: &Watch| {
-        let level = engine_within(&scene.0, wanted.0, wanted.1, watch)?;
+        let level = compiled(scene, wanted, watch)?;
         Ok(kept(&scene.2, wanted, TurningEngine::new(&scene.0, level)?.into()))
     };
     interruptible(py, |stop| compile(&Watch::on(stop)))

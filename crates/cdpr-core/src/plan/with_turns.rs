@@ -12,7 +12,6 @@ use crate::collision::{Interference, Validity};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Pose, Rotation};
 use crate::model::Scene;
-use crate::numerics::SAME_TURN;
 use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::Watch;
@@ -42,9 +41,7 @@ pub fn plan_turning(
     };
     let engine = TurningEngine::new(scene, level)?;
     let [start, goal] = query.poses()?;
-    let keeps_orientation =
-        [&start, &goal].iter().all(|pose| pose.orientation.angle_to(scene.orientation()) <= SAME_TURN);
-    let straight = match keeps_orientation {
+    let straight = match scene.keeps_orientation(&[start, goal]) {
         true => {
             let half = watch.left().map(|left| left / 2);
             let share = Watch { deadline: half.map(|half| Instant::now() + half), ..*watch };

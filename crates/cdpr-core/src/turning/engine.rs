@@ -4,6 +4,7 @@
 //! [`TOO_CLOSE_TO_TURN`] the motion is refused, otherwise the piece is halved. Deviations from chords fall with the square of
 //! the angle, so most motions need one or two pieces for each condition.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::tilt::Tilt;
@@ -36,7 +37,7 @@ use crate::numerics::{SAME_TURN, TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES,
 /// ```
 pub struct TurningEngine {
     /// Checks motions without a turn at the orientation of the scene.
-    level: Box<dyn Checker>,
+    level: Arc<dyn Checker>,
     reference: Rotation,
     wrench: Option<TurningWrench>,
     tilt: Option<Tilt>,
@@ -60,7 +61,8 @@ impl TurningEngine {
     ///
     /// # Errors
     /// The interference rule `swept`; as [`TurningWrench::of`].
-    pub fn new(scene: &Scene, level: Box<dyn Checker>) -> Result<Self, Error> {
+    pub fn new(scene: &Scene, level: impl Into<Arc<dyn Checker>>) -> Result<Self, Error> {
+        let level = level.into();
         if level.interference() == Interference::Swept {
             let problem =
                 "found \"swept\", which is for motions without a turn; expected \"exact\" if the platform turns";
