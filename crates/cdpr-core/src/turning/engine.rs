@@ -7,7 +7,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::tilt::Tilt;
+use super::allowed::AllowedTurns;
 use super::turning_wrench::TurningWrench;
 use crate::collision::along::{Least, least_between};
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
@@ -40,7 +40,7 @@ pub struct TurningEngine {
     level: Arc<dyn Checker>,
     reference: Rotation,
     wrench: Option<TurningWrench>,
-    tilt: Option<Tilt>,
+    allowed: Vec<AllowedTurns>,
     /// The condition that refused the last motion: often it refuses the next one, too.
     hint: AtomicUsize,
 }
@@ -68,12 +68,11 @@ impl TurningEngine {
                 "found \"swept\", which is for motions without a turn; expected \"exact\" if the platform turns";
             return Err(Error::invalid("interference", problem));
         }
-        let tilt = scene.turning().and_then(|turning| turning.max_tilt);
         Ok(TurningEngine {
             level,
             reference: *scene.orientation(),
             wrench: TurningWrench::of(scene)?,
-            tilt: tilt.map(|degrees| Tilt::at_most(degrees.to_radians())),
+            allowed: AllowedTurns::of(scene),
             hint: AtomicUsize::new(0),
         })
     }
@@ -193,7 +192,7 @@ impl Validity<Pose> for TurningEngine {
             return self.level.motion_valid(&from.position, &to.position);
         }
         let motion = from.toward(to).relative_to(&self.reference);
-        self.tilt.as_ref().is_none_or(|tilt| tilt.keeps(&motion))
+        self.allowed.iter().all(|allowed| allowed.keeps(&motion))
             && self.keeps_conditions(&motion)
             && self.wrench.as_ref().is_none_or(|wrench| wrench.keeps(from, to))
     }
@@ -209,7 +208,7 @@ impl Validity<Pose> for TurningEngine {
         let motion = from.toward(to).relative_to(&self.reference);
         let mut found: Vec<Violation> =
             self.refused(&motion).into_iter().map(|(index, verdict)| self.violation(index, &motion, verdict)).collect();
-        found.extend(self.tilt.as_ref().and_then(|tilt| tilt.violation(&motion)));
+        found.extend(self.allowed.iter().filter_map(|allowed| allowed.violation(&motion)));
         found.extend(self.wrench.as_ref().and_then(|wrench| wrench.violation(from, to)));
         found.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
         found
