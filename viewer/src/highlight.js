@@ -2,7 +2,6 @@
 
 import { Group, Vector3 } from 'three';
 import { moveWideLines, wideLines } from './marks.js';
-import { rotationOf } from './robot.js';
 import { buildShapes } from './shapes.js';
 
 const WIDTH = 4.5;
@@ -25,13 +24,10 @@ export function createHighlight(model, frame, shapes, theme) {
   if (!model.motion || model.motion.clearance.length === 0) return { objects: [], show: () => {}, move: () => {} };
   const { gap, overlap } = materials(theme);
   const all = new Group();
-  const rotation = rotationOf(model.orientation);
   const platform = wideLines([...shapes.edges, ...shapes.segments], { linewidth: WIDTH });
-  platform.quaternion.copy(rotation);
   const cables = model.cables.map((cable) => {
     const ends = [frame.point(cable.outlet), new Vector3()];
-    const arm = frame.vector(cable.attachment).applyQuaternion(rotation);
-    return { mark: wideLines(ends, { linewidth: WIDTH }), ends, arm };
+    return { mark: wideLines(ends, { linewidth: WIDTH }), ends, attachment: frame.vector(cable.attachment) };
   });
   const obstacles = new Map();
   all.add(platform, ...cables.map(({ mark }) => mark));
@@ -58,10 +54,11 @@ export function createHighlight(model, frame, shapes, theme) {
     }
   }
 
-  function move(position) {
+  function move(position, rotation) {
     platform.position.copy(position);
-    for (const { mark, ends, arm } of cables) {
-      ends[1].copy(position).add(arm);
+    platform.quaternion.copy(rotation);
+    for (const { mark, ends, attachment } of cables) {
+      ends[1].copy(attachment).applyQuaternion(rotation).add(position);
       moveWideLines(mark, ends);
     }
   }

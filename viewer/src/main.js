@@ -96,7 +96,7 @@ function fillScene(model, route, frame, stage, theme) {
     frame.point(position, platform.position);
     platform.quaternion.copy(rotationOf(orientation));
     cables.move(platform.position, platform.quaternion);
-    highlight.move(platform.position);
+    highlight.move(platform.position, platform.quaternion);
     highlight.show(nearest);
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();

@@ -14,7 +14,7 @@ pub(crate) mod validity;
 pub(crate) mod violation;
 
 pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
-pub use clearance::{Clearance, tightest};
+pub use clearance::{Clearance, tightest, tightest_at_pose};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
 pub use many::{clearances, motions_valid, states_valid};

@@ -6,16 +6,16 @@ use serde_json::{Value, json};
 
 use super::region;
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Clearance, Conditions, WrenchLimit, tightest};
+use cdpr_core::collision::{Clearance, Conditions, WrenchLimit, tightest, tightest_at_pose};
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Aabb, Point, Pose};
+use cdpr_core::geometry::{Aabb, Placed, Point, Pose};
 use cdpr_core::model::Scene;
 use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::planning::SearchTree;
 use cdpr_core::regions::{RegionOptions, Regions, regions_within};
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::constraint::limit_at;
+use cdpr_core::wrench::constraint::{limit_at, measures_at};
 use cdpr_core::wrench::map::Grid;
 use cdpr_core::wrench::tensions::even_steps;
 use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
@@ -64,6 +64,23 @@ impl Motion {
     }
 }
 
+impl Motion {
+    /// Adds the pairs with the smallest slack, one for each place.
+    fn add_clearances(&mut self, tightest: Vec<Option<Clearance>>) {
+        for Clearance { value, required, culprits, .. } in tightest.into_iter().flatten() {
+            let known = self.pairs.iter().position(|pair| *pair == culprits);
+            // A gap that is kept to within the tolerance of the engines must not look violated.
+            let kept = value >= required - TOUCH_DEPTH;
+            self.clearance.push(if kept { value.max(required) } else { value } as f32);
+            self.required.push(required as f32);
+            self.tightest.push(known.unwrap_or(self.pairs.len()));
+            if known.is_none() {
+                self.pairs.push(culprits);
+            }
+        }
+    }
+}
+
 /// Wrench margins along a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Margins {
@@ -93,11 +110,38 @@ pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Resul
     Ok(Some(motion))
 }
 
-/// The cable lengths along a path of poses, whose length counts the turns; `None` for a path of length zero.
-pub(super) fn turning_motion(scene: &Scene, poses: &[Pose]) -> Option<Motion> {
+/// The plots of a path of poses, whose length counts the turns; `None` for a path of length zero.
+///
+/// # Errors
+/// As [`motion`].
+pub(super) fn turning_motion(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let places = pose_places(scene, poses);
+    if places.is_empty() {
+        return Ok(None);
+    }
+    let s = places.iter().map(|(s, _)| *s as f32).collect();
+    let poses: Vec<Pose> = places.into_iter().map(|(_, pose)| pose).collect();
+    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
+    let conditions = Conditions::within(scene, watch)?;
+    let tightest: Result<Vec<_>, Error> = (poses.par_iter())
+        .map(|pose| watch.check().map(|()| tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()))))
+        .collect();
+    motion.add_clearances(tightest?);
+    motion.margins = turning_margins(scene, &poses, watch)?;
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::of(scene) {
+        motion.tensions = turning_tensions(scene, &poses, watch)?;
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+/// Poses at even steps along each segment, waypoints included, with their distance along the path, m; none for a path of
+/// length zero.
+fn pose_places(scene: &Scene, poses: &[Pose]) -> Vec<(f64, Pose)> {
     let whole = pose_path_length(scene, poses);
     if !(whole > 0.0) {
-        return None;
+        return Vec::new();
     }
     let (mut places, mut before) = (vec![(0.0, poses[0])], 0.0);
     for pair in poses.windows(2) {
@@ -107,8 +151,40 @@ pub(super) fn turning_motion(scene: &Scene, poses: &[Pose]) -> Option<Motion> {
         places.extend(shares.map(|share| (before + share * length, motion.at(share))));
         before += length;
     }
-    let s = places.iter().map(|(s, _)| *s as f32).collect();
-    Some(Motion::of_lengths(s, places.iter().map(|(_, pose)| lengths(scene, pose)).collect()))
+    places
+}
+
+/// The margins at poses; `None` where a cable has no direction, or the loads turn a platform whose cables meet in one point.
+fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if too_many_margins(scene, poses.len()) {
+        return Ok(Vec::new());
+    }
+    let slacks = |pose: &Pose| {
+        watch.check()?;
+        let measures = measures_at(scene, &pose.orientation).unwrap_or_default();
+        Ok(measures.iter().map(|measure| plotted(measure.slack(&pose.position))).collect())
+    };
+    let rows: Result<Vec<Vec<Option<f32>>>, Error> = poses.par_iter().map(slacks).collect();
+    let rows = rows?;
+    let along = |(k, measure): (usize, &Measure)| {
+        let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
+        Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
+    };
+    Ok(measures.iter().enumerate().map(along).collect())
+}
+
+/// The tensions of each cable at rest at poses.
+fn turning_tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let loads = Loads::of(scene);
+    let found: Result<Vec<_>, Error> = (poses.par_iter())
+        .map_init(TensionQp::default, |solver, pose| {
+            watch.check()?;
+            let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
+            statics.tensions(solver, &pose.position, None)
+        })
+        .collect();
+    Ok(tension_columns(scene.robot().cables().len(), found?))
 }
 
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.
@@ -134,17 +210,7 @@ fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> R
     let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
     let tightest: Result<Vec<_>, Error> =
         positions.par_iter().map(|position| watch.check().map(|()| tightest(&conditions, position))).collect();
-    for Clearance { value, required, culprits, .. } in tightest?.into_iter().flatten() {
-        let known = motion.pairs.iter().position(|pair| *pair == culprits);
-        // A gap that is kept to within the tolerance of the engines must not look violated.
-        let kept = value >= required - TOUCH_DEPTH;
-        motion.clearance.push(if kept { value.max(required) } else { value } as f32);
-        motion.required.push(required as f32);
-        motion.tightest.push(known.unwrap_or(motion.pairs.len()));
-        if known.is_none() {
-            motion.pairs.push(culprits);
-        }
-    }
+    motion.add_clearances(tightest?);
     Ok(motion)
 }
 
@@ -157,24 +223,38 @@ fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec
             statics.tensions(solver, position, None)
         })
         .collect();
-    let count = statics.cables().len();
+    Ok(tension_columns(statics.cables().len(), found?))
+}
+
+/// Tensions at each place as columns, one for each cable.
+fn tension_columns(cables: usize, found: Vec<Option<Vec<f64>>>) -> Vec<Vec<Option<f32>>> {
     let row = |tensions: Option<Vec<f64>>| match tensions {
         Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
-        None => vec![None; count],
+        None => vec![None; cables],
     };
-    Ok(by_cable(found?.into_iter().map(row).collect()))
+    by_cable(found.into_iter().map(row).collect())
+}
+
+/// Whether the margins of so many places would take too long.
+fn too_many_margins(scene: &Scene, places: usize) -> bool {
+    places as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK
+}
+
+/// A margin as plotted.
+fn plotted(slack: f64) -> Option<f32> {
+    Some(slack as f32).filter(|slack| slack.is_finite())
 }
 
 fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
     let measures = measures(scene)?;
-    if positions.len() as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK {
+    if too_many_margins(scene, positions.len()) {
         return Ok(Vec::new());
     }
     let along = |measure: &Measure| {
         let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
         let value = |position| {
             watch.check()?;
-            Ok(Some(measure.slack(position) as f32).filter(|slack| slack.is_finite()))
+            Ok(plotted(measure.slack(position)))
         };
         let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
         Ok(Margins { measure: name, unit, values: values? })
@@ -332,6 +412,38 @@ mod tests {
             assert_eq!(found.required[k], if named(k) { 0.08 } else { 0.02 });
         }
         assert!((0..found.s.len()).any(named) && !(0..found.s.len()).all(named));
+    }
+
+    #[test]
+    fn plots_of_a_path_with_turns_agree_with_those_at_each_orientation() {
+        use cdpr_core::geometry::{Rotation, Vector};
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let scene = Scene::new(spec).unwrap();
+        let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
+        let poses =
+            [(0.3, 0.0), (0.9, 0.3), (1.3, -0.1)].map(|(z, angle)| Pose::new(Point::new(0.3, 1.0, z), yaw(angle)));
+        let found = turning_motion(&scene, &poses, &Watch::NONE).unwrap().unwrap();
+        let places = pose_places(&scene, &poses);
+        let count = places.len();
+        assert_eq!((found.s.len(), found.clearance.len(), found.tensions[7].len()), (count, count, count));
+        assert!(poses.iter().all(|pose| places.iter().any(|(_, place)| place == pose)));
+        for (k, (_, pose)) in places.iter().enumerate().step_by(25) {
+            let digits = cdpr_core::geometry::wxyz(&pose.orientation);
+            let turned = scene.turned(digits.into()).unwrap();
+            let there = tightest(&Conditions::new(&turned).unwrap(), &pose.position).unwrap();
+            assert!((f64::from(found.clearance[k]) - there.value).abs() < 1e-6);
+            assert_eq!(found.pairs[found.tightest[k]], there.culprits);
+            let slack = measures(&turned).unwrap()[0].slack(&pose.position);
+            assert!((f64::from(found.margins[0].values[k].unwrap()) - slack).abs() < 1e-3);
+            let statics = Statics::of(&turned).unwrap();
+            let tensions = statics.tensions(&mut TensionQp::default(), &pose.position, None).unwrap();
+            let (shown, tension) = (found.tensions[2][k], tensions.map(|tensions| tensions[2]));
+            assert_eq!(shown.is_some(), tension.is_some());
+            assert!(shown.zip(tension).is_none_or(|(a, b)| (f64::from(a) - b).abs() < 1e-3));
+        }
+        assert!(found.tensions[2].iter().flatten().count() > 0);
+        assert_eq!(turning_motion(&scene, &poses[..1], &Watch::NONE).unwrap(), None);
     }
 
     #[test]

@@ -49,7 +49,7 @@ pub fn page_within(
     watch: &Watch,
 ) -> Result<String, Error> {
     let motion = |path: &PathFile| match poses(path) {
-        Some(poses) => Ok(extras::turning_motion(scene, &poses)),
+        Some(poses) => extra(extras::turning_motion(scene, &poses, watch)),
         None => extra(extras::motion(scene, &path.points(), watch)),
     };
     let motion = path.map(motion).transpose()?.flatten();

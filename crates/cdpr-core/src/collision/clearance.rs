@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::along::{at, first_true};
 use crate::conditions::{Condition, Conditions};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
 
@@ -88,6 +88,17 @@ pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Clearance> 
     let (room, index) = least(conditions, position, position, required)?;
     let condition = &conditions.list[index];
     let required = required(condition);
+    Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
+}
+
+/// As [`tightest`], at a pose of bodies that are given at the orientation of the conditions.
+pub fn tightest_at_pose(conditions: &Conditions, at: &Placed) -> Option<Clearance> {
+    let Conditions { list, bodies, .. } = conditions;
+    let about_gaps = list.iter().filter(|condition| condition.details().is_about_gap(bodies));
+    let (room, condition) = about_gaps
+        .map(|condition| (condition.details().slack_at(bodies, at), condition))
+        .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let required = condition.details().required(bodies);
     Some(Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required })
 }
 

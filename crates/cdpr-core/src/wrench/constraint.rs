@@ -7,7 +7,7 @@ use super::statics::{Loads, Statics};
 use super::{CapacityMargin, Required};
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, Point, Rotation};
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
 use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
@@ -34,6 +34,14 @@ pub struct WrenchConstraint {
 /// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
 /// mass.
 pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
+    measures_at(scene, scene.orientation())
+}
+
+/// The same at another orientation of the platform.
+///
+/// # Errors
+/// As [`measures`].
+pub fn measures_at(scene: &Scene, orientation: &Rotation) -> Result<Vec<Measure>, Error> {
     let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
     let cables = scene.robot().cables().len();
     if cables > MOST_WRENCH_CABLES {
@@ -41,7 +49,7 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
             format!("found {cables}, expected at most {MOST_WRENCH_CABLES} if wrench feasibility is required");
         return Err(Error::invalid("robot.cables", problem));
     }
-    let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
+    let statics = Statics::new(scene.robot(), &Loads::of(scene).at(orientation))?;
     measures_by(&statics, &required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity))
 }
 
