@@ -9,8 +9,9 @@ use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, Query, plan, turning_engine};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::{self, block};
-use cdpr_core::turning::{check_poses, pose_path_length};
+use cdpr_core::turning::{check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
 use cdpr_core::watch::Watch;
+use cdpr_core::wrench::{Statics, tensions_along};
 use cdpr_tests::built_scene;
 
 fn yaw(angle: f64) -> Rotation {
@@ -188,6 +189,34 @@ fn a_path_must_turn_about_the_axis_of_the_scene() {
         let found = kinds(&(0..20).map(step).collect::<Vec<_>>());
         assert!(found.len() == 17 && found.iter().all(|(_, kind)| *kind == Kind::TurningAxis), "{found:?}");
     }
+}
+
+#[test]
+fn tensions_along_a_path_with_turns_are_those_at_each_orientation() {
+    let scene = built_scene("cogiro");
+    let required = cdpr_core::wrench::constraint::required_of(&scene, None, None).unwrap();
+    let place = |x: f64| Point::new(x, 0.0, 2.0);
+    let level = *scene.orientation();
+    let poses = [(0.0, 0.0), (0.4, 0.2), (0.4, -0.1)].map(|(x, angle)| Pose::new(place(x), yaw(angle) * level));
+    let rows = tensions_along_poses(&scene, &required, &poses, 0.1, None, &|| false).unwrap();
+    let lengths = lengths_along_poses(&scene, &poses, 0.1).unwrap();
+    assert!((rows[rows.len() - 1].place.s - pose_path_length(&scene, &poses)).abs() < 1e-12);
+    assert!(rows.len() > 8 && rows.iter().map(|row| &row.place).eq(&lengths));
+    for row in rows {
+        let position = Point::from(row.place.position);
+        let there = scene.turned(row.place.orientation.unwrap().into()).unwrap();
+        let statics = Statics::of(&there).unwrap();
+        let path = [position, position + Vector::x()];
+        let alone = tensions_along(&statics, &required, &path, 2.0, None, &|| false).unwrap().remove(0);
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + b.abs());
+        let all = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| near(*a, *b));
+        assert!(all(&row.place.lengths, &alone.place.lengths) && row.rank == alone.rank);
+        assert!(all(&row.tensions.unwrap(), &alone.tensions.unwrap()));
+        assert!(near(row.capacity_margin.unwrap(), alone.capacity_margin.unwrap()));
+        assert!(near(row.moment_margin.unwrap(), alone.moment_margin.unwrap()));
+    }
+    // A path without length has one row.
+    assert_eq!(tensions_along_poses(&scene, &required, &poses[..1], 0.1, None, &|| false).unwrap().len(), 1);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod allowed;
 mod check;
 mod engine;
+mod pose_rows;
 mod pose_space;
 mod shorten;
 mod turning_wrench;
@@ -10,6 +11,7 @@ mod turning_wrench;
 pub use allowed::AllowedTurns;
 pub use check::{check_poses, nearest_of_poses, pose_path_length};
 pub use engine::TurningEngine;
+pub use pose_rows::{lengths_along_poses, tensions_along_poses};
 pub use pose_space::{PoseSpace, turn_weight};
 pub use shorten::PoseShortener;
 pub use turning_wrench::TurningWrench;
