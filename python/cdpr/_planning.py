@@ -239,10 +239,10 @@ def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
     if isinstance(waypoints, Path) and waypoints.orientations is not None:
         found = "found a path on which the platform turns, expected one on which it keeps its orientation"
         raise InputError(f"{name}.orientations: {found}")
-    return _two_or_more(name, waypoints)
+    return two_or_more(name, waypoints)
 
 
-def _two_or_more(name: str, waypoints: ArrayLike | Path) -> Floats:
+def two_or_more(name: str, waypoints: ArrayLike | Path) -> Floats:
     array = rows(name, waypoints.waypoints if isinstance(waypoints, Path) else waypoints)
     if len(array) < 2:
         raise InputError(f"{name}: found {len(array)} waypoints, expected at least two")
@@ -455,7 +455,7 @@ def check(
     'cable-cable'
     """
     core = core_for(scene, waypoints, strict=strict)
-    positions, turns = _path_or_position(waypoints), _turns_along(waypoints, orientations)
+    positions, turns = _path_or_position(waypoints), turns_along(waypoints, orientations)
     along = None if turns is None else turns_of(positions, turns)
     found = json.loads(core.check(positions, *judges(engine, interference), along))
     violations = tuple(violation_from(values) for values in found["violations"])
@@ -466,12 +466,12 @@ def check(
 def _path_or_position(waypoints: ArrayLike | Path) -> Floats:
     """The rows of a path; a single position becomes a path that stays there."""
     if isinstance(waypoints, Path):
-        return _two_or_more("waypoints", waypoints)
+        return two_or_more("waypoints", waypoints)
     flat, shape = flat_points("waypoints", waypoints)
-    return np.repeat(flat, 2, axis=0) if shape == () else _two_or_more("waypoints", waypoints)
+    return np.repeat(flat, 2, axis=0) if shape == () else two_or_more("waypoints", waypoints)
 
 
-def _turns_along(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> ArrayLike | None:
+def turns_along(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> ArrayLike | None:
     """The orientations given for a path, or its own."""
     own = waypoints.orientations if isinstance(waypoints, Path) else None
     if own is not None and orientations is not None:

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from ._arrays import Floats, number, numbers, point
 from ._given import instance
 from ._pandas import frame
-from ._planning import core_for, path_rows
-from ._results import Path
+from ._planning import core_for, turns_along, two_or_more
+from ._results import Path, turns_of
 from ._scene import Scene
 from ._values import ByValue
 
@@ -145,9 +145,11 @@ class Tensions(ByValue):
     Attributes
     ----------
     s : ndarray (n,)
-        Distance along the path, m.
+        Distance along the path, m; turns count as in its length.
     positions : ndarray (n, 3)
         World, m.
+    orientations : ndarray (n, 4) or None
+        World-from-platform unit quaternions w x y z, if the platform turns.
     lengths : ndarray (n, m)
         Of each cable, m.
     tensions : ndarray (n, m)
@@ -166,6 +168,7 @@ class Tensions(ByValue):
 
     s: Floats
     positions: Floats
+    orientations: Floats | None
     lengths: Floats
     tensions: Floats
     capacity_margin: Floats
@@ -179,7 +182,8 @@ class Tensions(ByValue):
         Returns
         -------
         DataFrame
-            Like the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), ``length of cable 0 (m)`` and
+            Like the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), if the platform turns the quaternion
+            ``qw``, ``qx``, ``qy``, ``qz``, ``length of cable 0 (m)`` and
             ``tension of cable 0 (N)`` for each cable by its name, ``capacity_margin``, ``force_margin`` (N),
             ``moment_margin`` (N·m).
 
@@ -191,6 +195,8 @@ class Tensions(ByValue):
         ['length of cable 0 (m)', 'length of cable 1 (m)']
         """
         columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
+        if self.orientations is not None:
+            columns |= {f"q{part}": self.orientations[:, k] for k, part in enumerate("wxyz")}
         for name, matrix, unit in (("length", self.lengths, "m"), ("tension", self.tensions, "N")):
             named = zip(self.cables, matrix.T, strict=True)
             columns |= {f"{name} of {cable} ({unit})": column for cable, column in named}
@@ -218,10 +224,11 @@ def tensions_along(
     ----------
     scene : Scene
         Its robot, gravity, orientation, and the loads and requirements of its ``[wrench]`` are used.
-    waypoints : array_like (k, 3), k >= 2
-        Positions of the platform's origin, world, m.
+    waypoints : array_like (k, 3), k >= 2, or Path
+        Positions of the platform's origin, world, m. Along a path with orientations the platform turns, and the loads are
+        balanced at each pose.
     step : float
-        Distance between rows, m.
+        Distance between rows, m; turns count as in the length of the path.
     reference : sequence of float (m,), optional
         As in `tension_distribution`.
     strict : bool
@@ -248,7 +255,9 @@ def tensions_along(
     cables = scene.robot.cable_names
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
-    found = json.loads(core.tensions_along(path_rows("waypoints", waypoints), number("step", step), wanted))
+    positions, turns = two_or_more("waypoints", waypoints), turns_along(waypoints, None)
+    along = None if turns is None else turns_of(positions, turns)
+    found = json.loads(core.tensions_along(positions, number("step", step), wanted, along))
 
     def column(key: str) -> Floats:
         return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)
@@ -260,6 +269,7 @@ def tensions_along(
     return Tensions(
         s=column("s"),
         positions=matrix("position", 3),
+        orientations=None if along is None else matrix("orientation", 4),
         lengths=matrix("lengths", count),
         tensions=matrix("tensions", count),
         capacity_margin=column("capacity_margin"),

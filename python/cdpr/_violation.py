@@ -16,12 +16,12 @@ class Violation:
     at : float
         Fraction of the motion (of the segment, on a path) at which it begins, 0 to 1.
     kind : str
-        "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle", "wrench" or
-        "tilt".
+        "workspace", "cable-length", "cable-platform", "cable-cable", "platform-obstacle", "cable-obstacle", "wrench",
+        "tilt" or "turning-axis".
     culprits : tuple of str
         Names of the bodies involved; cables count from 0.
     margin : float or None
-        Gap minus the required gap, m: never positive. None for the kinds "wrench" and "tilt".
+        Gap minus the required gap, m: never positive. None for the kinds "wrench", "tilt" and "turning-axis".
     segment : int
         Segment of the path, counting from 0.
     wrench_margin : float or None
@@ -45,7 +45,7 @@ class Violation:
         platform turns.
     gap : float or None
         Smallest gap over the motion, m: between surfaces, or minus the penetration depth if bodies overlap; for the
-        workspace and cable lengths, the remaining room. None for the kinds "wrench" and "tilt".
+        workspace and cable lengths, the remaining room. None for the kinds "wrench", "tilt" and "turning-axis".
     required : float or None
         Required gap, m.
 

@@ -334,13 +334,27 @@ def test_checking_a_path_of_poses(beside: cdpr.Scene) -> None:
         cdpr.Path([PLACE, PLACE], 0.0, orientations=turns)
 
 
+def test_tensions_along_a_path_with_turns_are_those_at_each_orientation() -> None:
+    scene = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
+    path = cdpr.Path([[0, 0, 2], [0.5, 0, 2]], 1.0, LEVEL, orientations=yaw(np.array([0.0, 0.2])))
+    along = cdpr.tensions_along(scene, path, step=0.05)
+    assert along.orientations is not None and along.orientations.shape == (len(along.s), 4)
+    assert np.allclose(along.orientations[0], LEVEL) and np.allclose(along.positions[0], [0, 0, 2])
+    assert along.s[-1] > 0.5 and list(along.to_pandas())[4:8] == ["qw", "qx", "qy", "qz"]
+    for k in (0, len(along.s) // 2, -1):
+        there = cdpr.wrench_at(scene.replace(orientation=along.orientations[k]), along.positions[k])
+        assert np.allclose(along.lengths[k], there.lengths) and np.allclose(along.tensions[k], there.tensions, atol=1e-6)
+        assert np.isclose(along.capacity_margin[k], there.capacity_margin)
+    level = cdpr.tensions_along(scene, [[0, 0, 2], [0.5, 0, 2]])
+    assert level.orientations is None
+
+
 def test_what_cannot_turn_refuses_paths_that_do(beside: cdpr.Scene) -> None:
     path = turning_path()
     figures = pytest.importorskip("cdpr.figures")
     for name, call in [
         ("waypoints", lambda: cdpr.rewind(beside, path)),
         ("waypoints", lambda: cdpr.refine(beside, path)),
-        ("waypoints", lambda: cdpr.tensions_along(beside, path)),
         ("path", lambda: cdpr.trajectory(beside, path, speed=1, acceleration=1)),
         ("path", lambda: figures.scene(beside, path)),
         ("waypoints", lambda: figures.rewinding(beside, path)),

@@ -9,8 +9,9 @@ use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Planned, Query, plan, turning_engine};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::{self, block};
-use cdpr_core::turning::{check_poses, pose_path_length};
+use cdpr_core::turning::{check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
 use cdpr_core::watch::Watch;
+use cdpr_core::wrench::{Statics, tensions_along};
 use cdpr_tests::built_scene;
 
 fn yaw(angle: f64) -> Rotation {
@@ -150,10 +151,81 @@ fn a_tilt_limit_holds_all_along_a_path() {
 }
 
 #[test]
-fn a_goal_that_the_axis_does_not_allow_is_an_error() {
+fn ends_that_the_axis_does_not_allow_are_invalid() {
     let scene = built_scene("turn");
-    let tilted = Rotation::from_scaled_axis(Vector::x() * 0.2);
-    let query = Query::of(&scene).oriented([None, Some(tilted)]);
-    let error = plan(query.to(Point::new(1.0, 0.4, 1.0)), &PlanOptions::default(), &()).unwrap_err().to_string();
-    assert!(error.contains("turning.axis") && error.contains("(0, 0, 1)"), "{error}");
+    let tilted = Some(Rotation::from_scaled_axis(Vector::x() * 0.2));
+    let query = Query::of(&scene).to(Point::new(1.0, 0.4, 1.0)).from(Point::new(1.0, 0.6, 1.0));
+    // Also if both are tilted alike, so that no turn about another axis is left on the way.
+    for (ends, status) in [([None, tilted], Status::GoalInvalid), ([tilted, tilted], Status::StartInvalid)] {
+        let refused = plan(query.oriented(ends), &PlanOptions::default(), &()).unwrap().result;
+        assert_eq!(refused.status, status);
+        let reason = refused.reason.unwrap();
+        assert_eq!((reason.kind, reason.at), (Kind::TurningAxis, 0.0));
+        assert!(reason.sentence().contains("another axis than the scene allows"), "{}", reason.sentence());
+    }
+}
+
+#[test]
+fn a_path_must_turn_about_the_axis_of_the_scene() {
+    let mut spec = built_scene("turn").spec().clone();
+    let place = Point::new(1.0, 1.0, 1.3);
+    let about = |axis: [f64; 3], angle: f64| Rotation::from_scaled_axis(Vector::from(axis).normalize() * angle);
+    for axis in [[0.0, 0.0, 2.0], [0.0, 0.3, 1.0]] {
+        spec.turning = Some(TurningSpec { axis: Some(TurningAxis::Fixed(axis)), ..TurningSpec::default() });
+        let scene = Scene::new(spec.clone()).unwrap();
+        let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+        let kinds = |turns: &[Rotation]| -> Vec<(usize, Kind)> {
+            let poses: Vec<Pose> = turns.iter().map(|turn| Pose::new(place, turn * scene.orientation())).collect();
+            let report = check_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
+            report.violations.iter().map(|found| (found.segment, found.violation.kind)).collect()
+        };
+        let at = |angle: f64| about(axis, angle);
+        assert_eq!(kinds(&[at(0.0), at(0.1), at(-0.1), at(-0.1)]), []);
+        let aside = about([1.0, 0.0, 0.0], 0.05);
+        let off = [(1, Kind::TurningAxis), (2, Kind::TurningAxis)];
+        assert_eq!(kinds(&[at(0.0), at(0.1), aside * at(0.1), at(0.2)]), off);
+        // In steps too small to be seen one by one.
+        let step = |k: usize| about([1.0, 0.0, 0.0], 1.1e-5 * k as f64);
+        let found = kinds(&(0..20).map(step).collect::<Vec<_>>());
+        assert!(found.len() == 17 && found.iter().all(|(_, kind)| *kind == Kind::TurningAxis), "{found:?}");
+    }
+}
+
+#[test]
+fn tensions_along_a_path_with_turns_are_those_at_each_orientation() {
+    let scene = built_scene("cogiro");
+    let required = cdpr_core::wrench::constraint::required_of(&scene, None, None).unwrap();
+    let place = |x: f64| Point::new(x, 0.0, 2.0);
+    let level = *scene.orientation();
+    let poses = [(0.0, 0.0), (0.4, 0.2), (0.4, -0.1)].map(|(x, angle)| Pose::new(place(x), yaw(angle) * level));
+    let rows = tensions_along_poses(&scene, &required, &poses, 0.1, None, &|| false).unwrap();
+    let lengths = lengths_along_poses(&scene, &poses, 0.1).unwrap();
+    assert!((rows[rows.len() - 1].place.s - pose_path_length(&scene, &poses)).abs() < 1e-12);
+    assert!(rows.len() > 8 && rows.iter().map(|row| &row.place).eq(&lengths));
+    for row in rows {
+        let position = Point::from(row.place.position);
+        let there = scene.turned(row.place.orientation.unwrap().into()).unwrap();
+        let statics = Statics::of(&there).unwrap();
+        let path = [position, position + Vector::x()];
+        let alone = tensions_along(&statics, &required, &path, 2.0, None, &|| false).unwrap().remove(0);
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + b.abs());
+        let all = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| near(*a, *b));
+        assert!(all(&row.place.lengths, &alone.place.lengths) && row.rank == alone.rank);
+        assert!(all(&row.tensions.unwrap(), &alone.tensions.unwrap()));
+        assert!(near(row.capacity_margin.unwrap(), alone.capacity_margin.unwrap()));
+        assert!(near(row.moment_margin.unwrap(), alone.moment_margin.unwrap()));
+    }
+    // A path without length has one row.
+    assert_eq!(tensions_along_poses(&scene, &required, &poses[..1], 0.1, None, &|| false).unwrap().len(), 1);
+}
+
+#[test]
+fn a_platform_that_must_not_tilt_still_turns_about_the_vertical() {
+    let mut spec = built_scene("turn").spec().clone();
+    spec.turning = Some(TurningSpec { max_tilt: Some(0.0), ..TurningSpec::default() });
+    let engine = turning_engine(&Scene::new(spec).unwrap(), &Watch::NONE).unwrap();
+    let at = |k: i32| Pose::new(Point::new(1.0, 1.0, 1.3), yaw(0.01 * f64::from(k)));
+    assert!((0..50).all(|k| engine.motion_valid(&at(k), &at(k + 1))));
+    let tilted = Pose::new(Point::new(1.0, 1.0, 1.3), Rotation::from_scaled_axis(Vector::y() * 1e-3));
+    assert!(!engine.state_valid(&tilted));
 }

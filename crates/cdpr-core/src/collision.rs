@@ -3,7 +3,7 @@
 //! [`crate::conditions`] lists the conditions of a scene at a fixed orientation. An engine checks motions against that
 //! list; planners only use the trait [`Validity`].
 
-mod along;
+pub(crate) mod along;
 pub(crate) mod clearance;
 pub(crate) mod cspace;
 mod explain;
@@ -15,7 +15,7 @@ pub(crate) mod validity;
 pub(crate) mod violation;
 
 pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
-pub use clearance::{Clearance, Tightest, path_clearance, tightest, tightest_of};
+pub use clearance::{Clearance, Tightest, path_clearance, tightest, tightest_at_pose, tightest_of};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
 pub use many::{clearances, motions_valid, states_valid};

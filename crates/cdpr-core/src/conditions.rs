@@ -98,6 +98,9 @@ macro_rules! conditions {
                     $(Kind::$name => $name::sentence(found),)*
                     Kind::Wrench => "the cables cannot balance the required wrenches".to_string(),
                     Kind::Tilt => "the platform tilts further than the scene allows".to_string(),
+                    Kind::TurningAxis => {
+                        "the platform is turned about another axis than the scene allows".to_string()
+                    }
                 }
             }
         }

@@ -84,6 +84,10 @@ pub const ROUNDED_UNIT: f64 = 1e-14;
 /// encoder.
 pub const SAME_TURN: f64 = 1e-9;
 
+/// How far a line of the platform may leave the only axis about which the platform may turn, rad: quaternions with five
+/// digits, of which a cosine knows the angle to 1e-8.
+pub const OFF_AXIS: f64 = 3e-5;
+
 /// Tolerance for coplanar hull vertices relative to the size of the body: input with rounded coordinates keeps its
 /// faces.
 pub const COPLANAR_RELATIVE: f64 = 1e-10;

@@ -1,6 +1,6 @@
 //! Cables along a path as CSV. The headers of a cable's columns contain its name and the unit: `s,x,y,z,length of winch
 //! 1 (m),…,tension of winch 1 (N),…,capacity_margin,force_margin,moment_margin`; the other columns are in m, N and N·m.
-//! Undefined entries are empty.
+//! Undefined entries are empty. If the platform turns, the columns `qw,qx,qy,qz` follow `z`.
 
 use std::path::Path;
 
@@ -25,7 +25,7 @@ use cdpr_core::wrench::{LengthRow, TensionRow};
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn tensions_csv(cables: &[&str], rows: &[TensionRow]) -> String {
-    let header = place_header(cables)
+    let header = place_header(cables, rows.first().is_some_and(|row| row.place.orientation.is_some()))
         .chain(columns("tension", cables, "N"))
         .chain(["capacity_margin", "force_margin", "moment_margin"].map(str::to_string));
     let record = |row: &TensionRow| {
@@ -39,11 +39,14 @@ pub fn tensions_csv(cables: &[&str], rows: &[TensionRow]) -> String {
 
 /// The rows as CSV text if tensions are not known.
 pub fn lengths_csv(cables: &[&str], rows: &[LengthRow]) -> String {
-    table(place_header(cables).collect(), rows.iter().map(|row| place_record(row).collect()))
+    let turns = rows.first().is_some_and(|row| row.orientation.is_some());
+    table(place_header(cables, turns).collect(), rows.iter().map(|row| place_record(row).collect()))
 }
 
-fn place_header(cables: &[&str]) -> impl Iterator<Item = String> {
-    ["s", "x", "y", "z"].map(str::to_string).into_iter().chain(columns("length", cables, "m"))
+fn place_header(cables: &[&str], turns: bool) -> impl Iterator<Item = String> {
+    let orientation: &[&str] = if turns { &["qw", "qx", "qy", "qz"] } else { &[] };
+    let place = ["s", "x", "y", "z"].iter().chain(orientation).map(|name| name.to_string());
+    place.chain(columns("length", cables, "m"))
 }
 
 fn columns(what: &str, cables: &[&str], unit: &str) -> Vec<String> {
@@ -51,7 +54,8 @@ fn columns(what: &str, cables: &[&str], unit: &str) -> Vec<String> {
 }
 
 fn place_record(row: &LengthRow) -> impl Iterator<Item = String> {
-    [row.s].into_iter().chain(row.position).chain(row.lengths.iter().copied()).map(|x| x.to_string())
+    let pose = row.position.into_iter().chain(row.orientation.into_iter().flatten());
+    [row.s].into_iter().chain(pose).chain(row.lengths.iter().copied()).map(|x| x.to_string())
 }
 
 fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String {

@@ -14,7 +14,7 @@ use cdpr_core::plan::{
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
-use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, turn_weight};
+use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, tensions_along_poses, turn_weight};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error, ErrorClass};
@@ -59,7 +59,7 @@ fn turning_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -
         return Ok(engine);
     }
     let compile = |watch: &Watch| {
-        let level = engine_within(&scene.0, wanted.0, wanted.1, watch)?;
+        let level = compiled(scene, wanted, watch)?;
         Ok(kept(&scene.2, wanted, TurningEngine::new(&scene.0, level)?.into()))
     };
     interruptible(py, |stop| compile(&Watch::on(stop)))
@@ -312,16 +312,24 @@ impl Scene {
         Ok(serialized(&report))
     }
 
-    /// Tensions and margins at even steps along a path, as JSON.
+    /// Tensions and margins at even steps along a path, as JSON, with the orientation at each waypoint if the platform turns.
+    #[pyo3(signature = (waypoints, step, reference, orientations=None))]
     fn tensions_along(
         &self,
         py: Python<'_>,
         waypoints: PyReadonlyArray2<'_, f64>,
         step: f64,
         reference: Option<Vec<f64>>,
+        orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
         let statics = answered(|| core_wrench::Statics::of(&self.0))?;
         let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
+        if let Some(turns) = &orientations {
+            let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
+            let along =
+                |stop: &Interrupt| tensions_along_poses(&self.0, &required, &poses, step, reference.as_deref(), stop);
+            return interruptible(py, along).map(|rows| serialized(&rows));
+        }
         let waypoints = points(waypoints.as_slice()?);
         let along = |stop: &Interrupt| {
             core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)

@@ -6,16 +6,18 @@ use serde_json::{Value, json};
 
 use super::{region, xyz};
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_of};
+use cdpr_core::collision::{
+    Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
+};
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Aabb, Point, Pose};
+use cdpr_core::geometry::{Aabb, Placed, Point, Pose};
 use cdpr_core::model::Scene;
 use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::planning::SearchTree;
 use cdpr_core::regions::{RegionOptions, Regions, regions_within};
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::constraint::limit_at;
+use cdpr_core::wrench::constraint::{limit_at, measures_at};
 use cdpr_core::wrench::map::Grid;
 use cdpr_core::wrench::tensions::even_steps;
 use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
@@ -175,11 +177,55 @@ fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<V
     Ok(found)
 }
 
-/// The cable lengths along a path of poses, whose length counts the turns; `None` for a path of length zero.
-pub(super) fn turning_motion(scene: &Scene, poses: &[Pose]) -> Option<Motion> {
+/// The pairs of each group that come nearest at each place, as `tightest` finds them among the kinds of the group.
+fn approaches<Place: Sync>(
+    places: &[Place],
+    watch: &Watch,
+    tightest: impl Fn(&Place, &dyn Fn(Kind) -> bool) -> Option<Tightest> + Sync,
+) -> Result<Vec<Approach>, Error> {
+    let mut approaches = Vec::new();
+    for (name, kinds) in GROUPS {
+        let at = |place| {
+            watch.check()?;
+            Ok(tightest(place, &|kind| kinds.contains(&kind)))
+        };
+        let found: Result<Option<Vec<_>>, Error> = places.par_iter().map(at).collect();
+        approaches.extend(found?.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
+    }
+    Ok(approaches)
+}
+
+/// The plots of a path of poses, whose length counts the turns; `None` for a path of length zero.
+///
+/// # Errors
+/// As [`motion`].
+pub(super) fn turning_motion(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let places = pose_places(scene, poses);
+    if places.is_empty() {
+        return Ok(None);
+    }
+    let s = places.iter().map(|(s, _)| *s as f32).collect();
+    let poses: Vec<Pose> = places.into_iter().map(|(_, pose)| pose).collect();
+    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
+    let conditions = Conditions::within(scene, watch)?;
+    motion.approaches = approaches(&poses, watch, |pose, of| {
+        tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()), of)
+    })?;
+    motion.margins = turning_margins(scene, &poses, watch)?;
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::of(scene) {
+        motion.tensions = turning_tensions(scene, &poses, watch)?;
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+/// Poses at even steps along each segment, waypoints included, with their distance along the path, m; none for a path of
+/// length zero.
+fn pose_places(scene: &Scene, poses: &[Pose]) -> Vec<(f64, Pose)> {
     let whole = pose_path_length(scene, poses);
     if !(whole > 0.0) {
-        return None;
+        return Vec::new();
     }
     let (mut places, mut before) = (vec![(0.0, poses[0])], 0.0);
     for pair in poses.windows(2) {
@@ -189,8 +235,40 @@ pub(super) fn turning_motion(scene: &Scene, poses: &[Pose]) -> Option<Motion> {
         places.extend(shares.map(|share| (before + share * length, motion.at(share))));
         before += length;
     }
-    let s = places.iter().map(|(s, _)| *s as f32).collect();
-    Some(Motion::of_lengths(s, places.iter().map(|(_, pose)| lengths(scene, pose)).collect()))
+    places
+}
+
+/// The margins at poses; `None` where a cable has no direction, or the loads turn a platform whose cables meet in one point.
+fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if too_many_margins(scene, poses.len()) {
+        return Ok(Vec::new());
+    }
+    let slacks = |pose: &Pose| {
+        watch.check()?;
+        let measures = measures_at(scene, &pose.orientation).unwrap_or_default();
+        Ok(measures.iter().map(|measure| plotted(measure.slack(&pose.position))).collect())
+    };
+    let rows: Result<Vec<Vec<Option<f32>>>, Error> = poses.par_iter().map(slacks).collect();
+    let rows = rows?;
+    let along = |(k, measure): (usize, &Measure)| {
+        let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
+        Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
+    };
+    Ok(measures.iter().enumerate().map(along).collect())
+}
+
+/// The tensions of each cable at rest at poses.
+fn turning_tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let loads = Loads::of(scene);
+    let found: Result<Vec<_>, Error> = (poses.par_iter())
+        .map_init(TensionQp::default, |solver, pose| {
+            watch.check()?;
+            let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
+            statics.tensions(solver, &pose.position, None)
+        })
+        .collect();
+    Ok(tension_columns(scene.robot().cables().len(), found?))
 }
 
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.
@@ -214,14 +292,7 @@ fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> R
     let at = |position: &Point| lengths(scene, &Pose::new(*position, *scene.orientation()));
     let margins = margins(scene, positions, watch)?;
     let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
-    for (name, kinds) in GROUPS {
-        let tightest = |position| {
-            watch.check()?;
-            Ok(tightest_of(&conditions, position, |kind| kinds.contains(&kind)))
-        };
-        let found: Result<Option<Vec<_>>, Error> = positions.par_iter().map(tightest).collect();
-        motion.approaches.extend(found?.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
-    }
+    motion.approaches = approaches(positions, watch, |position, of| tightest_of(&conditions, position, of))?;
     Ok(motion)
 }
 
@@ -234,24 +305,38 @@ fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec
             statics.tensions(solver, position, None)
         })
         .collect();
-    let count = statics.cables().len();
+    Ok(tension_columns(statics.cables().len(), found?))
+}
+
+/// Tensions at each place as columns, one for each cable.
+fn tension_columns(cables: usize, found: Vec<Option<Vec<f64>>>) -> Vec<Vec<Option<f32>>> {
     let row = |tensions: Option<Vec<f64>>| match tensions {
         Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
-        None => vec![None; count],
+        None => vec![None; cables],
     };
-    Ok(by_cable(found?.into_iter().map(row).collect()))
+    by_cable(found.into_iter().map(row).collect())
+}
+
+/// Whether the margins of so many places would take too long.
+fn too_many_margins(scene: &Scene, places: usize) -> bool {
+    places as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK
+}
+
+/// A margin as plotted.
+fn plotted(slack: f64) -> Option<f32> {
+    Some(slack as f32).filter(|slack| slack.is_finite())
 }
 
 fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
     let measures = measures(scene)?;
-    if positions.len() as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK {
+    if too_many_margins(scene, positions.len()) {
         return Ok(Vec::new());
     }
     let along = |measure: &Measure| {
         let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
         let value = |position| {
             watch.check()?;
-            Ok(Some(measure.slack(position) as f32).filter(|slack| slack.is_finite()))
+            Ok(plotted(measure.slack(position)))
         };
         let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
         Ok(Margins { measure: name, unit, values: values? })
@@ -420,6 +505,40 @@ mod tests {
         }
         assert!((0..found.s.len()).any(named));
         assert!(found.approaches[1].required.iter().all(|required| *required == 0.02));
+    }
+
+    #[test]
+    fn plots_of_a_path_with_turns_agree_with_those_at_each_orientation() {
+        use cdpr_core::geometry::{Rotation, Vector};
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let scene = Scene::new(spec).unwrap();
+        let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
+        let poses =
+            [(0.3, 0.0), (0.9, 0.3), (1.3, -0.1)].map(|(z, angle)| Pose::new(Point::new(0.3, 1.0, z), yaw(angle)));
+        let found = turning_motion(&scene, &poses, &Watch::NONE).unwrap().unwrap();
+        let places = pose_places(&scene, &poses);
+        let count = places.len();
+        let near = &found.approaches[0];
+        assert_eq!((found.s.len(), near.gap.len(), found.tensions[7].len()), (count, count, count));
+        assert!(poses.iter().all(|pose| places.iter().any(|(_, place)| place == pose)));
+        for (k, (_, pose)) in places.iter().enumerate().step_by(25) {
+            let digits = cdpr_core::geometry::wxyz(&pose.orientation);
+            let turned = scene.turned(digits.into()).unwrap();
+            let near_obstacles = |kind| GROUPS[0].1.contains(&kind);
+            let there = tightest_of(&Conditions::new(&turned).unwrap(), &pose.position, near_obstacles).unwrap();
+            assert!((f64::from(near.gap[k]) - there.clearance.value).abs() < 1e-6);
+            assert_eq!(near.pairs[near.tightest[k]], there.clearance.culprits);
+            let slack = measures(&turned).unwrap()[0].slack(&pose.position);
+            assert!((f64::from(found.margins[0].values[k].unwrap()) - slack).abs() < 1e-3);
+            let statics = Statics::of(&turned).unwrap();
+            let tensions = statics.tensions(&mut TensionQp::default(), &pose.position, None).unwrap();
+            let (shown, tension) = (found.tensions[2][k], tensions.map(|tensions| tensions[2]));
+            assert_eq!(shown.is_some(), tension.is_some());
+            assert!(shown.zip(tension).is_none_or(|(a, b)| (f64::from(a) - b).abs() < 1e-3));
+        }
+        assert!(found.tensions[2].iter().flatten().count() > 0);
+        assert_eq!(turning_motion(&scene, &poses[..1], &Watch::NONE).unwrap(), None);
     }
 
     #[test]

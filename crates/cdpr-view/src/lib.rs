@@ -90,7 +90,7 @@ pub fn page_within(scene: &Scene, contents: Contents, form: Form, watch: &Watch)
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn page_data(scene: &Scene, contents: Contents, extras: bool, watch: &Watch) -> Result<Value, Error> {
     let motion = |path: &PathFile| match poses(path) {
-        Some(poses) => Ok(extras::turning_motion(scene, &poses)),
+        Some(poses) => extra(extras::turning_motion(scene, &poses, watch)),
         None => extra(extras::motion(scene, &path.points(), watch)),
     };
     let motion = contents.path.map(motion).transpose()?.flatten();

@@ -177,18 +177,13 @@ fn shown_scene(scene: &Scene, [start, goal]: [Pose; 2]) -> Result<Scene, Error> 
     (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
     let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
     (query.start_orientation, query.goal_orientation) =
-        if keep_orientation(scene, &[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
+        if scene.keeps_orientation(&[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
     Scene::new(spec)
-}
-
-/// Whether start and goal have the orientation of the scene.
-fn keep_orientation(scene: &Scene, ends: &[Pose; 2]) -> bool {
-    ends.iter().all(|end| end.orientation.angle_to(scene.orientation()) <= SAME_TURN)
 }
 
 fn question(scene: &Scene, ends: [Pose; 2]) -> String {
     let [start, goal] = ends.map(|end| position(&end.position));
-    if keep_orientation(scene, &ends) {
+    if scene.keeps_orientation(&ends) {
         return format!("{}; from {start} to {goal}", scene_line(scene));
     }
     let [at_start, at_goal] = ends.map(|end| orientation(scene, &end.orientation));

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
-use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::geometry::{Aabb, Point, rotation_as_written};
 use cdpr_core::model::MarginSpec;
+use cdpr_core::turning::{lengths_along_poses, tensions_along_poses};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
@@ -13,12 +14,13 @@ use cdpr_core::wrench::{
     tensions_along, wrench_at,
 };
 use cdpr_core::{Error, Scene};
+use cdpr_files::LoadedPath;
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs};
 use crate::input;
 use crate::interruption::{interrupted, writing};
-use crate::output::{Console, count, is_stream, position, scene_line, thousandths};
+use crate::output::{Console, count, is_stream, position, robot_line, scene_line, thousandths};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
@@ -54,24 +56,26 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     let named = args.output.as_deref().filter(|output| !is_stream(output));
     named.map(cdpr_files::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
-    let level = (args.strict, "tensions along a path are");
-    let (scene, path) = input::level_path(scene, &args.scene, path, level, out)?;
+    let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
     let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
     match asked(args, &scene) {
         Err(lacking) if !scene.robot().knows_its_forces() && !demanded => {
             out.note(&format!("lengths only: {lacking}"));
-            lengths(args, &scene, &path.waypoints, out)
+            lengths(args, &scene, &path, out)
         }
-        asked => tensions(args, &scene, asked?, &path.waypoints, out),
+        asked => tensions(args, &scene, asked?, &path, out),
     }
 }
 
-fn lengths(args: &WrenchArgs, scene: &Scene, waypoints: &[Point], out: &Console) -> Result<Answer, Error> {
-    let rows = lengths_along(scene.robot(), scene.orientation(), waypoints, args.step)?;
+fn lengths(args: &WrenchArgs, scene: &Scene, path: &LoadedPath, out: &Console) -> Result<Answer, Error> {
+    let rows = match &path.poses {
+        Some(poses) => lengths_along_poses(scene, poses, args.step)?,
+        None => lengths_along(scene.robot(), scene.orientation(), &path.waypoints, args.step)?,
+    };
     let names = scene.robot().cable_names();
     let json = serde_json::json!({ "cables": names, "rows": rows });
     let summary = || {
-        let mut lines = vec![scene_line(scene), count(rows.len(), "place")];
+        let mut lines = vec![path_line(scene, &rows[0]), count(rows.len(), "place")];
         lines.extend(length_lines(&names, &rows.iter().collect::<Vec<_>>()));
         lines
     };
@@ -83,20 +87,31 @@ fn tensions(
     args: &WrenchArgs,
     scene: &Scene,
     (statics, required): (Statics, Required),
-    waypoints: &[Point],
+    path: &LoadedPath,
     out: &Console,
 ) -> Result<Answer, Error> {
-    let rows = tensions_along(&statics, &required, waypoints, args.step, None, &interrupted)
-        .map_err(|e| e.in_file(&args.scene.scene))?;
+    let rows = match &path.poses {
+        Some(poses) => tensions_along_poses(scene, &required, poses, args.step, None, &interrupted),
+        None => tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted),
+    };
+    let rows = rows.map_err(|e| e.in_file(&args.scene.scene))?;
     let names = scene.robot().cable_names();
     let json = serde_json::json!({ "cables": names, "rows": rows });
     let free = rows.iter().find_map(|row| {
+        let there = row.place.orientation.map(|turn| Loads::of(scene).at(&rotation_as_written(turn)));
+        let turned = there.and_then(|loads| Statics::new(scene.robot(), &loads).ok());
+        let statics = turned.as_ref().unwrap_or(&statics);
         let hold = statics.hold(&row.place.position.into()).filter(|hold| !hold.is_full())?;
         Some(format!("{}, at {:.4} m", hold.sentence(), row.place.s))
     });
     free.iter().for_each(|free| out.note(free));
     print_rows(args, &json, &cdpr_files::tensions_csv(&names, &rows), || summary(scene, &names, &rows), out)?;
     Ok(if rows.iter().all(|row| row.tensions.is_some()) { Answer::Yes } else { Answer::No })
+}
+
+/// The first line of a summary, without the scene's orientation if the platform turns.
+fn path_line(scene: &Scene, first: &LengthRow) -> String {
+    if first.orientation.is_some() { robot_line(scene) } else { scene_line(scene) }
 }
 
 /// Prints rows along a path as requested: JSON, a summary if a CSV file is written, or the CSV itself.
@@ -191,7 +206,7 @@ fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
         found.map(|(tension, cable, s)| format!("{what} tension {tension:.3} N: {cable} at {s:.4} m"))
     };
     let scarcest = rows.iter().filter_map(|row| row.capacity_margin.map(|margin| (margin, row.place.s)));
-    let mut lines = vec![scene_line(scene)];
+    let mut lines = vec![path_line(scene, &rows[0].place)];
     lines.push(format!("{} places, the loads balanced at {balanced} of them", rows.len()));
     lines.extend(["least", "greatest"].into_iter().zip(extremes(tensions)).filter_map(line));
     lines.extend(

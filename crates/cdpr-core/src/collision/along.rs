@@ -21,33 +21,45 @@ pub fn first_true(test: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-/// Smallest value of a function in an interval: samples, then golden-section search around each local minimum. Exact up
-/// to rounding for the depth of the platform, which has one minimum along a line.
-pub fn least_between(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
-    const SAMPLES: usize = 16;
-    let step = (high - low).max(0.0) / SAMPLES as f64;
-    let sampled: [f64; SAMPLES + 1] = std::array::from_fn(|k| value(low + step * k as f64));
-    let around = |k: usize| [k.saturating_sub(1), (k + 1).min(SAMPLES)];
-    let valleys = (0..=SAMPLES).filter(|&k| around(k).iter().all(|&neighbour| sampled[k] <= sampled[neighbour]));
-    let refined = valleys.map(|k| {
-        let [a, b] = around(k).map(|k| low + step * k as f64);
-        golden_sections(a, b, sampled[k], &value)
-    });
-    refined.fold(f64::INFINITY, f64::min)
+/// A value of a function, and where it is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Least {
+    /// The place.
+    pub at: f64,
+    /// The value.
+    pub value: f64,
+}
+
+impl Least {
+    /// The smaller of two values, the first if they are equal; NaN is larger than any number.
+    fn or(self, other: Least) -> Least {
+        if other.value < self.value || self.value.is_nan() { other } else { self }
+    }
+}
+
+/// Smallest value of a function in an interval: evenly spaced samples, then golden-section search around each local
+/// minimum of them. Exact up to rounding for the depth of the platform, which has one minimum along a line.
+pub fn least_between(low: f64, high: f64, intervals: usize, value: impl Fn(f64) -> f64) -> Least {
+    let step = (high - low).max(0.0) / intervals as f64;
+    let sampled: Vec<Least> =
+        (0..=intervals).map(|k| low + step * k as f64).map(|at| Least { at, value: value(at) }).collect();
+    let around = |k: usize| [k.saturating_sub(1), (k + 1).min(intervals)].map(|k| sampled[k]);
+    let valleys = (0..=intervals).filter(|&k| around(k).iter().all(|neighbour| sampled[k].value <= neighbour.value));
+    let refined = valleys.map(|k| golden_sections(around(k).map(|end| end.at), sampled[k], &value));
+    refined.fold(Least { at: low, value: f64::INFINITY }, Least::or)
 }
 
 /// Smallest value found in an interval by golden-section search; exact if there is one minimum.
-fn golden_sections(mut a: f64, mut b: f64, known: f64, value: &impl Fn(f64) -> f64) -> f64 {
+fn golden_sections([mut a, mut b]: [f64; 2], known: Least, value: &impl Fn(f64) -> f64) -> Least {
     const SECTIONS: usize = 40;
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     (0..SECTIONS).fold(known, |least, _| {
-        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
-        let (at_left, at_right) = (value(left), value(right));
-        if at_left <= at_right {
-            b = right
+        let [left, right] = [b - golden * (b - a), a + golden * (b - a)].map(|at| Least { at, value: value(at) });
+        if left.value <= right.value {
+            b = right.at
         } else {
-            a = left
+            a = left.at
         }
-        least.min(at_left).min(at_right)
+        least.or(left).or(right)
     })
 }

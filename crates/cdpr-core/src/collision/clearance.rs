@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::along::{at, first_true};
 use crate::conditions::{Condition, Conditions, Kind};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point};
 use crate::numerics::TOUCH_DEPTH;
 use crate::watch::Watch;
 
@@ -104,6 +104,19 @@ pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(Kind) 
     let required = required(condition);
     let clearance = Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required };
     Some(Tightest { clearance, points: condition.details().nearest_points(&conditions.bodies, position) })
+}
+
+/// As [`tightest_of`], at a pose of bodies that are given at the orientation of the conditions; without points.
+pub fn tightest_at_pose(conditions: &Conditions, at: &Placed, of: impl Fn(Kind) -> bool) -> Option<Tightest> {
+    let Conditions { list, bodies, .. } = conditions;
+    let of_kinds = list.iter().filter(|condition| of(conditions.kind(condition)));
+    let about_gaps = of_kinds.filter(|condition| condition.details().is_about_gap(bodies));
+    let (room, condition) = about_gaps
+        .map(|condition| (condition.details().slack_at(bodies, at), condition))
+        .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    let required = condition.details().required(bodies);
+    let clearance = Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required };
+    Some(Tightest { clearance, points: None })
 }
 
 /// The smallest gap of a motion, m, and the index of its condition.

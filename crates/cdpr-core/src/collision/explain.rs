@@ -24,6 +24,9 @@ fn is_reported_beside(conditions: &Conditions, index: usize, broken: &[usize]) -
     seam.closes_seam(bodies) && broken.iter().any(|&other| seam.is_seam_beside(list[other].details(), bodies))
 }
 
+/// Number of intervals into which samples of a distance divide a motion.
+const SAMPLES: usize = 16;
+
 /// Where and how badly a motion breaks a condition that it is known to break.
 fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> Violation {
     let (conditions, condition) = (checker.conditions(), &checker.conditions().list[index]);
@@ -32,8 +35,9 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
     let last = 1.0 - first_true(|t| checker.breaks(index, &at(from, to, 1.0 - t), to));
     let (details, bodies) = (condition.details(), &conditions.bodies);
     let distance_at = |p: &Point| details.distance(bodies, p, p);
-    let gap = details.worst_distance(bodies, checker.interference(), from, to).unwrap_or_else(|| {
-        if from == to { distance_at(from) } else { least_between(first, last, |t| distance_at(&at(from, to, t))) }
+    let gap = details.worst_distance(bodies, checker.interference(), from, to).unwrap_or_else(|| match from == to {
+        true => distance_at(from),
+        false => least_between(first, last, SAMPLES, |t| distance_at(&at(from, to, t))).value,
     });
     let required = details.required(bodies);
     Violation {

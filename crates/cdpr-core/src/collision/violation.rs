@@ -86,6 +86,15 @@ impl WrenchLimit {
 }
 
 impl Violation {
+    /// The violation of a wrench requirement that begins at this fraction of a motion; marked as unproved if its limit is
+    /// no failure.
+    pub fn of_wrench(at: f64, limit: WrenchLimit) -> Self {
+        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
+        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
+        let wrench = Some(limit);
+        Violation { at, kind: Kind::Wrench, culprits, gap: None, required: None, margin: None, unproved, wrench }
+    }
+
     /// Describes the violation: "cable 3 meets pillar, 12.0 mm deep".
     pub fn sentence(&self) -> String {
         let limit = self.wrench.as_ref().map_or(String::new(), WrenchLimit::sentence);

@@ -90,6 +90,12 @@ impl Bodies {
         }
     }
 
+    /// Distance from the platform's origin to the farthest corner or attachment, m.
+    pub fn reach(&self) -> f64 {
+        let arms = self.cables.iter().map(|cable| cable.arm.norm());
+        arms.chain(self.platform_reach.iter().copied()).fold(0.0, f64::max)
+    }
+
     /// The name of a member.
     pub fn name(&self, member: Member) -> &str {
         match member {

@@ -33,6 +33,8 @@ pub enum Kind {
     Wrench,
     /// The platform tilts too far.
     Tilt,
+    /// The platform turns about another axis than the only allowed one.
+    TurningAxis,
 }
 
 /// The rule for cables crossing each other.

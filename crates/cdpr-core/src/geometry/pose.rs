@@ -198,6 +198,11 @@ impl Turning {
         Placed { position, turn }
     }
 
+    /// Whether it stays at one pose.
+    pub fn is_still(&self) -> bool {
+        self.angle == 0.0 && self.step == Vector::zeros()
+    }
+
     /// The least cosine, during the motion, of the angle between a unit direction of the platform and where it points at the
     /// orientation of reference.
     pub fn least_along(&self, direction: &Vector) -> f64 {

@@ -11,7 +11,7 @@ use super::spec::{
 use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
-use crate::geometry::{Aabb, Point, Rotation, Vector, wxyz};
+use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
 use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
@@ -167,6 +167,16 @@ impl Scene {
         &self.orientation
     }
 
+    /// Whether an orientation is that of the scene.
+    pub fn has_orientation(&self, orientation: &Rotation) -> bool {
+        orientation.angle_to(&self.orientation) <= SAME_TURN
+    }
+
+    /// Whether all these poses have the orientation of the scene.
+    pub fn keeps_orientation(&self, poses: &[Pose]) -> bool {
+        poses.iter().all(|pose| self.has_orientation(&pose.orientation))
+    }
+
     /// The name of the orientation, if it is one of the named orientations.
     pub fn orientation_name(&self) -> Option<&str> {
         self.name_of_orientation(&self.orientation)
@@ -245,7 +255,7 @@ impl Scene {
             return self.turned(said);
         }
         let turn = orientation("orientation", &said, &self.orientations)?;
-        if turn.angle_to(&self.orientation) <= SAME_TURN {
+        if self.has_orientation(&turn) {
             return Ok(self.clone());
         }
         let words = |q: &Rotation| format!("{:?}", wxyz(q));

@@ -415,7 +415,8 @@ pub struct QuerySpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TurningSpec {
-    /// "free" for turns about any axis, or the only axis, world; default "free".
+    /// "free" for turns about any axis, or the only axis, world, about which the platform may be turned from the scene's
+    /// orientation; default "free".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<TurningAxis>,
     /// Largest angle between the vertical and the line of the platform that is vertical at the scene's orientation,

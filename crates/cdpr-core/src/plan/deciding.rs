@@ -67,6 +67,9 @@ pub fn search_and_decide(
     conclude(outcome, answer, puller, watch)
 }
 
+/// What the planner found, and what was decided.
+type Ended = (Result<Outcome<Point>, Error>, Option<Answer>);
+
 /// The decision, as long as the planner has no path.
 struct Decision<'a> {
     engine: &'a dyn Checker,
@@ -108,7 +111,7 @@ fn side_by_side(
     decision: &Decision,
     (improved, watch): (&Improved, &Watch),
     search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
-) -> (Result<Outcome<Point>, Error>, Option<Answer>) {
+) -> Ended {
     let (none, begun) = (AtomicBool::new(false), AtomicBool::new(false));
     let beside = || {
         let answer = decision.answer(watch);
@@ -144,7 +147,7 @@ fn in_turns(
     decision: &Decision,
     (improved, watch): (&Improved, &Watch),
     search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
-) -> (Result<Outcome<Point>, Error>, Option<Answer>) {
+) -> Ended {
     let (clock, turns) = (Instant::now(), Mutex::new((FIRST_TURN, None)));
     let stop = || {
         let (next, answer) = &mut *lock(&turns);
@@ -199,7 +202,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     /// The same question, answered side by side and in turns.
-    fn both(scene: &crate::Scene) -> [(Result<Outcome<Point>, Error>, Option<Answer>); 2] {
+    fn both(scene: &crate::Scene) -> [Ended; 2] {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
         let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];
         let (options, puller) = (PlanOptions::paper(), StringPuller::new(&engine));

@@ -5,7 +5,6 @@ use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
 use crate::model::{Scene, body};
-use crate::numerics::SAME_TURN;
 use crate::proof::Answer;
 use crate::turning::TurningEngine;
 use crate::watch::Watch;
@@ -63,9 +62,8 @@ impl<'a> Query<'a> {
 
     /// Whether the platform may turn on its way.
     pub fn turns(&self) -> bool {
-        let [start, goal] = self.end_orientations();
-        let level = |end: &Rotation| end.angle_to(self.scene.orientation()) <= SAME_TURN;
-        self.scene.turning().is_some() || !level(&start) || !level(&goal)
+        let level = self.end_orientations().iter().all(|end| self.scene.has_orientation(end));
+        self.scene.turning().is_some() || !level
     }
 
     fn end_orientations(&self) -> [Rotation; 2] {

@@ -7,12 +7,11 @@ use rand_chacha::ChaCha8Rng;
 use web_time::Instant;
 
 use super::query::{Planned, Query};
-use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, invalid_segment, plan_by};
+use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, plan_by};
 use crate::collision::{Interference, Validity};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Point, Pose, Rotation};
 use crate::model::Scene;
-use crate::numerics::SAME_TURN;
 use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::Watch;
@@ -24,27 +23,6 @@ use crate::watch::Watch;
 pub fn turning_engine(scene: &Scene, watch: &Watch) -> Result<TurningEngine, Error> {
     let level = engine_within(scene, PlanOptions::default().engine, Interference::Exact, watch)?;
     TurningEngine::new(scene, level)
-}
-
-/// Shortens a path of poses given by the user.
-///
-/// # Errors
-/// A segment that is not valid (the error names it and the reason); as [`PoseSpace::of`]; [`Error::interrupted`].
-pub fn shorten_poses(scene: &Scene, engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<Vec<Pose>, Error> {
-    let [Some(start), Some(goal)] = [poses.first(), poses.last()] else { return Ok(Vec::new()) };
-    let invalid = |path: &[Pose]| path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1]));
-    if let Some(segment) = invalid(poses) {
-        let reason = engine.explain(&poses[segment], &poses[segment + 1]);
-        return Err(invalid_segment(segment, reason));
-    }
-    let space = PoseSpace::of(scene, [start, goal])?;
-    let shorter = PoseShortener::new(&space, engine).polished(poses, watch)?;
-    match invalid(&shorter) {
-        None => Ok(shorter),
-        Some(segment) => {
-            Err(Error::internal(format!("segment {segment} of the shortened path did not pass its last check")))
-        }
-    }
 }
 
 /// Plans a path of poses. If start and goal have the orientation of the scene, it is first planned without turning.
@@ -63,9 +41,7 @@ pub fn plan_turning(
     };
     let engine = TurningEngine::new(scene, level)?;
     let [start, goal] = query.poses()?;
-    let keeps_orientation =
-        [&start, &goal].iter().all(|pose| pose.orientation.angle_to(scene.orientation()) <= SAME_TURN);
-    let straight = match keeps_orientation {
+    let straight = match scene.keeps_orientation(&[start, goal]) {
         true => {
             let half = watch.left().map(|left| left / 2);
             let share = Watch { deadline: half.map(|half| Instant::now() + half), ..*watch };

@@ -4,12 +4,14 @@
 //! [`TOO_CLOSE_TO_TURN`] the motion is refused, otherwise the piece is halved. Deviations from chords fall with the square of
 //! the angle, so most motions need one or two pieces for each condition.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::tilt::Tilt;
+use super::allowed::AllowedTurns;
 use super::turning_wrench::TurningWrench;
+use crate::collision::along::{Least, least_between};
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
-use crate::conditions::Bodies;
+use crate::conditions::{Bodies, Condition};
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
 use crate::model::Scene;
@@ -35,10 +37,10 @@ use crate::numerics::{SAME_TURN, TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES,
 /// ```
 pub struct TurningEngine {
     /// Checks motions without a turn at the orientation of the scene.
-    level: Box<dyn Checker>,
+    level: Arc<dyn Checker>,
     reference: Rotation,
     wrench: Option<TurningWrench>,
-    tilt: Option<Tilt>,
+    allowed: Vec<AllowedTurns>,
     /// The condition that refused the last motion: often it refuses the next one, too.
     hint: AtomicUsize,
 }
@@ -59,18 +61,18 @@ impl TurningEngine {
     ///
     /// # Errors
     /// The interference rule `swept`; as [`TurningWrench::of`].
-    pub fn new(scene: &Scene, level: Box<dyn Checker>) -> Result<Self, Error> {
+    pub fn new(scene: &Scene, level: impl Into<Arc<dyn Checker>>) -> Result<Self, Error> {
+        let level = level.into();
         if level.interference() == Interference::Swept {
             let problem =
                 "found \"swept\", which is for motions without a turn; expected \"exact\" if the platform turns";
             return Err(Error::invalid("interference", problem));
         }
-        let tilt = scene.turning().and_then(|turning| turning.max_tilt);
         Ok(TurningEngine {
             level,
             reference: *scene.orientation(),
             wrench: TurningWrench::of(scene)?,
-            tilt: tilt.map(|degrees| Tilt::at_most(degrees.to_radians())),
+            allowed: AllowedTurns::of(scene),
             hint: AtomicUsize::new(0),
         })
     }
@@ -190,7 +192,7 @@ impl Validity<Pose> for TurningEngine {
             return self.level.motion_valid(&from.position, &to.position);
         }
         let motion = from.toward(to).relative_to(&self.reference);
-        self.tilt.as_ref().is_none_or(|tilt| tilt.keeps(&motion))
+        self.allowed.iter().all(|allowed| allowed.keeps(&motion))
             && self.keeps_conditions(&motion)
             && self.wrench.as_ref().is_none_or(|wrench| wrench.keeps(from, to))
     }
@@ -206,7 +208,7 @@ impl Validity<Pose> for TurningEngine {
         let motion = from.toward(to).relative_to(&self.reference);
         let mut found: Vec<Violation> =
             self.refused(&motion).into_iter().map(|(index, verdict)| self.violation(index, &motion, verdict)).collect();
-        found.extend(self.tilt.as_ref().and_then(|tilt| tilt.violation(&motion)));
+        found.extend(self.allowed.iter().filter_map(|allowed| allowed.violation(&motion)));
         found.extend(self.wrench.as_ref().and_then(|wrench| wrench.violation(from, to)));
         found.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.kind.cmp(&b.kind)));
         found
@@ -225,16 +227,20 @@ impl TurningEngine {
     pub fn clearance_of(&self, counts: &dyn Fn(usize) -> bool, from: &Pose, to: &Pose) -> Option<Clearance> {
         let motion = from.toward(to).relative_to(&self.reference);
         let Conditions { list, bodies, .. } = self.conditions();
-        let about_gaps = (list.iter().enumerate())
-            .filter(|(index, condition)| counts(*index) && condition.details().is_about_gap(bodies));
-        let nearest = about_gaps.map(|(_, condition)| {
-            let details = condition.details();
-            let required = details.required(bodies);
-            let (at, slack) = least(|t| details.slack_at(bodies, &motion.at(t)));
-            (slack + required, at, condition, required)
-        });
-        let (value, at, condition, required) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(Clearance { value, at, culprits: self.conditions().culprits(condition), required: required.max(0.0) })
+        let halfway = motion.at(0.5);
+        let about_gaps: Vec<(&Condition, f64)> = (list.iter().enumerate())
+            .filter(|(index, condition)| counts(*index) && condition.details().is_about_gap(bodies))
+            .map(|(_, condition)| (condition, gap_at(condition, bodies, &halfway)))
+            .collect();
+        // Either body of a pair moves by at most half of this before and after the middle of the motion.
+        let travel = motion.whole().travel(bodies.reach());
+        let least_halfway = about_gaps.iter().map(|(_, gap)| *gap).fold(f64::INFINITY, f64::min);
+        let near = about_gaps.iter().filter(|(_, gap)| !(gap - travel > least_halfway));
+        let (condition, Least { at, value }) = near
+            .map(|(condition, _)| (*condition, least_during(&motion, |at| gap_at(condition, bodies, at))))
+            .min_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
+        let required = condition.details().required(bodies).max(0.0);
+        Some(Clearance { value, at, culprits: self.conditions().culprits(condition), required })
     }
 
     fn violation(&self, index: usize, motion: &Turning, verdict: Verdict) -> Violation {
@@ -243,8 +249,7 @@ impl TurningEngine {
         let condition = &conditions.list[index];
         let details = condition.details();
         let required = details.required(&conditions.bodies);
-        let measured = |t: f64| details.slack_at(&conditions.bodies, &motion.at(t));
-        let worst = least(measured).1.min(slack);
+        let worst = least_during(motion, |at| details.slack_at(&conditions.bodies, at)).value.min(slack);
         Violation {
             at,
             kind: details.kind(),
@@ -258,26 +263,16 @@ impl TurningEngine {
     }
 }
 
-/// The least of samples of a function on [0, 1], refined around it, and where it is.
-fn least(value: impl Fn(f64) -> f64) -> (f64, f64) {
+/// The gap of a pair at a pose, m, required or not.
+fn gap_at(condition: &Condition, bodies: &Bodies, at: &Placed) -> f64 {
+    condition.details().slack_at(bodies, at) + condition.details().required(bodies)
+}
+
+/// The least value during a motion, from samples.
+fn least_during(motion: &Turning, value: impl Fn(&Placed) -> f64) -> Least {
     const SAMPLES: usize = 32;
-    let (mut at, mut least) = (0.0, f64::INFINITY);
-    let mut consider = |t: f64| {
-        let found = value(t);
-        if found < least {
-            (at, least) = (t, found);
-        }
-        (at, least)
-    };
-    (0..=SAMPLES).for_each(|k| {
-        consider(k as f64 / SAMPLES as f64);
-    });
-    let mut step = 0.5 / SAMPLES as f64;
-    for _ in 0..20 {
-        let (around, _) = consider(0.0);
-        consider((around - step).max(0.0));
-        consider((around + step).min(1.0));
-        step *= 0.5;
+    match motion.is_still() {
+        true => Least { at: 0.0, value: value(&motion.at(0.0)) },
+        false => least_between(0.0, 1.0, SAMPLES, |t| value(&motion.at(t))),
     }
-    (at, least)
 }

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::model::Scene;
 use crate::model::spec::TurningAxis;
-use crate::numerics::{NO_TURN, SAME_TURN};
+use crate::numerics::{NO_TURN, OFF_AXIS};
 use crate::planning::{StateSpace, TranslationSpace};
 
 /// The orientations of a space.
@@ -62,7 +62,7 @@ impl PoseSpace {
         };
         if let Freedom::Axis(axis) = freedom {
             let turn = start.toward(goal);
-            if turn.angle > SAME_TURN && turn.axis.cross(&axis).norm() * turn.angle > SAME_TURN.sqrt() {
+            if turn.axis.cross(&axis).norm() * turn.angle > 2.0 * OFF_AXIS {
                 let [x, y, z] = axis.into();
                 let problem = format!(
                     "found a goal that the platform cannot reach from its start by turning about ({x}, {y}, {z}); choose other \

@@ -4,12 +4,14 @@
 //! second order, and the slack is below its chord by no more than these deviations, times the tensions, and the changes of the
 //! columns, times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight.
 
-use crate::collision::{Kind, Violation};
+use nalgebra::Vector6;
+
+use crate::collision::Violation;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, PoseMotion, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
 use crate::numerics::simd::WIDTH;
-use crate::numerics::{TURNING_PLACE, WRENCH_PIECES};
+use crate::numerics::{MOST_WRENCH_CABLES, TURNING_PLACE, WRENCH_PIECES};
 use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures, measures_by, required, sagging};
 
 /// Wrench feasibility as a scene requires it, at any orientation.
@@ -21,6 +23,40 @@ pub struct TurningWrench {
     margin: MarginSpec,
     /// The measures at the orientation of the scene.
     measures: Vec<Measure>,
+    /// The largest moment of the weight about the platform's origin, N·m.
+    weight_moment: f64,
+}
+
+/// A cable at a pose, and its column of the wrench matrix.
+struct Column {
+    /// From the attachment to the outlet, m.
+    line: Vector,
+    /// Its length, m.
+    length: f64,
+    unit: Vector,
+    /// Of a unit force about the platform's origin, m.
+    moment: Vector,
+}
+
+impl Column {
+    #[inline]
+    fn of(cable: &Cable, pose: &Pose) -> Self {
+        let arm = pose.orientation * cable.attachment.coords;
+        let line = cable.outlet - (pose.position + arm);
+        let length = line.norm();
+        let unit = line / length;
+        Column { line, length, unit, moment: arm.cross(&unit) }
+    }
+}
+
+/// An upper bound of Σ |c·aᵢ| over all unit directions c. It is the length of the longest sum of the aᵢ with signs, so its
+/// square is at most the sum of all |aᵢ·aⱼ|.
+fn largest_sum(vectors: &[Vector6<f64>]) -> f64 {
+    let products = |k: usize| {
+        let others: f64 = vectors[..k].iter().map(|other| other.dot(&vectors[k]).abs()).sum();
+        vectors[k].norm_squared() + 2.0 * others
+    };
+    (0..vectors.len()).map(products).sum::<f64>().sqrt()
 }
 
 /// A pose of a motion, and for each measure how much more than required the cables can exert there.
@@ -34,6 +70,9 @@ struct Known {
 /// The slack by each measure; there are at most two.
 type Slack = [f64; 2];
 
+/// Why the statics exist at every orientation.
+const CHECKED: &str = "checked at the orientation of the scene";
+
 impl TurningWrench {
     /// The requirement of a scene; `None` if it has none.
     ///
@@ -46,9 +85,12 @@ impl TurningWrench {
                 "found \"grid\", which is a rule for one orientation; expected \"certified\" if the platform turns";
             return Err(Error::invalid("wrench.rule", problem));
         }
+        let (robot, loads) = (scene.robot().clone(), Loads::of(scene));
+        let weight = loads.gravity.norm() * robot.mass().unwrap_or(0.0);
         Ok(Some(TurningWrench {
-            robot: scene.robot().clone(),
-            loads: Loads::of(scene),
+            weight_moment: weight * robot.center_of_mass().coords.norm(),
+            robot,
+            loads,
             required: required(spec)?,
             margin: spec.margin.unwrap_or(MarginSpec::Capacity),
             measures: measures(scene)?,
@@ -106,7 +148,8 @@ impl TurningWrench {
         let fast = match &self.measures[..] {
             [Measure::Capacity(margin)] => {
                 let placed = poses.map(|pose| Placed::new(&pose, &self.loads.orientation));
-                margin.at_four_poses(&placed, &poses.map(|pose| self.balance(&pose)))
+                let balance = |pose: &Pose| self.loads.at(&pose.orientation).balance(&self.robot);
+                margin.at_four_poses(&placed, &poses.each_ref().map(|pose| balance(pose).expect(CHECKED).into()))
             }
             _ => None,
         };
@@ -127,63 +170,69 @@ impl TurningWrench {
 
     /// The measures at the orientation of a pose.
     fn measures_at(&self, pose: &Pose) -> Vec<Measure> {
-        let loads = Loads { orientation: pose.orientation, ..self.loads.clone() };
-        let checked = "checked at the orientation of the scene";
-        let statics = Statics::new(&self.robot, &loads).expect(checked);
-        measures_by(&statics, &self.required, self.margin).expect(checked)
-    }
-
-    /// The wrench that the cables must exert for balance, [force; moment / ℓ], N.
-    fn balance(&self, pose: &Pose) -> [f64; 6] {
-        let weight = self.weight();
-        let moment = (pose.orientation * self.robot.center_of_mass().coords).cross(&weight);
-        let load = &self.loads.load;
-        let [force, moment] = [weight + load.fixed_rows::<3>(0), moment + load.fixed_rows::<3>(3)];
-        let moment = moment / self.loads.characteristic_length;
-        [-force.x, -force.y, -force.z, -moment.x, -moment.y, -moment.z]
-    }
-
-    fn weight(&self) -> Vector {
-        self.loads.gravity * self.robot.mass().unwrap_or(0.0)
+        let statics = Statics::new(&self.robot, &self.loads.at(&pose.orientation)).expect(CHECKED);
+        measures_by(&statics, &self.required, self.margin).expect(CHECKED)
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
     fn proved(&self, motion: &PoseMotion, [from, to]: &[Known; 2]) -> bool {
-        let share = to.at - from.at;
-        let (step, angle) = ((motion.to.position - motion.from.position).norm() * share, motion.angle * share);
+        let angle = motion.angle * (to.at - from.at);
         self.measures.iter().enumerate().all(|(k, measure)| {
             let floor = measure.floor();
-            let sag = self.sag(measure, [&from.pose, &to.pose], step, angle);
+            let sag = self.sag(measure, [&from.pose, &to.pose], angle);
             sagging(from.slack[k] - floor, to.slack[k] - floor, sag) >= 0.0
         })
     }
 
-    /// How far the slack can drop below its chord in the middle of a piece with this translation, m, and turn, rad.
-    fn sag(&self, measure: &Measure, ends: [&Pose; 2], step: f64, angle: f64) -> f64 {
-        let length = self.loads.characteristic_length;
-        let parts = |force: f64, moment: f64| match measure {
-            Measure::Capacity(_) => force.hypot(moment / length),
-            Measure::Force(..) => force,
-            Measure::Moment(..) => moment,
-        };
-        let sag = |cable: &Cable| {
+    /// How far the slack can drop below its chord in the middle of a piece with these ends and this turn, rad.
+    ///
+    /// As in [`sagging`], for a unit direction c: Σ ρᵢ |c·Δwᵢ| / 2 with the differences of the columns wᵢ at the ends, plus
+    /// what the columns deviate from their chords.
+    fn sag(&self, measure: &Measure, ends: [&Pose; 2], angle: f64) -> f64 {
+        let squared = angle * angle;
+        let mut changes = [Vector6::zeros(); MOST_WRENCH_CABLES];
+        let mut bent = 0.125 * squared * self.part(measure, [0.0, self.weight_moment]);
+        for (cable, change) in self.robot.cables().iter().zip(&mut changes) {
             let arm = cable.attachment.coords.norm();
-            let speed = step + angle * arm;
-            let line = |pose: &Pose| (pose.position + pose.orientation * cable.attachment.coords - cable.outlet).norm();
-            let shortest = line(ends[0]).min(line(ends[1])) - 0.5 * speed;
+            let [first, last] = ends.map(|pose| Column::of(cable, pose));
+            // The attachment is accelerated by at most θ² |arm|, so its speed differs from the mean by at most half of it.
+            let speed = (last.line - first.line).norm() + 0.5 * squared * arm;
+            let shortest = first.length.min(last.length) - 0.5 * speed;
             if !(shortest > 0.0) {
                 return f64::INFINITY;
             }
-            // First and second derivative of the direction of the cable, and of its moment.
+            // Second derivative of the direction of the cable, and of its moment.
             let turn = speed / shortest;
-            let bend = BEND * turn * turn + angle * angle * arm / shortest;
-            let moment = [angle * arm + arm * turn, angle * angle * arm + 2.0 * angle * arm * turn + arm * bend];
+            let bend = BEND * turn * turn + squared * arm / shortest;
+            let moment_bend = squared * arm + 2.0 * angle * arm * turn + arm * bend;
             let [least, largest] = cable.tension.unwrap_or_default();
-            0.25 * (largest - least) * parts(turn, moment[0]) + 0.125 * largest * parts(bend, moment[1])
-        };
-        let cables: f64 = self.robot.cables().iter().map(sag).sum();
-        let weight = self.weight().norm() * self.robot.center_of_mass().coords.norm();
-        cables + 0.125 * angle * angle * parts(0.0, weight)
+            bent += 0.125 * largest * self.part(measure, [bend, moment_bend]);
+            *change =
+                self.wrench(measure, last.unit - first.unit, last.moment - first.moment) * (0.25 * (largest - least));
+        }
+        largest_sum(&changes[..self.robot.cables().len()]) + bent
+    }
+
+    /// A change of a column [force; moment] as far as a measure depends on it.
+    fn wrench(&self, measure: &Measure, force: Vector, moment: Vector) -> Vector6<f64> {
+        let moment = moment / self.loads.characteristic_length;
+        match measure {
+            Measure::Capacity(_) => Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z),
+            Measure::Force(..) => Vector6::new(force.x, force.y, force.z, 0.0, 0.0, 0.0),
+            Measure::Moment(..) => {
+                let moment = moment * self.loads.characteristic_length;
+                Vector6::new(0.0, 0.0, 0.0, moment.x, moment.y, moment.z)
+            }
+        }
+    }
+
+    /// The same for bounds of force and moment.
+    fn part(&self, measure: &Measure, [force, moment]: [f64; 2]) -> f64 {
+        match measure {
+            Measure::Capacity(_) => force.hypot(moment / self.loads.characteristic_length),
+            Measure::Force(..) => force,
+            Measure::Moment(..) => moment,
+        }
     }
 
     /// The violation of a motion, if it is not proved to satisfy the requirement; marked as unproved if no failure is known.
@@ -205,9 +254,51 @@ impl TurningWrench {
             self.measures_at(&pose).iter().map(|measure| limit_at(measure, &pose.position)).collect::<Vec<_>>()
         });
         let limit = limits.min_by(|a, b| a.order().total_cmp(&b.order()))?;
-        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
-        let wrench = Some(limit);
-        Some(Violation { at, kind: Kind::Wrench, culprits, gap: None, required: None, margin: None, unproved, wrench })
+        Some(Violation::of_wrench(at, limit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::geometry::{Point, Rotation};
+    use crate::model::{SceneSpec, WrenchSpec};
+    use crate::testing::empty;
+
+    #[test]
+    fn slack_stays_above_its_sagging_chord() {
+        let mut rng = ChaCha8Rng::seed_from_u64(5);
+        let mut counted = 0;
+        for (margin, count) in [(MarginSpec::Capacity, 300), (MarginSpec::Projected, 100)] {
+            let required = WrenchSpec { margin: Some(margin), ..WrenchSpec::default() };
+            let scene = Scene::new(SceneSpec { wrench: Some(required), ..empty().spec().clone() }).unwrap();
+            let wrench = TurningWrench::of(&scene).unwrap().unwrap();
+            let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
+            for k in 0..count {
+                let size = 0.5f64.powi(k % 6);
+                let first = Rotation::from_scaled_axis(any(0.5));
+                let from = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.4), first);
+                let turn = Rotation::from_scaled_axis(any(0.6 * size));
+                let to = Pose::new(from.position + any(0.4 * size), turn * from.orientation);
+                let motion = from.toward(&to);
+                let [a, b] = [&from, &to].map(|pose| wrench.slack(pose));
+                for (m, measure) in wrench.measures.iter().enumerate() {
+                    let sag = wrench.sag(measure, [&from, &to], motion.angle);
+                    if !(a[m] >= 0.0 && b[m] >= 0.0 && sag.is_finite()) {
+                        continue;
+                    }
+                    counted += 1;
+                    for share in (1..12).map(|n| f64::from(n) / 12.0) {
+                        let least = (1.0 - share) * a[m] + share * b[m] - 4.0 * share * (1.0 - share) * sag;
+                        let slack = wrench.slack(&motion.at(share))[m];
+                        assert!(slack >= least - 1e-6, "{from:?} to {to:?} at {share}: {slack} < {least}");
+                    }
+                }
+            }
+        }
+        assert!(counted > 50, "{counted}");
     }
 }

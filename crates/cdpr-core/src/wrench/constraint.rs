@@ -5,9 +5,9 @@ use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use super::statics::{Loads, Statics};
 use super::{CapacityMargin, Required};
-use crate::collision::{Conditions, Kind, Violation, WrenchLimit};
+use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, Point, Rotation};
 use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
 use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
@@ -34,6 +34,14 @@ pub struct WrenchConstraint {
 /// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
 /// mass.
 pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
+    measures_at(scene, scene.orientation())
+}
+
+/// The same at another orientation of the platform.
+///
+/// # Errors
+/// As [`measures`].
+pub fn measures_at(scene: &Scene, orientation: &Rotation) -> Result<Vec<Measure>, Error> {
     let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
     let cables = scene.robot().cables().len();
     if cables > MOST_WRENCH_CABLES {
@@ -41,7 +49,7 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
             format!("found {cables}, expected at most {MOST_WRENCH_CABLES} if wrench feasibility is required");
         return Err(Error::invalid("robot.cables", problem));
     }
-    let statics = Statics::new(scene.robot(), &Loads::of(scene))?;
+    let statics = Statics::new(scene.robot(), &Loads::of(scene).at(orientation))?;
     measures_by(&statics, &required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity))
 }
 
@@ -151,18 +159,7 @@ impl WrenchConstraint {
                 (at, WrenchLimit { corner: Some((*corner).into()), ..limit })
             }
         };
-        let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
-        let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
-        Some(Violation {
-            at,
-            kind: Kind::Wrench,
-            culprits,
-            gap: None,
-            required: None,
-            margin: None,
-            unproved,
-            wrench: Some(limit),
-        })
+        Some(Violation::of_wrench(at, limit))
     }
 
     /// The measure with the smallest slack on a motion, and the fraction at which it is smallest.

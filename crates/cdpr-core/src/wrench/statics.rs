@@ -46,6 +46,22 @@ impl Loads {
     }
 }
 
+impl Loads {
+    /// The same loads at another orientation of the platform.
+    pub fn at(&self, orientation: &Rotation) -> Self {
+        Loads { orientation: *orientation, ..self.clone() }
+    }
+
+    /// The wrench that the cables of a robot must exert for balance, [force; moment / ℓ], N; `None` without its mass.
+    pub fn balance(&self, robot: &Robot) -> Option<Vector6<f64>> {
+        let weight = self.gravity * robot.mass()?;
+        let moment = (self.orientation * robot.center_of_mass().coords).cross(&weight);
+        let force = weight + self.load.fixed_rows::<3>(0);
+        let moment = (moment + self.load.fixed_rows::<3>(3)) / self.characteristic_length;
+        Some(-Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z))
+    }
+}
+
 /// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticCable {
@@ -102,7 +118,7 @@ impl Statics {
     /// A robot without mass, a cable without tension limits, numbers that are not finite, a characteristic length that
     /// is not positive.
     pub fn new(robot: &Robot, loads: &Loads) -> Result<Self, Error> {
-        let Loads { orientation, gravity, load, characteristic_length: length } = loads;
+        let Loads { gravity, load, characteristic_length: length, .. } = loads;
         body::positive("characteristic_length", *length)?;
         if !(1.0 / MOST_SCALE..=MOST_SCALE).contains(length) {
             let problem =
@@ -111,27 +127,23 @@ impl Statics {
         }
         body::coordinates("gravity", gravity.as_ref())?;
         body::wrench("load", &(*load).into())?;
-        let mass = robot.mass().ok_or_else(|| {
+        let balance = loads.balance(robot).ok_or_else(|| {
             Error::invalid("robot.mass", "found none, expected the platform's mass in kg; wrench work needs it")
         })?;
-        let weight = gravity * mass;
-        let moment = (orientation * robot.center_of_mass().coords).cross(&weight);
-        let (force, moment) = (weight + load.fixed_rows::<3>(0), moment + load.fixed_rows::<3>(3));
-        let moment = moment / *length;
         let cables = (robot.cables().iter().enumerate())
             .map(|(i, cable)| {
                 let problem = "found none, expected [least, greatest] in N; wrench work needs it";
                 let place = || Error::invalid(format!("robot.cables[{i}].tension"), problem);
                 Ok(StaticCable {
                     outlet: cable.outlet,
-                    arm: orientation * cable.attachment.coords,
+                    arm: loads.orientation * cable.attachment.coords,
                     tension: cable.tension.ok_or_else(place)?,
                     name: cable.name.clone(),
                 })
             })
             .collect::<Result<Vec<_>, Error>>()?;
         Ok(Statics {
-            balance: -Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z),
+            balance,
             length: *length,
             point_mass: meet_in_one_point(cables.iter().map(|cable| cable.arm)),
             cables,

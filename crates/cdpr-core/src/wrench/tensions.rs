@@ -168,6 +168,9 @@ pub struct LengthRow {
     pub at: f64,
     /// Position of the platform's origin, world, m.
     pub position: [f64; 3],
+    /// Orientation of the platform as a quaternion w x y z, if it turns on its way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<[f64; 4]>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
 }
@@ -190,9 +193,29 @@ pub struct TensionRow {
     pub moment_margin: Option<f64>,
 }
 
+impl TensionRow {
+    /// The row of a place by its statics and capacity margin, which are those at the orientation of the platform there.
+    ///
+    /// # Errors
+    /// As [`Statics::tensions`].
+    pub fn of(capacity: &CapacityMargin, place: LengthRow, reference: Option<&[f64]>) -> Result<Self, Error> {
+        let (statics, position) = (capacity.statics(), Point::from(place.position));
+        let finite = |margin: f64| margin.is_finite().then_some(margin);
+        Ok(TensionRow {
+            rank: statics.columns(&position).map_or(0, |columns| Span::of(&columns).rank()),
+            tensions: statics.tensions(&mut TensionQp::default(), &position, reference)?,
+            capacity_margin: finite(capacity.at(&position)),
+            force_margin: force_limit(statics, &position).map(|limit| limit.margin),
+            moment_margin: moment_limit(statics, &position).map(|limit| limit.margin),
+            place,
+        })
+    }
+}
+
 impl Place {
     fn row(&self, lengths: Vec<f64>) -> LengthRow {
-        LengthRow { s: self.s, segment: self.segment, at: self.at, position: self.position.into(), lengths }
+        let Place { s, segment, at, position } = *self;
+        LengthRow { s, segment, at, position: position.into(), orientation: None, lengths }
     }
 }
 
@@ -235,21 +258,22 @@ pub fn tensions_along(
 ) -> Result<Vec<TensionRow>, Error> {
     let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
     let places = even_steps(waypoints, step)?;
-    let row = |place: &Place| {
-        let position = place.position;
-        let finite = |margin: f64| margin.is_finite().then_some(margin);
-        Ok(TensionRow {
-            place: place.row(statics.lengths(&position)),
-            rank: statics.columns(&position).map_or(0, |columns| Span::of(&columns).rank()),
-            tensions: statics.tensions(&mut TensionQp::default(), &position, reference)?,
-            capacity_margin: finite(capacity.at(&position)),
-            force_margin: force_limit(statics, &position).map(|limit| limit.margin),
-            moment_margin: moment_limit(statics, &position).map(|limit| limit.margin),
-        })
-    };
-    let mut rows: Vec<Result<Option<TensionRow>, Error>> = places.iter().map(|_| Ok(None)).collect();
+    let row = |k: usize| TensionRow::of(&capacity, places[k].row(statics.lengths(&places[k].position)), reference);
+    tension_rows(places.len(), row, interrupted)
+}
+
+/// A number of rows, computed on all cores.
+///
+/// # Errors
+/// The first error of a row; [`Error::interrupted`].
+pub fn tension_rows(
+    count: usize,
+    row: impl Fn(usize) -> Result<TensionRow, Error> + Sync,
+    interrupted: &Interrupt,
+) -> Result<Vec<TensionRow>, Error> {
+    let mut rows: Vec<Result<Option<TensionRow>, Error>> = (0..count).map(|_| Ok(None)).collect();
     let options = BatchOptions { threads: None, interrupted };
-    answer_all(&mut rows, |k| row(&places[k]).map(Some), Pace::WRENCHES, &options)?;
+    answer_all(&mut rows, |k| row(k).map(Some), Pace::WRENCHES, &options)?;
     rows.into_iter().filter_map(Result::transpose).collect()
 }
 
@@ -268,10 +292,33 @@ const MOST_ROWS: f64 = 1e7;
 
 /// Places at even steps along a path, and its end.
 pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
+    let lengths: Vec<f64> = waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    let place = |Mark { s, segment, at }| {
+        let (from, to) = (waypoints[segment], waypoints[(segment + 1).min(waypoints.len() - 1)]);
+        Place { s, segment, at, position: from + (to - from) * at }
+    };
+    Ok(even_marks(&lengths, step)?.into_iter().map(place).collect())
+}
+
+/// A distance along a path, m, and the fraction of a segment where it is.
+pub struct Mark {
+    /// The distance, m.
+    pub s: f64,
+    /// Index of the segment.
+    pub segment: usize,
+    /// Fraction of the segment, 0 to 1.
+    pub at: f64,
+}
+
+/// Marks at even steps along segments of these lengths, m, and at their end.
+///
+/// # Errors
+/// A step that is not positive or gives too many marks.
+pub fn even_marks(lengths: &[f64], step: f64) -> Result<Vec<Mark>, Error> {
     let step = crate::model::body::positive("step", step)?;
     let mut starts = vec![0.0];
-    for pair in waypoints.windows(2) {
-        starts.push(starts[starts.len() - 1] + (pair[1] - pair[0]).norm());
+    for length in lengths {
+        starts.push(starts[starts.len() - 1] + length);
     }
     let length = starts[starts.len() - 1];
     if length / step > MOST_ROWS {
@@ -283,14 +330,13 @@ pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
     if length - ways[whole] > step * STEP_COUNT {
         ways.push(length);
     }
-    let place = |s: f64| {
-        let segment = starts[1..].partition_point(|&end| end < s).min(waypoints.len().saturating_sub(2));
-        let (from, to) = (waypoints[segment], waypoints[(segment + 1).min(waypoints.len() - 1)]);
-        let at = ((s - starts[segment]) / (to - from).norm()).clamp(0.0, 1.0);
-        let at = if at.is_nan() { 0.0 } else { at };
-        Place { s, segment, at, position: from + (to - from) * at }
+    let mark = |s: f64| {
+        let segment = starts[1..].partition_point(|&end| end < s).min(lengths.len().saturating_sub(1));
+        let length = lengths.get(segment).copied().unwrap_or(0.0);
+        let at = ((s - starts[segment]) / length).clamp(0.0, 1.0);
+        Mark { s, segment, at: if at.is_nan() { 0.0 } else { at } }
     };
-    Ok(ways.into_iter().map(place).collect())
+    Ok(ways.into_iter().map(mark).collect())
 }
 
 /// The smallest wrench margin along a path, and the range of tensions.

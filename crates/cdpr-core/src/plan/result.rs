@@ -1,0 +1,108 @@
+//! The result of planning.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::NoPath;
+use crate::choices;
+use crate::collision::Violation;
+use crate::geometry::{Point, Pose, Rotation};
+use crate::planning::{Milestone, SearchTree, Status};
+
+/// Counts and times of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Stats {
+    /// Nodes of the tree.
+    pub nodes: usize,
+    /// Motions checked by the planner.
+    pub motion_checks: usize,
+    /// Random samples drawn.
+    pub samples: usize,
+    /// Time of the planner, s.
+    pub planning_seconds: f64,
+    /// Time of rewinding, s.
+    pub post_seconds: f64,
+}
+
+/// What found a path.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum FoundBy {
+    /// The planner.
+    #[default]
+    Planner,
+    /// The decision whether there is a path: the planner found none, but a chain of free cells is one.
+    Decision,
+}
+
+choices!(FoundBy, "finder", [
+    Planner = "planner": "The planner",
+    Decision = "decision": "The decision whether there is a path",
+]);
+
+/// Result of planning.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanResult {
+    /// How planning ended.
+    pub status: Status,
+    /// What found the path, if there is one.
+    pub found_by: FoundBy,
+    /// Why the start or goal is invalid.
+    pub reason: Option<Violation>,
+    /// Why there is no path, if that was proved.
+    pub no_path: Option<Arc<NoPath>>,
+    /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
+    pub opening_below: Option<f64>,
+    /// No path is shorter, m, if the planner computed such a bound.
+    pub lower_bound: Option<f64>,
+    /// The final path, m; empty unless solved.
+    pub waypoints: Vec<Point>,
+    /// The orientation at each waypoint; empty if the platform keeps that of the scene.
+    pub orientations: Vec<Rotation>,
+    /// Its length, m; NaN unless solved.
+    pub cost: f64,
+    /// The planner's path before rewinding, m; empty unless solved.
+    pub raw_waypoints: Vec<Point>,
+    /// Its length, m; NaN unless solved.
+    pub raw_cost: f64,
+    /// The planner's tree, shared by all rewindings of its path; empty if start or goal is invalid.
+    pub tree: Arc<SearchTree<Point>>,
+    /// When the planner's path improved, first to last.
+    pub history: Vec<Milestone>,
+    /// Counts and times.
+    pub stats: Stats,
+}
+
+impl PlanResult {
+    /// The path as poses, given the orientation of the scene.
+    pub fn poses(&self, of_scene: &Rotation) -> Vec<Pose> {
+        let orientation = |k: usize| *self.orientations.get(k).unwrap_or(of_scene);
+        self.waypoints.iter().enumerate().map(|(k, position)| Pose::new(*position, orientation(k))).collect()
+    }
+
+    /// The result if time runs out before the search begins.
+    pub fn out_of_time() -> Self {
+        PlanResult::unsolved(Status::BudgetSpent, None, Stats::default())
+    }
+
+    pub(super) fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
+        let (cost, raw_cost) = (f64::NAN, f64::NAN);
+        let tree = Arc::default();
+        PlanResult {
+            status,
+            found_by: FoundBy::Planner,
+            reason,
+            no_path: None,
+            opening_below: None,
+            lower_bound: None,
+            waypoints: Vec::new(),
+            orientations: Vec::new(),
+            cost,
+            raw_waypoints: Vec::new(),
+            raw_cost,
+            tree,
+            history: Vec::new(),
+            stats,
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The orientations that the table `[turning]` of a scene allows.
+//!
+//! A limit of tilt bounds how far the line of the platform that is vertical at the scene's orientation may leave the vertical. The
+//! orientations that are reached by turns about one axis are those at which the line along this axis stays where it is.
+
+use crate::collision::{Kind, Violation};
+use crate::geometry::{Placed, Turning, Vector};
+use crate::model::Scene;
+use crate::model::spec::{PLATFORM, TurningAxis, TurningSpec};
+use crate::numerics::{OFF_AXIS, SAME_TURN, TURNING_PLACE};
+
+/// A line of the platform stays within an angle of where it points at the scene's orientation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AllowedTurns {
+    kind: Kind,
+    /// Unit direction of the line, world.
+    line: Vector,
+    /// Cosine of the largest angle.
+    cosine: f64,
+}
+
+impl AllowedTurns {
+    /// What the table of a scene allows; nothing is forbidden if this is empty.
+    pub fn of(scene: &Scene) -> Vec<Self> {
+        let TurningSpec { axis, max_tilt, .. } = scene.turning().copied().unwrap_or_default();
+        let axis = match axis {
+            Some(TurningAxis::Fixed(axis)) => {
+                Some(Self::within(Kind::TurningAxis, Vector::from(axis).normalize(), 0.0))
+            }
+            Some(TurningAxis::Free) | None => None,
+        };
+        let tilt = max_tilt.map(|degrees| Self::within(Kind::Tilt, Vector::z(), degrees.to_radians()));
+        axis.into_iter().chain(tilt).collect()
+    }
+
+    fn within(kind: Kind, line: Vector, angle: f64) -> Self {
+        // The cosine of a small angle is too close to 1 to tell it from rounding.
+        AllowedTurns { kind, line, cosine: (angle + SAME_TURN).max(OFF_AXIS).cos() }
+    }
+
+    fn allows(&self, at: &Placed) -> bool {
+        self.line.dot(&at.turned(&self.line)) >= self.cosine
+    }
+
+    /// Whether a motion keeps it, in closed form.
+    pub fn keeps(&self, motion: &Turning) -> bool {
+        motion.least_along(&self.line) >= self.cosine
+    }
+
+    /// The violation of a motion that does not keep it.
+    pub fn violation(&self, motion: &Turning) -> Option<Violation> {
+        let places = (1.0 / TURNING_PLACE) as usize;
+        let at = (0..=places).map(|k| k as f64 * TURNING_PLACE).find(|t| !self.allows(&motion.at(*t)));
+        (!self.keeps(motion)).then(|| Violation {
+            at: at.unwrap_or(0.5),
+            kind: self.kind,
+            culprits: vec![PLATFORM.to_string()],
+            gap: None,
+            required: None,
+            margin: None,
+            unproved: false,
+            wrench: None,
+        })
+    }
+}
