@@ -9,6 +9,7 @@ use cdpr_core::regions::{RegionOptions, regions};
 use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
 use cdpr_core::{Scene, testing};
 use cdpr_files::{PathFile, load_waypoints, save_path, scene_of_path, waypoints_from_text};
+use cdpr_view::{Contents, Form};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -47,7 +48,7 @@ fn an_orientation_is_honoured_everywhere() {
             same_answers(&format!("{k} {round}"), &turned, &built, &mut rng);
             same_regions(&turned, &built);
             same_wrenches(&turned, &built, &mut rng);
-            let page = cdpr_view::page(&turned, None, &[]);
+            let page = cdpr_view::page(&turned, Contents::default(), Form::Static);
             assert!(page.contains(&format!("\"orientation\":{}", serde_json::json!(spec_of(turned.orientation())))));
         }
     }

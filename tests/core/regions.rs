@@ -14,7 +14,7 @@ use cdpr_core::watch::Watch;
 use cdpr_core::{ErrorClass, Scene};
 use cdpr_files::load_scene;
 use cdpr_tests::{encloses, uniform};
-use cdpr_view::page_within;
+use cdpr_view::{Contents, Form, page_within};
 use rand::Rng;
 
 fn testdata(name: &str) -> Scene {
@@ -214,7 +214,7 @@ fn who_stops_is_answered_at_once() {
     let interrupted = |error: Option<cdpr_core::Error>| error.unwrap().class() == ErrorClass::Interrupted;
     assert!(interrupted(survey(&scene, &watch).err()));
     assert!(interrupted(regions_within(&scene, &all(), &watch).err()));
-    assert!(interrupted(page_within(&scene, None, &[], &watch).err()));
+    assert!(interrupted(page_within(&scene, Contents::default(), Form::Live, &watch).err()));
     assert!(interrupted(Conditions::within(&scene, &watch).err()));
     assert!(survey(&scene, &Watch::NONE).unwrap().valid.is_some_and(|share| (0.01..0.99).contains(&share)));
     assert_eq!(regions_within(&scene, &all(), &Watch::NONE).unwrap(), regions(&scene, &all()).unwrap());

@@ -6,7 +6,7 @@
 
 use nalgebra::Vector6;
 
-use crate::collision::Violation;
+use crate::collision::{Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, PoseMotion, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
@@ -159,19 +159,39 @@ impl TurningWrench {
         })
     }
 
-    /// The slack at a pose by definition; NaN where a cable has no direction.
+    /// The slack at a pose by definition; NaN where a cable has no direction or there is no measure.
     fn slack(&self, pose: &Pose) -> Slack {
+        let Some(measures) = self.measures_at(pose) else { return [f64::NAN; 2] };
         let mut slack = [f64::INFINITY; 2];
-        for (slack, measure) in slack.iter_mut().zip(self.measures_at(pose)) {
+        for (slack, measure) in slack.iter_mut().zip(measures) {
             *slack = measure.limit(&pose.position).map_or(f64::NAN, |limit| limit.margin);
         }
         slack
     }
 
-    /// The measures at the orientation of a pose.
-    fn measures_at(&self, pose: &Pose) -> Vec<Measure> {
+    /// The measures at the orientation of a pose; `None` where loads turn a platform whose cables meet in one point, which
+    /// they cannot balance.
+    fn measures_at(&self, pose: &Pose) -> Option<Vec<Measure>> {
         let statics = Statics::new(&self.robot, &self.loads.at(&pose.orientation)).expect(CHECKED);
-        measures_by(&statics, &self.required, self.margin).expect(CHECKED)
+        measures_by(&statics, &self.required, self.margin).ok()
+    }
+
+    /// What limits the wrenches at a pose; without a margin where there is no measure.
+    fn limits_at(&self, pose: &Pose) -> Vec<WrenchLimit> {
+        let limit = |measure: &Measure| limit_at(measure, &pose.position);
+        match self.measures_at(pose) {
+            Some(measures) => measures.iter().map(limit).collect(),
+            None => {
+                let unlimited = |known: WrenchLimit| WrenchLimit {
+                    wrench_margin: None,
+                    hold: None,
+                    at_greatest: Vec::new(),
+                    at_least: Vec::new(),
+                    ..known
+                };
+                self.measures.iter().map(limit).map(unlimited).collect()
+            }
+        }
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
@@ -249,10 +269,8 @@ impl TurningWrench {
         };
         let at = (0..=places).find(failed).map_or(0.0, |k| k as f64 * TURNING_PLACE);
         const SAMPLES: usize = 64;
-        let limits = (0..=SAMPLES).flat_map(|k| {
-            let pose = motion.at(at + (1.0 - at) * k as f64 / SAMPLES as f64);
-            self.measures_at(&pose).iter().map(|measure| limit_at(measure, &pose.position)).collect::<Vec<_>>()
-        });
+        let limits =
+            (0..=SAMPLES).flat_map(|k| self.limits_at(&motion.at(at + (1.0 - at) * k as f64 / SAMPLES as f64)));
         let limit = limits.min_by(|a, b| a.order().total_cmp(&b.order()))?;
         Some(Violation::of_wrench(at, limit))
     }
@@ -265,8 +283,24 @@ mod tests {
 
     use super::*;
     use crate::geometry::{Point, Rotation};
-    use crate::model::{SceneSpec, WrenchSpec};
+    use crate::model::{RobotSource, SceneSpec, WrenchSpec};
     use crate::testing::empty;
+
+    #[test]
+    fn loads_that_turn_a_point_mass_are_refused() {
+        let mut spec = empty().spec().clone();
+        spec.wrench = Some(WrenchSpec::default());
+        let RobotSource::Inline(robot) = &mut spec.robot else { panic!("testing scenes have their robot inline") };
+        robot.cables.iter_mut().for_each(|cable| cable.attachment = [0.0, 0.0, 0.025]);
+        let wrench = TurningWrench::of(&Scene::new(spec).unwrap()).unwrap().unwrap();
+        let level = Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::identity());
+        assert!(wrench.keeps(&level, &level));
+        // Tilted, the centre of mass is no longer below the point where the cables meet.
+        let tilted = Pose::new(level.position, Rotation::from_scaled_axis(Vector::x() * 0.2));
+        assert!(!wrench.keeps(&level, &tilted));
+        let violation = wrench.violation(&level, &tilted).unwrap();
+        assert!(violation.wrench.unwrap().wrench_margin.is_none());
+    }
 
     #[test]
     fn slack_stays_above_its_sagging_chord() {
