@@ -42,12 +42,12 @@ portable-test:
 release-test:
 	cargo test $(LIMITED) --release --locked -p cdpr-tests --test oracles
 
-# The core must build for the browser; skipped if rustup has not installed that target.
+# The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown
 
 wasm-check:
 	@if rustc --print target-libdir --target $(WASM) | xargs test -d; \
-	then cargo check --locked -p cdpr-core --target $(WASM); else echo "no target $(WASM): not checked"; fi
+	then cargo check --locked -p cdpr-core -p cdpr-live --target $(WASM); else echo "no target $(WASM): not checked"; fi
 
 # Both engines and exact tests on 2 million random and degenerate motions, margins and linear programs on 300 000 poses;
 # every disagreement is printed.

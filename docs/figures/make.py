@@ -3,10 +3,11 @@
     python docs/figures/make.py fig3 fig5
 
 Every run writes the same files, except for plots of measured times (fig7, right; planners) and browser screenshots (page,
-no-path-page).
+no-path-page, edit).
 """
 
 import functools
+import io
 import json
 import os
 import shutil
@@ -28,6 +29,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
 from mpl_toolkits.mplot3d import Axes3D
+from PIL import Image
 from playwright.sync_api import Page, sync_playwright
 
 import cdpr
@@ -40,6 +42,7 @@ BROWSERS = ("chromium", "google-chrome", "chromium-browser")
 SOFTWARE = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SHOWN_AT = 0.55  # of the path
 NEAREST_THERE = "cable 1"
+DRAG_STEPS = 40
 DRAG = (640, 640), (730, 660)  # of the mouse, pixels, until nothing hides the path
 METHODS = {
     "RRT*": ("rrt-star", "none"),
@@ -420,7 +423,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
 
 
 @contextmanager
-def shown(question: cdpr.Scene, result: cdpr.Result) -> Iterator[Page]:
+def shown(question: cdpr.Scene, result: cdpr.Result, size: tuple[int, int] = (1280, 800)) -> Iterator[Page]:
     """The page of a result in a browser."""
     program = os.environ.get("CDPR_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None:
@@ -429,7 +432,7 @@ def shown(question: cdpr.Scene, result: cdpr.Result) -> Iterator[Page]:
         view = Path(folder) / "view.html"
         cdpr.save_view(view, question, result)
         browser = playwright.chromium.launch(executable_path=program, args=SOFTWARE)
-        tab = browser.new_page(viewport={"width": 1280, "height": 800}, color_scheme="light")
+        tab = browser.new_page(viewport={"width": size[0], "height": size[1]}, color_scheme="light")
         tab.goto(view.as_uri())
         tab.wait_for_function("Boolean(window.cdprViewer?.ready)")
         yield tab
@@ -469,7 +472,40 @@ def no_path_page(file: Path) -> None:
         drawn(tab, file)
 
 
-PAGES = {"page": page, "no-path-page": no_path_page}
+def edit(file: Path) -> None:
+    """The page while the pillar is dragged up and down: the path follows. An animation, from the real page with a real pointer."""
+    pictures = []
+    with shown(scene("hard1"), cdpr.plan(scene("hard1")), size=(1000, 640)) as tab:
+        tab.keyboard.press("e")
+        tab.evaluate("() => { for (const id of ['details', 'plots']) document.getElementById(id).open = false; }")
+        tab.wait_for_timeout(1000)
+        place = tab.evaluate("() => cdpr.where('pillar')")
+        tab.mouse.move(place["x"], place["y"])
+        tab.mouse.down()
+        tab.keyboard.down("Shift")
+        for step in range(DRAG_STEPS):
+            angle = 2 * np.pi * step / (DRAG_STEPS - 1)
+            tab.mouse.move(place["x"], place["y"] - 40 * np.sin(angle), steps=2)
+            tab.wait_for_timeout(350)  # ms, until the path has followed
+            pictures.append(picture_of(tab))
+        tab.mouse.up()
+        tab.keyboard.up("Shift")
+        tab.wait_for_timeout(1500)
+        pictures.append(picture_of(tab))
+    pictures = [picture.quantize(96, dither=Image.Dither.NONE) for picture in pictures]
+    times = [120] * (len(pictures) - 1) + [1500]
+    pictures[0].save(file, save_all=True, append_images=pictures[1:], duration=times, loop=0, optimize=True)
+
+
+def picture_of(tab: Page) -> Image.Image:
+    """What the browser shows."""
+    return Image.open(io.BytesIO(tab.screenshot())).convert("RGB")
+
+
+PAGES = {"page": page, "no-path-page": no_path_page, "edit": edit}
+
+
+KINDS = {"page": ".png", "no-path-page": ".png", "edit": ".gif"}
 
 
 def main(names: list[str]) -> None:
@@ -478,7 +514,7 @@ def main(names: list[str]) -> None:
     if unknown:
         raise SystemExit(f"found {', '.join(sorted(unknown))}, expected some of {', '.join([*PAGES, *DRAWINGS])}")
     for name in names or [*DRAWINGS, *PAGES]:
-        file = FOLDER / (f"{name}.png" if name in PAGES else f"{name}.svg")
+        file = FOLDER / f"{name}{KINDS.get(name, '.svg')}"
         if name in PAGES:
             PAGES[name](file)
         else:

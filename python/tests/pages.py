@@ -25,6 +25,7 @@ HOW = (
     "as root on Debian `make test` installs it"
 )
 MOST_BYTES = 2_000_000
+BYTES_OF_PLANNER = 1_020_000  # in a live page
 DESK = (1280, 800)
 PHONE = (390, 800)
 # What the page itself has made: nothing is fetched.
@@ -67,12 +68,13 @@ def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) 
         size: tuple[int, int] = DESK,
         look: Any = "light",
         file: str = "view.html",
+        live: bool = True,
     ) -> Page:
         if isinstance(scene, Path):
             shutil.copy(scene, tmp_path / file)
         else:
-            cdpr.save_view(tmp_path / file, scene, path)
-        assert (tmp_path / file).stat().st_size < MOST_BYTES
+            cdpr.save_view(tmp_path / file, scene, path, live=live)
+        assert (tmp_path / file).stat().st_size < MOST_BYTES + live * BYTES_OF_PLANNER
         context = browser.new_context(viewport={"width": size[0], "height": size[1]}, color_scheme=look)
         page = context.new_page()
         own = (tmp_path / file).as_uri()
