@@ -4,7 +4,8 @@
 import { createHash } from 'node:crypto';
 import { copyFile, mkdir, readFile, readdir, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { deflateRawSync } from 'node:zlib';
+import { inflateRawSync } from 'node:zlib';
+import { deflateAsync } from '@gfx/zopfli';
 import { build } from 'esbuild';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -70,11 +71,18 @@ async function writePage() {
   await copyFile(licence, here(`${assets}THREE_LICENSE.txt`));
 }
 
+// Deflated, 5 % smaller than by zlib.
+async function deflated(content) {
+  const raw = Buffer.from(await deflateAsync(content, {}));
+  if (!inflateRawSync(raw).equals(content)) throw new Error('the deflated planner is not the planner');
+  return raw;
+}
+
 async function writePlanner() {
   const worker = await bundleWorker();
   checkInline('worker.js', worker);
   await write('worker.js', worker);
-  await write('planner.txt', deflateRawSync(await readFile(here('planner/planner.wasm')), { level: 9 }).toString('base64'));
+  await write('planner.txt', (await deflated(await readFile(here('planner/planner.wasm')))).toString('base64'));
 }
 
 // Names and contents of files, in the order of their names.

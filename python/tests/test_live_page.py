@@ -203,15 +203,16 @@ def test_the_changed_page_is_saved_as_one_file(live: Page, open_page: Open, tmp_
     assert again.evaluate("cdpr.plan({ seed: 0 })")["cost"] == pytest.approx(cost, rel=1e-12)
 
 
-@pytest.mark.parametrize("name", ["hard1", "hard3", "concave"])
+@pytest.mark.filterwarnings("ignore:the scene lists several orientations")
+@pytest.mark.parametrize("name", sorted(path.stem for path in SCENES.glob("*.toml")))
 def test_the_page_plans_as_the_program_does(open_page: Open, name: str) -> None:
     scene = cdpr.Scene.load(SCENES / f"{name}.toml")
     page = open_page(scene, cdpr.plan(scene, seed=0))
     for seed in [0, 3]:
         native = cdpr.plan(scene, seed=seed)
         found = page.evaluate("(seed) => cdpr.plan({ seed })", seed)
-        assert found["status"] == "solved"
-        assert found["cost"] == pytest.approx(native.cost, rel=1e-12)
+        assert found["status"] == native.status
+        assert found["cost"] == (pytest.approx(native.cost, rel=1e-12) if native.solved else None)
         assert np.allclose(found["waypoints"], native.waypoints, rtol=0, atol=1e-12)
 
 
