@@ -49,7 +49,7 @@ SKIPPED = {
     "docs/tutorial.md": 1,
     "docs/wrench.md": 1,
 }
-ELSEWHERE = {"rust", "pycon", "console", "pyi"}
+ELSEWHERE = {"rust", "pycon", "console", "pyi", "js"}
 FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)
 TIME = re.compile(r"\d[\d.]* (ms|s|µs)\b")
 RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")

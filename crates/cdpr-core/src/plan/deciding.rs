@@ -62,7 +62,7 @@ pub fn search_and_decide(
     let (outcome, answer) = if THREADS {
         side_by_side(&decision, (improved, watch), search)
     } else {
-        in_turns(&decision, (improved, watch), search)
+        in_turns(&decision, FIRST_TURN, (improved, watch), search)
     };
     conclude(outcome, answer, puller, watch)
 }
@@ -145,16 +145,19 @@ fn side_by_side(
 /// it, anew each time. So neither waits much longer for the other than it takes itself.
 fn in_turns(
     decision: &Decision,
+    first: Duration,
     (improved, watch): (&Improved, &Watch),
     search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
 ) -> Ended {
-    let (clock, turns) = (Instant::now(), Mutex::new((FIRST_TURN, None)));
+    let (clock, turns) = (Instant::now(), Mutex::new((first, None)));
     let stop = || {
         let (next, answer) = &mut *lock(&turns);
         if answer.is_none() && !decision.is_useless() && clock.elapsed() >= *next {
             let end = Instant::now() + clock.elapsed();
             let deadline = Some(watch.deadline.map_or(end, |deadline| deadline.min(end)));
-            *answer = decision.answer(&Watch { deadline, ..*watch });
+            // What is undecided when its turn ends may be decided in the next one.
+            let certain = |answer: &Answer| !matches!(answer, Answer::OpeningBelow(_));
+            *answer = decision.answer(&Watch { deadline, ..*watch }).filter(certain);
             *next = 2 * clock.elapsed();
         }
         matches!(answer, Some(Answer::NoPath(_))) || (watch.interrupted)()
@@ -214,7 +217,7 @@ mod tests {
         let decision =
             || Decision { engine: &engine, ends: [&start, &goal], effort: PROOF_EFFORT, found: AtomicBool::new(false) };
         let rest: (&Improved, &Watch) = (&|_, _, _| (), &Watch::NONE);
-        [side_by_side(&decision(), rest, search), in_turns(&decision(), rest, search)]
+        [side_by_side(&decision(), rest, search), in_turns(&decision(), Duration::ZERO, rest, search)]
     }
 
     #[test]
