@@ -528,7 +528,8 @@ mod tests {
             let near_obstacles = |kind| GROUPS[0].1.contains(&kind);
             let there = tightest_of(&Conditions::new(&turned).unwrap(), &pose.position, near_obstacles).unwrap();
             assert!((f64::from(near.gap[k]) - there.clearance.value).abs() < 1e-6);
-            assert_eq!(near.pairs[near.tightest[k]], there.clearance.culprits);
+            // Cables above each other come equally near to an upright pillar.
+            assert_eq!(near.pairs[near.tightest[k]][1], there.clearance.culprits[1]);
             let slack = measures(&turned).unwrap()[0].slack(&pose.position);
             assert!((f64::from(found.margins[0].values[k].unwrap()) - slack).abs() < 1e-3);
             let statics = Statics::of(&turned).unwrap();
