@@ -30,7 +30,7 @@ pub struct CheckReport {
     pub wrench: Option<PathWrench>,
 }
 
-/// Checks a path of a scene with the engine from [`engine_for`].
+/// Checks a path of a scene with the engine from [`engine_for`](super::engine_for).
 ///
 /// # Errors
 /// As [`path_wrench`]; [`Error::out_of_time`].

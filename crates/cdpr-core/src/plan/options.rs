@@ -83,7 +83,7 @@ impl Processing {
     }
 }
 
-/// Options of planning; start and goal are in [`Query`].
+/// Options of planning; start and goal are in [`Query`](super::Query).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanOptions {
     /// Search method and its options.
