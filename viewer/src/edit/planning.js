@@ -114,7 +114,12 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     } catch (error) {
       if (asked === revision) say({ error: error.message });
     }
-    if (!answer || asked <= shownRevision || answer.waypoints.length === 0) return;
+    if (!answer || asked <= shownRevision) return;
+    if (answer.waypoints.length === 0) {
+      // The length on show belongs to a place before this one.
+      if (asked === revision) say({ best: null });
+      return;
+    }
     shownRevision = asked;
     if (building <= LONGEST) put(answer.page, of, asked === revision);
     say({ best: { cost: answer.cost, bound: straight(), of }, error: null });
@@ -219,8 +224,13 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
 
   async function toml() {
     const { place } = await planner.ready();
-    const answer = await place.ask({ ask: 'toml', scene });
-    return answer?.toml ?? toml();
+    try {
+      const answer = await place.ask({ ask: 'toml', scene });
+      return answer?.toml ?? toml();
+    } catch (error) {
+      say({ error: `not saved: ${error.message}` });
+      return null;
+    }
   }
 
   return {
@@ -238,7 +248,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
       own = { ...own, ...news };
       answers = new WeakMap();
     },
-    /** The scene as a TOML file. */
+    /** The scene as a TOML file; null if it is none that the program reads, which is then said. */
     toml,
     /** Checks start and goal. */
     check: () => {
