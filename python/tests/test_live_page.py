@@ -279,6 +279,30 @@ def test_wrong_calls_change_nothing(live: Page, call: str, problem: str) -> None
     assert live.get_by_role("button", name="undo").is_disabled()
 
 
+def test_things_are_selected_by_keys(live: Page) -> None:
+    settled(live)
+    names = []
+    for key in ["n", "n", "n", "n", "Shift+N", "Shift+N", "Shift+N", "Shift+N"]:
+        live.keyboard.press(key)
+        names.append(live.locator(".edit-name").inner_text())
+    assert names[:4] == ["start", "goal", "pillar", "outlet of cable 0"]
+    assert names[4:] == ["pillar", "goal", "start", "outlet of cable 7"]
+
+
+def test_old_answers_are_forgotten_but_no_step(live: Page) -> None:
+    first = settled(live)
+    costs = live.evaluate("""async () => {
+        const costs = [];
+        for (let k = 0; k < 30; k += 1) costs.push((await cdpr.move('pillar', [1, 0.85 + k / 100, 0.75])).cost);
+        return costs;
+    }""")
+    for cost in reversed(costs[:-1]):
+        live.keyboard.press("Control+z")
+        assert length_in(settled(live)) == pytest.approx(cost, abs=6e-4)
+    live.keyboard.press("Control+z")
+    assert settled(live) == first
+
+
 def test_boxes_are_added_and_removed(live: Page) -> None:
     before = settled(live)
     live.get_by_role("button", name="+ box").click()

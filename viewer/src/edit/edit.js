@@ -288,6 +288,16 @@ export function createEdit(app, live, page, fill) {
     if (isDue) quietly(apply(planning.scene));
   }
 
+  // Selects the next thing, or the one before.
+  function selectNext({ shiftKey }) {
+    const known = things().filter(isVisible);
+    if (!handles || drag || known.length === 0) return false;
+    const now = known.findIndex((one) => edited.isSame(one, handles.selected));
+    const next = shiftKey ? (now < 0 ? -1 : now - 1) : now + 1;
+    handles.select(known.at(next % known.length));
+    return true;
+  }
+
   function onShortcut({ key, shiftKey }) {
     const name = key.toLowerCase();
     if (name === 'z') (shiftKey ? redo : undo)();
@@ -315,6 +325,7 @@ export function createEdit(app, live, page, fill) {
     }
     if (!active || target.type === 'range') return false;
     if (key === 'Escape') return escape();
+    if (key.toLowerCase() === 'n') return selectNext(event);
     if ((key === 'Delete' || key === 'Backspace') && handles?.selected?.kind === 'obstacle') {
       removeSelected();
       return true;

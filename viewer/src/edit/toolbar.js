@@ -16,6 +16,7 @@ const KEYS = [
   ['Shift + drag', 'move vertically'],
   ['arrows at the selected thing', 'move along one axis'],
   ['Alt', 'without the grid of 1 cm'],
+  ['N, Shift + N', 'select the next thing, the one before'],
   ['← → ↑ ↓', '1 cm along x and y'],
   ['Page Up, Page Down, Shift + ↑ ↓', '1 cm vertically'],
   ['Ctrl + Z, Ctrl + Y', 'undo, redo'],
