@@ -73,7 +73,7 @@ export function createEdit(app, live, page, fill) {
     moveToNearest,
     stop: planning.stop,
     save,
-  }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first) });
+  }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first), isDrawn: Boolean(setting.stage) });
 
   const source = {
     things,
@@ -290,8 +290,9 @@ export function createEdit(app, live, page, fill) {
 
   // Selects the next thing, or the one before.
   function selectNext({ shiftKey }) {
+    if (!handles || drag) return false;
     const known = things().filter(isVisible);
-    if (!handles || drag || known.length === 0) return false;
+    if (known.length === 0) return false;
     const now = known.findIndex((one) => edited.isSame(one, handles.selected));
     const next = shiftKey ? (now < 0 ? -1 : now - 1) : now + 1;
     handles.select(known.at(next % known.length));

@@ -150,8 +150,9 @@ function createTools(on, { planner, orientations }) {
 }
 
 const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
+const UNSEEN = 'nothing can be selected without the 3D view; scripts move things with cdpr.move and cdpr.plan';
 
-function createThing(on) {
+function createThing(on, { isDrawn }) {
   const name = make('strong', { className: 'edit-name' });
   const fields = ['x', 'y', 'z'].map((axis, i) => numberField(`${axis}, m`, { step: '0.01' }, (value) => on.setCoordinate(i, value)));
   const labels = fields.map((field, i) => make('label', { className: 'edit-field' }, 'xyz'[i], field));
@@ -165,7 +166,7 @@ function createThing(on) {
     shown = thing;
     box.classList.toggle('none', !thing);
     if (!thing) {
-      name.textContent = NOTHING;
+      name.textContent = isDrawn ? NOTHING : UNSEEN;
       name.title = '';
       return;
     }
@@ -245,7 +246,7 @@ export function createToolbar(on, setup) {
   const done = button('Done', 'stop editing (key E)', on.toggle);
   done.className = 'edit-done';
   const tools = createTools(on, setup);
-  const thing = createThing(on);
+  const thing = createThing(on, setup);
   const status = createStatus(on);
   const head = make('div', { className: 'edit-head' }, done, tools.box);
   const section = make('section', { id: 'edit' }, head, thing.box, status.box);
