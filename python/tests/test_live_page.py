@@ -231,10 +231,10 @@ def test_an_obstacle_is_removed_while_it_is_dragged(live: Page) -> None:
     assert numbers(live).tolist() == PILLAR
 
 
-def test_the_length_does_not_stay_while_there_is_no_path(live: Page) -> None:
+def test_a_held_key_is_one_step_even_where_there_is_no_path(live: Page) -> None:
     settled(live)
     live.mouse.click(*where(live, "goal"))
-    # Held keys plan quickly only: at the third centimetre below the platform's lowest place there is no path.
+    # A held key plans quickly only; the goal ends below the floor.
     press = "(repeat) => dispatchEvent(new KeyboardEvent('keydown', { key: 'PageDown', repeat }))"
     for count in range(260):
         live.evaluate(press, count > 0)
