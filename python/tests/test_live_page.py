@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from conftest import program
 from pages import HOSTILE, PHONE, SCENES, Open, wait_until
-from playwright.sync_api import Browser, Download, Page
+from playwright.sync_api import Browser, Download, Locator, Page
 
 import cdpr
 
@@ -175,6 +175,132 @@ def test_an_invalid_goal_says_why_and_offers_the_nearest_place(live: Page) -> No
     live.get_by_role("button", name="move to the nearest valid place").click()
     assert "above the shortest" in settled(live) or "the shortest there is" in status(live)
     assert not live.get_by_role("button", name="move to the nearest valid place").is_visible()
+
+
+def field(page: Page, axis: int) -> Locator:
+    """The number field of a coordinate of the selected thing."""
+    return page.locator(".edit-thing > .edit-field input").nth(axis)
+
+
+def test_numbers_are_read_as_they_are_meant(live: Page) -> None:
+    before = settled(live)
+    live.mouse.click(*where(live, "pillar"))
+    x = field(live, 0)
+    for text in ["1e308", "1e400", "nan", "", "-2e6"]:
+        x.press("Control+a")
+        x.press_sequentially(text or "5")
+        x.press("Enter" if text else "Backspace")
+        live.wait_for_timeout(50)
+        live.locator("canvas").first.focus()
+        assert numbers(live).tolist() == PILLAR
+        assert status(live) == before
+    assert live.get_by_role("button", name="undo").is_disabled()
+    x.press("Control+a")
+    x.press_sequentially("1,1")
+    x.press("Enter")
+    assert numbers(live).tolist() == [1.1, 1.0, 0.75]
+    settled(live)
+    x.press("Control+z")
+    assert (settled(live), numbers(live).tolist()) == (before, PILLAR)
+
+
+def test_a_number_is_not_overwritten_while_it_is_typed(live: Page) -> None:
+    settled(live)
+    live.mouse.click(*where(live, "pillar"))
+    y = field(live, 1)
+    y.press("Control+a")
+    y.press_sequentially("0.9")
+    live.evaluate("cdpr.plan({ seed: 2 })")
+    y.press_sequentially("7")
+    y.press("Enter")
+    assert numbers(live).tolist() == [1.0, 0.97, 0.75]
+    settled(live)
+
+
+def test_an_obstacle_is_removed_while_it_is_dragged(live: Page) -> None:
+    before = settled(live)
+    drag_pillar(live, (0.1, 0.1))
+    live.keyboard.press("Delete")
+    live.mouse.move(400, 400, steps=4)
+    live.mouse.up()
+    settled(live)
+    assert live.evaluate("cdpr.where('pillar')") is None
+    live.keyboard.press("Control+z")
+    assert settled(live) == before
+    live.mouse.click(*where(live, "pillar"))
+    assert numbers(live).tolist() == PILLAR
+
+
+def test_a_held_key_is_one_step_even_where_there_is_no_path(live: Page) -> None:
+    settled(live)
+    live.mouse.click(*where(live, "goal"))
+    # A held key plans quickly only; the goal ends below the floor.
+    press = "(repeat) => dispatchEvent(new KeyboardEvent('keydown', { key: 'PageDown', repeat }))"
+    for count in range(260):
+        live.evaluate(press, count > 0)
+    wait_until(live, "document.querySelector('.edit-text').textContent.includes('goal not valid')")
+    live.evaluate("dispatchEvent(new KeyboardEvent('keyup', { key: 'PageDown' }))")
+    assert settled(live).startswith("goal not valid")
+    live.keyboard.press("Control+z")
+    assert "above the shortest" in settled(live)
+    assert live.get_by_role("button", name="undo").is_disabled()
+
+
+def test_a_scene_that_is_refused_says_why_and_recovers(live: Page) -> None:
+    before = settled(live)
+    message = live.evaluate("cdpr.move('pillar', [0, 0, 0]).catch((error) => error.message)")
+    assert message.startswith('robot.cables[0].outlet: found a point 150.000 mm inside obstacle "pillar"')
+    assert settled(live) == message
+    live.locator("summary", has_text="save").click()
+    live.get_by_role("button", name="scene (TOML)").click()
+    wait_until(live, "document.querySelector('.edit-text').textContent.startsWith('not saved: robot.cables[0]')")
+    live.keyboard.press("Control+z")
+    assert settled(live) == before
+
+
+@pytest.mark.parametrize(
+    ("call", "problem"),
+    [
+        ("plan({ start: [1, 2] })", "start: expected three numbers"),
+        ("plan({ goal: [NaN, 1, 1] })", "goal: expected three numbers"),
+        ("plan({ start: [1, 1, 1], seed: 1.5 })", "seed: expected a whole number"),
+        ("plan({ seed: 1, budgetMs: 0 })", "budgetMs: expected a positive number"),
+        ("move('pillar', [1, 'a', 1])", "position: expected three numbers"),
+        ("move('pillar', [1e308, 1, 1])", "position: expected three numbers"),
+        ("move('pillar')", "position: expected three numbers"),
+    ],
+)
+def test_wrong_calls_change_nothing(live: Page, call: str, problem: str) -> None:
+    before = settled(live)
+    assert live.evaluate(f"cdpr.{call}.catch((error) => error.message)").startswith(problem)
+    assert settled(live) == before
+    assert live.get_by_role("button", name="undo").is_disabled()
+    assert live.evaluate("cdpr.plan()")["status"] == "solved"
+    assert live.get_by_role("button", name="undo").is_disabled()
+
+
+def test_things_are_selected_by_keys(live: Page) -> None:
+    settled(live)
+    names = []
+    for key in ["n", "n", "n", "n", "Shift+N", "Shift+N", "Shift+N", "Shift+N"]:
+        live.keyboard.press(key)
+        names.append(live.locator(".edit-name").inner_text())
+    assert names[:4] == ["start", "goal", "pillar", "outlet of cable 0"]
+    assert names[4:] == ["pillar", "goal", "start", "outlet of cable 7"]
+
+
+def test_old_answers_are_forgotten_but_no_step(live: Page) -> None:
+    first = settled(live)
+    costs = live.evaluate("""async () => {
+        const costs = [];
+        for (let k = 0; k < 30; k += 1) costs.push((await cdpr.move('pillar', [1, 0.85 + k / 100, 0.75])).cost);
+        return costs;
+    }""")
+    for cost in reversed(costs[:-1]):
+        live.keyboard.press("Control+z")
+        assert length_in(settled(live)) == pytest.approx(cost, abs=6e-4)
+    live.keyboard.press("Control+z")
+    assert settled(live) == first
 
 
 def test_boxes_are_added_and_removed(live: Page) -> None:

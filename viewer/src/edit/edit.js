@@ -8,7 +8,7 @@ import { markOutdated, moveDrawn } from './picture.js';
 import { createPlanner, missing } from './planner.js';
 import { createPlanning, SUPERSEDED } from './planning.js';
 import { saveFile } from './save.js';
-import { createToolbar, showMissing } from './toolbar.js';
+import { createToolbar, MOST, showMissing } from './toolbar.js';
 
 const STEP = 0.01;
 // A new box, as a share of the workspace.
@@ -47,6 +47,8 @@ export function createEdit(app, live, page, fill) {
   let active = false;
   let drag = null;
   let frame = 0;
+  // What a key that is held has moved, and the scene that came of it.
+  let held = null;
 
   const planning = createPlanning({ planner: createPlanner(), scene: first, page, options, draw, tell });
   const cables = page.cables ?? [];
@@ -71,7 +73,7 @@ export function createEdit(app, live, page, fill) {
     moveToNearest,
     stop: planning.stop,
     save,
-  }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first) });
+  }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first), isDrawn: Boolean(setting.stage) });
 
   const source = {
     things,
@@ -222,6 +224,7 @@ export function createEdit(app, live, page, fill) {
   function removeSelected() {
     const thing = handles?.selected;
     if (thing?.kind !== 'obstacle') return;
+    handles.cancel();
     handles.select(null);
     commit(edited.removeObstacle(planning.scene, thing.id));
   }
@@ -234,7 +237,10 @@ export function createEdit(app, live, page, fill) {
 
   async function save(what) {
     const { title = 'scene' } = page;
-    if (what === 'scene') saveFile(await planning.toml(), title, '.toml', 'application/toml');
+    if (what === 'scene') {
+      const text = await planning.toml();
+      if (text !== null) saveFile(text, title, '.toml', 'application/toml');
+    }
     const { answer } = planning;
     if (what === 'path') saveFile(`${JSON.stringify(answer.path, null, 2)}\n`, title, '.path.json', 'application/json');
     if (what === 'page') {
@@ -267,9 +273,29 @@ export function createEdit(app, live, page, fill) {
     const [axis, sign] = step;
     const to = edited.placeOf(planning.scene, thing).map((x, i) => (i === axis ? x + sign * STEP : x));
     const scene = edited.moveThing(planning.scene, thing, to);
-    if (event.repeat) history.replace(scene);
+    const goesOn = event.repeat && held?.scene === history.present && edited.isSame(held.thing, thing);
+    if (goesOn) history.replace(scene);
     else history.push(scene);
+    held = { thing, scene };
     quietly(apply(scene, { dragging: event.repeat }));
+    return true;
+  }
+
+  // The key is up: what was planned quickly is planned fully.
+  function release() {
+    const isDue = held?.scene === planning.scene && active && !drag && planning.isSketched;
+    held = null;
+    if (isDue) quietly(apply(planning.scene));
+  }
+
+  // Selects the next thing, or the one before.
+  function selectNext({ shiftKey }) {
+    if (!handles || drag) return false;
+    const known = things().filter(isVisible);
+    if (known.length === 0) return false;
+    const now = known.findIndex((one) => edited.isSame(one, handles.selected));
+    const next = shiftKey ? (now < 0 ? -1 : now - 1) : now + 1;
+    handles.select(known.at(next % known.length));
     return true;
   }
 
@@ -290,7 +316,8 @@ export function createEdit(app, live, page, fill) {
 
   function onKey(event) {
     const { key, target } = event;
-    if (isTyping(target) && !(target.type === 'range' || target.type === 'checkbox')) return false;
+    const isWaiting = (event.ctrlKey || event.metaKey) && toolbar.isComplete(target);
+    if (isTyping(target) && !(target.type === 'range' || target.type === 'checkbox' || isWaiting)) return false;
     if (event.ctrlKey || event.metaKey) return active && !event.altKey && onShortcut(event);
     if (event.altKey) return false;
     if (key.toLowerCase() === 'e' && !event.repeat) {
@@ -299,6 +326,7 @@ export function createEdit(app, live, page, fill) {
     }
     if (!active || target.type === 'range') return false;
     if (key === 'Escape') return escape();
+    if (key.toLowerCase() === 'n') return selectNext(event);
     if ((key === 'Delete' || key === 'Backspace') && handles?.selected?.kind === 'obstacle') {
       removeSelected();
       return true;
@@ -311,9 +339,8 @@ export function createEdit(app, live, page, fill) {
     event.preventDefault();
     event.stopPropagation();
   }, { capture: true });
-  window.addEventListener('keyup', (event) => {
-    if (stepOf(event) && active && !drag && planning.isSketched) quietly(apply(planning.scene));
-  });
+  window.addEventListener('keyup', (event) => stepOf({ key: event.key }) && release());
+  window.addEventListener('blur', release);
 
   const where = (name) => {
     const thing = things().find((one) => one.name === name);
@@ -323,17 +350,33 @@ export function createEdit(app, live, page, fill) {
   showAll();
 }
 
+// Three numbers that a scene can have as a position.
+function readPosition(what, value) {
+  const given = Array.isArray(value) || ArrayBuffer.isView(value) ? Array.from(value) : [];
+  const isGood = given.length === 3 && given.every((x) => Number.isFinite(x) && Math.abs(x) <= MOST);
+  if (!isGood) throw new Error(`${what}: expected three numbers [x, y, z] of at most ${MOST} m`);
+  return given;
+}
+
+function checkNumber(what, value, isGood, expected) {
+  if (value !== undefined && !(typeof value === 'number' && isGood(value))) throw new Error(`${what}: expected ${expected}`);
+}
+
 // For scripts: plans with other ends, moves obstacles, and tells where things are on the page, px.
 function publish({ planning, history, apply, where }) {
   const step = async (scene, how) => {
-    history.push(scene);
+    if (scene !== history.present) history.push(scene);
     const answer = await apply(scene, how);
     return answer === SUPERSEDED ? { ...SUPERSEDED } : briefly(answer);
   };
-  const plan = async ({ start, goal, seed, budgetMs } = {}) => {
+  // Nothing changes unless all of them are right.
+  const plan = async (request) => {
+    const { start, goal, seed, budgetMs } = request ?? {};
+    const ends = Object.entries({ start, goal }).filter(([, at]) => at !== undefined && at !== null).map(([end, at]) => [end, readPosition(end, at)]);
+    checkNumber('seed', seed, (x) => Number.isSafeInteger(x) && x >= 0, 'a whole number that is not negative');
+    checkNumber('budgetMs', budgetMs, (x) => x > 0 && x <= 1e12, 'a positive number of at most 1e12');
     if (seed !== undefined) planning.setOptions({ seed });
-    const ends = Object.entries({ start, goal }).filter(([, at]) => at);
-    const scene = ends.reduce((before, [end, at]) => edited.moveEnd(before, end, [...at]), planning.scene);
+    const scene = ends.reduce((before, [end, at]) => edited.moveEnd(before, end, at), planning.scene);
     return step(scene, { budget: budgetMs, again: true });
   };
   const move = async (obstacle, position) => {
@@ -342,7 +385,7 @@ function publish({ planning, history, apply, where }) {
       const known = edited.obstacleNames(scene).map((name) => `"${name}"`).join(', ');
       throw new Error(`there is no obstacle "${obstacle}"; there ${known ? `are ${known}` : 'are none'}`);
     }
-    return step(edited.moveThing(scene, { kind: 'obstacle', id: obstacle }, [...position]));
+    return step(edited.moveThing(scene, { kind: 'obstacle', id: obstacle }, readPosition('position', position)));
   };
   window.cdpr = { plan, move, where };
 }

@@ -12,6 +12,8 @@ const ENDS = ['start', 'goal'];
 // A picture that takes longer to build than this, ms, waits until the thing is let go; so do those of so many obstacles.
 const LONGEST = 60;
 const MANY = 200;
+// So many answers are kept; each may hold a search tree of a megabyte.
+const MOST_ANSWERS = 24;
 
 const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
@@ -39,7 +41,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   let shownRevision = 0;
   // What is drawn: a page and the scene that it belongs to.
   let shown = { scene: first, page };
-  let answers = new WeakMap();
+  let answers = new Map();
   let checked = -1;
   let checking = false;
   let refining = null;
@@ -54,6 +56,14 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     Object.assign(state, news);
     // A path is the better witness.
     tell(state.answer?.status === 'solved' ? { ...state, invalid: [] } : state);
+  }
+
+  // The oldest are forgotten, except the page's own.
+  function remember(of, answer) {
+    answers.delete(of);
+    answers.set(of, answer);
+    const oldest = [...answers.keys()].find((one) => one !== first);
+    if (answers.size > MOST_ANSWERS) answers.delete(oldest);
   }
 
   function put(newPage, of, fresh) {
@@ -114,7 +124,12 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     } catch (error) {
       if (asked === revision) say({ error: error.message });
     }
-    if (!answer || asked <= shownRevision || answer.waypoints.length === 0) return;
+    if (!answer || asked <= shownRevision) return;
+    if (answer.waypoints.length === 0) {
+      // The length on show belongs to a place before this one.
+      if (asked === revision) say({ best: null });
+      return;
+    }
     shownRevision = asked;
     if (building <= LONGEST) put(answer.page, of, asked === revision);
     say({ best: { cost: answer.cost, bound: straight(), of }, error: null });
@@ -156,7 +171,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     say({ busy: true, stopped: false });
     try {
       const answer = await ask(asked, of, budget);
-      if (answer) answers.set(of, answer);
+      if (answer) remember(of, answer);
       if (!answer || asked !== revision) return SUPERSEDED;
       present(answer);
       return answer;
@@ -219,8 +234,13 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
 
   async function toml() {
     const { place } = await planner.ready();
-    const answer = await place.ask({ ask: 'toml', scene });
-    return answer?.toml ?? toml();
+    try {
+      const answer = await place.ask({ ask: 'toml', scene });
+      return answer?.toml ?? toml();
+    } catch (error) {
+      say({ error: `not saved: ${error.message}` });
+      return null;
+    }
   }
 
   return {
@@ -236,9 +256,9 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     /** Plans with other options from now on. */
     setOptions: (news) => {
       own = { ...own, ...news };
-      answers = new WeakMap();
+      answers = new Map();
     },
-    /** The scene as a TOML file. */
+    /** The scene as a TOML file; null if it is none that the program reads, which is then said. */
     toml,
     /** Checks start and goal. */
     check: () => {

@@ -1,6 +1,10 @@
 // The bar above the picture: the Edit button and, while editing, its tools, the selected thing and the state.
 
+import { isSame } from './document.js';
 import { describeCulprits, describeExcess, describeInvalid, formatLength } from '../wording.js';
+
+/** Lengths beyond this, m, are typing errors. */
+export const MOST = 1e6;
 
 const PLANNERS = ['anytime', 'two-trees', 'rrt-connect', 'modified-rrt', 'rrt', 'rrt-star'];
 const SVG = 'http://www.w3.org/2000/svg';
@@ -12,6 +16,7 @@ const KEYS = [
   ['Shift + drag', 'move vertically'],
   ['arrows at the selected thing', 'move along one axis'],
   ['Alt', 'without the grid of 1 cm'],
+  ['N, Shift + N', 'select the next thing, the one before'],
   ['← → ↑ ↓', '1 cm along x and y'],
   ['Page Up, Page Down, Shift + ↑ ↓', '1 cm vertically'],
   ['Ctrl + Z, Ctrl + Y', 'undo, redo'],
@@ -53,26 +58,52 @@ function choice(label, options, onChange) {
   return select;
 }
 
+const shownNumber = (x) => String(Math.round(x * 1e4) / 1e4);
+
+// What each number field shows: the scene's number, and whether the reader is typing another one.
+const typed = new WeakMap();
+
+function showNumber(input, text) {
+  input.value = text;
+  input.removeAttribute('aria-invalid');
+}
+
+// A comma would be dropped, which makes 15 of 1,5.
+function typeCommaAsPoint(event) {
+  if (!event.data?.includes(',')) return;
+  event.preventDefault();
+  document.execCommand('insertText', false, event.data.replaceAll(',', '.'));
+}
+
 // A number that is heard once it is complete.
-function numberField(label, { step, min }, onChange) {
-  const input = make('input', { type: 'number', step, inputMode: 'decimal' });
-  if (min !== undefined) input.min = min;
+function numberField(label, { step, min = -MOST }, onChange) {
+  const input = make('input', { type: 'number', step, min, max: MOST, inputMode: 'decimal' });
+  const field = { typing: false, text: '' };
+  typed.set(input, field);
   input.setAttribute('aria-label', label);
+  input.addEventListener('beforeinput', typeCommaAsPoint);
+  input.addEventListener('input', () => {
+    field.typing = true;
+  });
   input.addEventListener('change', () => {
-    const good = Number.isFinite(input.valueAsNumber) && !input.validity.rangeUnderflow;
+    const { rangeUnderflow, rangeOverflow } = input.validity;
+    const good = Number.isFinite(input.valueAsNumber) && !rangeUnderflow && !rangeOverflow;
     input.setAttribute('aria-invalid', String(!good));
+    field.typing = !good;
     if (good) onChange(input.valueAsNumber);
+  });
+  input.addEventListener('blur', () => {
+    if (field.typing) showNumber(input, field.text);
+    field.typing = false;
   });
   return input;
 }
 
-const shownNumber = (x) => String(Math.round(x * 1e4) / 1e4);
-
-// Leaves it alone while it shows the same number.
+// Leaves it alone while it shows the same number, and while another one is being typed.
 function setNumber(input, value) {
-  if (Number(shownNumber(value)) === input.valueAsNumber) return;
-  input.value = shownNumber(value);
-  input.removeAttribute('aria-invalid');
+  const field = typed.get(input);
+  field.text = shownNumber(value);
+  if (!field.typing && Number(field.text) !== input.valueAsNumber) showNumber(input, field.text);
 }
 
 function menu(text, title, items) {
@@ -119,18 +150,23 @@ function createTools(on, { planner, orientations }) {
 }
 
 const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
+const UNSEEN = 'nothing can be selected without the 3D view; scripts move things with cdpr.move and cdpr.plan';
 
-function createThing(on) {
+function createThing(on, { isDrawn }) {
   const name = make('strong', { className: 'edit-name' });
   const fields = ['x', 'y', 'z'].map((axis, i) => numberField(`${axis}, m`, { step: '0.01' }, (value) => on.setCoordinate(i, value)));
   const labels = fields.map((field, i) => make('label', { className: 'edit-field' }, 'xyz'[i], field));
   const sides = ['width', 'depth', 'height'].map((side, i) => numberField(`${side}, m`, { step: '0.01', min: '0.001' }, (value) => on.setSide(i, value)));
   const size = make('span', { className: 'edit-size' }, 'size', ...sides, 'm');
   const box = make('div', { className: 'edit-thing' }, name, ...labels, make('span', { className: 'edit-unit' }, 'm'), size);
+  let shown = null;
   const show = (thing, place, sizes) => {
+    // What is typed is meant for the thing before.
+    if (!isSame(thing, shown)) for (const field of [...fields, ...sides]) typed.get(field).typing = false;
+    shown = thing;
     box.classList.toggle('none', !thing);
     if (!thing) {
-      name.textContent = NOTHING;
+      name.textContent = isDrawn ? NOTHING : UNSEEN;
       name.title = '';
       return;
     }
@@ -210,7 +246,7 @@ export function createToolbar(on, setup) {
   const done = button('Done', 'stop editing (key E)', on.toggle);
   done.className = 'edit-done';
   const tools = createTools(on, setup);
-  const thing = createThing(on);
+  const thing = createThing(on, setup);
   const status = createStatus(on);
   const head = make('div', { className: 'edit-head' }, done, tools.box);
   const section = make('section', { id: 'edit' }, head, thing.box, status.box);
@@ -229,6 +265,8 @@ export function createToolbar(on, setup) {
     setActive,
     showThing: thing.show,
     showState: status.show,
+    /** Whether an element is a number field in which nothing is being typed. */
+    isComplete: (element) => typed.get(element)?.typing === false,
     /** What can be done now, and the scene's own settings. */
     showTools: ({ canUndo, canRedo, canRemove, canSave, clearance, orientation }) => {
       tools.undo.disabled = !canUndo;
