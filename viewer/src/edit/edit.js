@@ -146,7 +146,8 @@ export function createEdit(app, live, page, fill) {
     toolbar.showThing(active && place ? thing : null, place, isObstacle ? edited.boxSize(scene, thing.id) : null);
     const { clearance = 0, query } = scene;
     const canSave = Boolean(planning.answer?.path);
-    const tools = { canUndo: history.canUndo, canRedo: history.canRedo, canRemove: isObstacle, canSave };
+    const canSavePath = planning.answer?.path?.waypoints.length > 0;
+    const tools = { canUndo: history.canUndo, canRedo: history.canRedo, canRemove: isObstacle, canSave, canSavePath };
     toolbar.showTools({ ...tools, clearance, orientation: query?.orientation });
   }
 

@@ -268,11 +268,11 @@ export function createToolbar(on, setup) {
     /** Whether an element is a number field in which nothing is being typed. */
     isComplete: (element) => typed.get(element)?.typing === false,
     /** What can be done now, and the scene's own settings. */
-    showTools: ({ canUndo, canRedo, canRemove, canSave, clearance, orientation }) => {
+    showTools: ({ canUndo, canRedo, canRemove, canSave, canSavePath, clearance, orientation }) => {
       tools.undo.disabled = !canUndo;
       tools.redo.disabled = !canRedo;
       tools.remove.disabled = !canRemove;
-      tools.save.path.disabled = !canSave;
+      tools.save.path.disabled = !canSavePath;
       tools.save.page.disabled = !canSave;
       setNumber(tools.clearance, clearance);
       tools.turned.value = typeof orientation === 'string' ? `=${orientation}` : '';
