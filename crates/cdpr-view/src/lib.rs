@@ -10,6 +10,7 @@
 mod blocks;
 mod extras;
 mod live;
+mod motion;
 mod no_path;
 mod planning;
 mod trajectory;
@@ -90,8 +91,8 @@ pub fn page_within(scene: &Scene, contents: Contents, form: Form, watch: &Watch)
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn page_data(scene: &Scene, contents: Contents, extras: bool, watch: &Watch) -> Result<Value, Error> {
     let motion = |path: &PathFile| match poses(path) {
-        Some(poses) => extra(extras::turning_motion(scene, &poses, watch)),
-        None => extra(extras::motion(scene, &path.points(), watch)),
+        Some(poses) => extra(motion::turning_motion(scene, &poses, watch)),
+        None => extra(motion::motion(scene, &path.points(), watch)),
     };
     let motion = contents.path.map(motion).transpose()?.flatten();
     let mut data = data(scene, contents.path, contents.violations);
@@ -119,7 +120,7 @@ pub fn trajectory_page_within(
     watch: &Watch,
 ) -> Result<String, Error> {
     let position_at = |time| trajectory::position_at(trajectory, time);
-    let motion = extra(extras::timed_motion(scene, trajectory.duration, position_at, watch))?;
+    let motion = extra(motion::timed_motion(scene, trajectory.duration, position_at, watch))?;
     let mut data = data(scene, Some(&trajectory::path(trajectory)), &[]);
     data["motion"] = json!(motion);
     data["trajectory"] = json!(trajectory::shown(trajectory));

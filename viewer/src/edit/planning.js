@@ -2,7 +2,7 @@
 
 import { orientationNames, pageOf, placeOf, thingsOf } from './document.js';
 
-/** The answer to whoever asked for a plan that a later change has made pointless. */
+/** The result of a request that a later change has overtaken. */
 export const SUPERSEDED = { status: 'superseded', cost: null, waypoints: [], milliseconds: 0 };
 
 const SKETCH = { planner: 'rrt-connect', budget_ms: 40, proof: false };

@@ -51,7 +51,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
                     }
                 };
                 let shown = shown(&loaded, report.length);
-                // Of what cannot be read as JSON nothing is told.
+                // A CSV path has no planning data.
                 let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
                 let planning = text.and_then(|text| Planning::of_json(&text));
                 let violations = &report.violations;

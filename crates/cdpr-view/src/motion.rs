@@ -1,0 +1,453 @@
+//! The plots along a path or over time: cable lengths, clearances, wrench margins and tensions.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::extras::too_many_margins;
+use super::xyz;
+use cdpr_core::collision::path_check::path_length;
+use cdpr_core::collision::{
+    Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
+};
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Placed, Point, Pose};
+use cdpr_core::model::Scene;
+use cdpr_core::numerics::TOUCH_DEPTH;
+use cdpr_core::turning::pose_path_length;
+use cdpr_core::watch::Watch;
+use cdpr_core::wrench::constraint::{limit_at, measures_at};
+use cdpr_core::wrench::tensions::even_steps;
+use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
+
+/// Number of steps of the plots along a path: about one per pixel.
+const STEPS: f64 = 300.0;
+
+/// Numbers along a path or over time, one column per plot, rounded to a few more digits than a plot can show.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Motion {
+    /// Distance along the path, m; for a trajectory, time, s.
+    s: Vec<f32>,
+    /// Length of each cable, m.
+    lengths: Vec<Vec<f32>>,
+    /// The tightest pairs of each group; groups without pairs are left out.
+    approaches: Vec<Approach>,
+    /// Tension of each cable at rest, N, `None` where the loads cannot be balanced; empty for a trajectory, and if the
+    /// robot has no mass or no tension limits.
+    tensions: Vec<Vec<Option<f32>>>,
+    /// Minimum and maximum tension of each cable, N.
+    tension_limits: Vec<[f64; 2]>,
+    /// One per measure of a scene with `[wrench]`; empty for robots with so many cables that it would take too long.
+    margins: Vec<Margins>,
+}
+
+impl Motion {
+    /// The cable lengths alone, m, one row for each place.
+    fn of_lengths(s: Vec<f32>, rows: Vec<Vec<f32>>) -> Self {
+        Motion {
+            s,
+            lengths: by_cable(rows),
+            approaches: Vec::new(),
+            tensions: Vec::new(),
+            tension_limits: Vec::new(),
+            margins: Vec::new(),
+        }
+    }
+}
+
+/// The groups of pairs that are plotted apart: what can come near obstacles, and the robot's own neighbours.
+const GROUPS: [(&str, [Kind; 2]); 2] =
+    [("obstacles", [Kind::PlatformObstacle, Kind::CableObstacle]), ("robot", [Kind::CablePlatform, Kind::CableCable])];
+
+/// The pair of a group with the smallest slack beyond its required gap, at each place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Approach {
+    of: &'static str,
+    /// Its gap, m.
+    gap: Vec<f32>,
+    /// Its required gap, m.
+    required: Vec<f32>,
+    /// The pair, as an index into `pairs`.
+    tightest: Vec<usize>,
+    /// Names of the pairs that have the smallest slack somewhere.
+    pairs: Vec<Vec<String>>,
+    /// x, y, z of the nearest points of its two members, one after the other, m; NaN where unknown.
+    points: Vec<f32>,
+}
+
+/// A coordinate with the six digits that a picture needs, which keeps pages small.
+fn short(x: f64) -> f32 {
+    let unit = 10f64.powi(5 - x.abs().max(1e-30).log10().floor() as i32);
+    ((x * unit).round() / unit) as f32
+}
+
+impl Approach {
+    fn of(of: &'static str, found: Vec<Tightest>) -> Self {
+        let mut approach =
+            Approach { of, gap: vec![], required: vec![], tightest: vec![], pairs: vec![], points: vec![] };
+        for Tightest { clearance: Clearance { value, required, culprits, .. }, points } in found {
+            let known = approach.pairs.iter().position(|pair| *pair == culprits);
+            // A gap that is kept to within the tolerance of the engines must not look violated.
+            let kept = value >= required - TOUCH_DEPTH;
+            approach.gap.push(if kept { value.max(required) } else { value } as f32);
+            approach.required.push(required as f32);
+            approach.tightest.push(known.unwrap_or(approach.pairs.len()));
+            if known.is_none() {
+                approach.pairs.push(culprits);
+            }
+            let ends = points.unwrap_or([Point::from([f64::NAN; 3]); 2]);
+            approach.points.extend(ends.iter().flat_map(|p| xyz(p).map(short)));
+        }
+        approach
+    }
+}
+
+/// Wrench margins along a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Margins {
+    measure: &'static str,
+    unit: &'static str,
+    /// Margin beyond the required one, `None` where a cable has no direction.
+    values: Vec<Option<f32>>,
+}
+
+/// The plots of a path; `None` for a path of length zero.
+///
+/// # Errors
+/// As [`Conditions::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let length = path_length(waypoints);
+    if !(length > 0.0) {
+        return Ok(None);
+    }
+    let (s, positions) = places(scene, waypoints, length, watch)?;
+    let mut motion = untensed(scene, s, &positions, watch)?;
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
+        motion.tensions = tensions(&statics, &positions, watch)?;
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+/// Places nearer to each other than this share of the path are plotted as one.
+const SAME_PLACE: f64 = 1e-6;
+
+/// Where a path is plotted: at even steps, at its waypoints, and where the pairs of each group come nearest to each other.
+fn places(scene: &Scene, waypoints: &[Point], length: f64, watch: &Watch) -> Result<(Vec<f32>, Vec<Point>), Error> {
+    let mut starts = vec![0.0];
+    starts.extend(waypoints.windows(2).scan(0.0, |way, pair| {
+        *way += (pair[1] - pair[0]).norm();
+        Some(*way)
+    }));
+    // With a rank: of two at the same place the lower one is kept.
+    let mut all: Vec<(f64, u8, Point)> = Vec::new();
+    for (segment, at) in nearest_places(scene, waypoints, watch)? {
+        let along = (waypoints[segment + 1] - waypoints[segment]) * at;
+        all.push((starts[segment] + along.norm(), 0, waypoints[segment] + along));
+    }
+    all.extend(starts.iter().zip(waypoints).map(|(s, position)| (*s, 1, *position)));
+    all.extend(even_steps(waypoints, length / STEPS)?.iter().map(|place| (place.s, 2, place.position)));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut kept: Vec<(f64, u8, Point)> = Vec::new();
+    for place in all {
+        match kept.last_mut().filter(|last| place.0 - last.0 <= SAME_PLACE * length) {
+            Some(last) if place.1 < last.1 => *last = place,
+            Some(_) => {}
+            None => kept.push(place),
+        }
+    }
+    let last = kept.len() - 1;
+    (kept[0].0, kept[last].0) = (0.0, length);
+    Ok(kept.into_iter().map(|(s, _, position)| (s as f32, position)).unzip())
+}
+
+/// The segment of the nearest approach of each group of pairs, and the fraction of it.
+fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Vec<(usize, f64)>, Error> {
+    let conditions = Conditions::within(scene, watch)?;
+    let mut found = Vec::new();
+    for (_, kinds) in GROUPS {
+        let within = |index: &usize| kinds.contains(&conditions.kind(&conditions.list[*index]));
+        let indices: Vec<usize> = (0..conditions.list.len()).filter(within).collect();
+        let nearest = path_clearance(&conditions, &indices, waypoints, watch)?;
+        found.extend(nearest.map(|(segment, clearance)| (segment, clearance.at)));
+    }
+    Ok(found)
+}
+
+/// The pairs of each group that come nearest at each place, as `tightest` finds them among the kinds of the group.
+fn approaches<Place: Sync>(
+    places: &[Place],
+    watch: &Watch,
+    tightest: impl Fn(&Place, &dyn Fn(Kind) -> bool) -> Option<Tightest> + Sync,
+) -> Result<Vec<Approach>, Error> {
+    let mut approaches = Vec::new();
+    for (name, kinds) in GROUPS {
+        let at = |place| {
+            watch.check()?;
+            Ok(tightest(place, &|kind| kinds.contains(&kind)))
+        };
+        let found: Result<Option<Vec<_>>, Error> = places.par_iter().map(at).collect();
+        approaches.extend(found?.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
+    }
+    Ok(approaches)
+}
+
+/// The plots of a path of poses, whose length counts the turns; `None` for a path of length zero.
+///
+/// # Errors
+/// As [`motion`].
+pub(super) fn turning_motion(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let places = pose_places(scene, poses);
+    if places.is_empty() {
+        return Ok(None);
+    }
+    let s = places.iter().map(|(s, _)| *s as f32).collect();
+    let poses: Vec<Pose> = places.into_iter().map(|(_, pose)| pose).collect();
+    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
+    let conditions = Conditions::within(scene, watch)?;
+    motion.approaches = approaches(&poses, watch, |pose, of| {
+        tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()), of)
+    })?;
+    motion.margins = turning_margins(scene, &poses, watch)?;
+    // A robot without mass or tension limits has no tensions.
+    if let Ok(statics) = Statics::of(scene) {
+        motion.tensions = turning_tensions(scene, &poses, watch)?;
+        motion.tension_limits = statics.limits();
+    }
+    Ok(Some(motion))
+}
+
+/// Poses at even steps along each segment, waypoints included, with their distance along the path, m; none for a path of
+/// length zero.
+fn pose_places(scene: &Scene, poses: &[Pose]) -> Vec<(f64, Pose)> {
+    let whole = pose_path_length(scene, poses);
+    if !(whole > 0.0) {
+        return Vec::new();
+    }
+    let (mut places, mut before) = (vec![(0.0, poses[0])], 0.0);
+    for pair in poses.windows(2) {
+        let (motion, length) = (pair[0].toward(&pair[1]), pose_path_length(scene, pair));
+        let steps = (length / whole * STEPS).ceil();
+        let shares = (1..=steps as usize).map(|k| k as f64 / steps);
+        places.extend(shares.map(|share| (before + share * length, motion.at(share))));
+        before += length;
+    }
+    places
+}
+
+/// The margins at poses; `None` where a cable has no direction, or the loads turn a platform whose cables meet in one point.
+fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if too_many_margins(scene, poses.len()) {
+        return Ok(Vec::new());
+    }
+    let slacks = |pose: &Pose| {
+        watch.check()?;
+        let measures = measures_at(scene, &pose.orientation).unwrap_or_default();
+        Ok(measures.iter().map(|measure| plotted(measure.slack(&pose.position))).collect())
+    };
+    let rows: Result<Vec<Vec<Option<f32>>>, Error> = poses.par_iter().map(slacks).collect();
+    let rows = rows?;
+    let along = |(k, measure): (usize, &Measure)| {
+        let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
+        Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
+    };
+    Ok(measures.iter().enumerate().map(along).collect())
+}
+
+/// The tensions of each cable at rest at poses.
+fn turning_tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let loads = Loads::of(scene);
+    let found: Result<Vec<_>, Error> = (poses.par_iter())
+        .map_init(TensionQp::default, |solver, pose| {
+            watch.check()?;
+            let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
+            statics.tensions(solver, &pose.position, None)
+        })
+        .collect();
+    Ok(tension_columns(scene.robot().cables().len(), found?))
+}
+
+/// The plots of a trajectory over time, without tensions, which the trajectory has itself.
+///
+/// # Errors
+/// As [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn timed_motion(
+    scene: &Scene,
+    duration: f64,
+    position_at: impl Fn(f64) -> Point,
+    watch: &Watch,
+) -> Result<Option<Motion>, Error> {
+    let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
+    let positions: Vec<Point> = times.iter().map(|time| position_at(*time)).collect();
+    untensed(scene, times.iter().map(|time| *time as f32).collect(), &positions, watch).map(Some)
+}
+
+/// Everything but tensions at these positions.
+fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> Result<Motion, Error> {
+    let conditions = Conditions::within(scene, watch)?;
+    let at = |position: &Point| lengths(scene, &Pose::new(*position, *scene.orientation()));
+    let margins = margins(scene, positions, watch)?;
+    let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
+    motion.approaches = approaches(positions, watch, |position, of| tightest_of(&conditions, position, of))?;
+    Ok(motion)
+}
+
+/// The tensions of each cable at rest.
+fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let found: Result<Vec<_>, Error> = positions
+        .par_iter()
+        .map_init(TensionQp::default, |solver, position| {
+            watch.check()?;
+            statics.tensions(solver, position, None)
+        })
+        .collect();
+    Ok(tension_columns(statics.cables().len(), found?))
+}
+
+/// Tensions at each place as columns, one for each cable.
+fn tension_columns(cables: usize, found: Vec<Option<Vec<f64>>>) -> Vec<Vec<Option<f32>>> {
+    let row = |tensions: Option<Vec<f64>>| match tensions {
+        Some(tensions) => tensions.into_iter().map(|tension| Some(tension as f32)).collect(),
+        None => vec![None; cables],
+    };
+    by_cable(found.into_iter().map(row).collect())
+}
+
+/// A margin as plotted.
+fn plotted(slack: f64) -> Option<f32> {
+    Some(slack as f32).filter(|slack| slack.is_finite())
+}
+
+fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let measures = measures(scene)?;
+    if too_many_margins(scene, positions.len()) {
+        return Ok(Vec::new());
+    }
+    let along = |measure: &Measure| {
+        let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
+        let value = |position| {
+            watch.check()?;
+            Ok(plotted(measure.slack(position)))
+        };
+        let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
+        Ok(Margins { measure: name, unit, values: values? })
+    };
+    measures.iter().map(along).collect()
+}
+
+fn lengths(scene: &Scene, pose: &Pose) -> Vec<f32> {
+    let length = |cable: &cdpr_core::model::Cable| {
+        (cable.outlet - (pose.position + pose.orientation * cable.attachment.coords)).norm() as f32
+    };
+    scene.robot().cables().iter().map(length).collect()
+}
+
+/// Rows with a number for each cable as columns.
+fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
+    let cables = rows.first().map_or(0, Vec::len);
+    (0..cables).map(|cable| rows.iter().map(|row| row[cable].clone()).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cdpr_core::testing::hard1;
+
+    #[test]
+    fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
+        let found =
+            motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
+        let count = found.s.len();
+        assert!((301..=303).contains(&count) && found.s[count - 1] == 1.0 && found.s.is_sorted_by(|a, b| a < b));
+        assert_eq!((found.lengths.len(), found.lengths[0].len()), (8, count));
+        assert_eq!(found.approaches.iter().map(|approach| approach.of).collect::<Vec<_>>(), ["obstacles", "robot"]);
+        for approach in &found.approaches {
+            assert_eq!((approach.gap.len(), approach.points.len()), (count, 6 * count));
+            assert!(approach.tightest.iter().all(|&k| approach.pairs[k].len() == 2));
+            assert!(approach.required.iter().all(|&required| required == 0.0));
+            for (gap, ends) in approach.gap.iter().zip(approach.points.chunks(6)) {
+                let apart = (0..3).map(|k| (ends[k] - ends[k + 3]).powi(2)).sum::<f32>().sqrt();
+                assert!((gap - apart).abs() < 2e-5, "{gap} {apart}");
+            }
+        }
+        let (first, end) = (Point::new(0.225, 0.925, 0.275), found.lengths[0][0]);
+        assert!((f64::from(end) - first.coords.norm()).abs() < 1e-6);
+        assert!(found.tensions.iter().all(|cable| cable.iter().flatten().all(|t| (9.9..1000.1).contains(t))));
+    }
+
+    #[test]
+    fn clearances_are_plotted_with_what_is_required_of_the_tightest_pair() {
+        use cdpr_core::model::{ClearancesSpec, PairClearanceSpec};
+        let mut spec = hard1().spec().clone();
+        spec.clearance = Some(0.02);
+        let pair = PairClearanceSpec { between: ["cable 3".into(), "pillar".into()], clearance: 0.08 };
+        spec.clearances = Some(ClearancesSpec { pairs: vec![pair], ..ClearancesSpec::default() });
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.6, 1.0, 1.7)];
+        let found = motion(&Scene::new(spec).unwrap(), &path, &Watch::NONE).unwrap().unwrap();
+        let near = &found.approaches[0];
+        let named = |k: usize| near.pairs[near.tightest[k]] == ["cable 3", "pillar"];
+        for k in 0..found.s.len() {
+            assert_eq!(near.required[k], if named(k) { 0.08 } else { 0.02 });
+        }
+        assert!((0..found.s.len()).any(named));
+        assert!(found.approaches[1].required.iter().all(|required| *required == 0.02));
+    }
+
+    #[test]
+    fn plots_of_a_path_with_turns_agree_with_those_at_each_orientation() {
+        use cdpr_core::geometry::{Rotation, Vector};
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let scene = Scene::new(spec).unwrap();
+        let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
+        let poses =
+            [(0.3, 0.0), (0.9, 0.3), (1.3, -0.1)].map(|(z, angle)| Pose::new(Point::new(0.3, 1.0, z), yaw(angle)));
+        let found = turning_motion(&scene, &poses, &Watch::NONE).unwrap().unwrap();
+        let places = pose_places(&scene, &poses);
+        let count = places.len();
+        let near = &found.approaches[0];
+        assert_eq!((found.s.len(), near.gap.len(), found.tensions[7].len()), (count, count, count));
+        assert!(poses.iter().all(|pose| places.iter().any(|(_, place)| place == pose)));
+        for (k, (_, pose)) in places.iter().enumerate().step_by(25) {
+            let digits = cdpr_core::geometry::wxyz(&pose.orientation);
+            let turned = scene.turned(digits.into()).unwrap();
+            let near_obstacles = |kind| GROUPS[0].1.contains(&kind);
+            let there = tightest_of(&Conditions::new(&turned).unwrap(), &pose.position, near_obstacles).unwrap();
+            assert!((f64::from(near.gap[k]) - there.clearance.value).abs() < 1e-6);
+            // Cables above each other come equally near to an upright pillar.
+            assert_eq!(near.pairs[near.tightest[k]][1], there.clearance.culprits[1]);
+            let slack = measures(&turned).unwrap()[0].slack(&pose.position);
+            assert!((f64::from(found.margins[0].values[k].unwrap()) - slack).abs() < 1e-3);
+            let statics = Statics::of(&turned).unwrap();
+            let tensions = statics.tensions(&mut TensionQp::default(), &pose.position, None).unwrap();
+            let (shown, tension) = (found.tensions[2][k], tensions.map(|tensions| tensions[2]));
+            assert_eq!(shown.is_some(), tension.is_some());
+            assert!(shown.zip(tension).is_none_or(|(a, b)| (f64::from(a) - b).abs() < 1e-3));
+        }
+        assert!(found.tensions[2].iter().flatten().count() > 0);
+        assert_eq!(turning_motion(&scene, &poses[..1], &Watch::NONE).unwrap(), None);
+    }
+
+    #[test]
+    fn a_path_that_stays_has_no_plots() {
+        assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()], &Watch::NONE).unwrap(), None);
+        assert_eq!(motion(&hard1(), &[], &Watch::NONE).unwrap(), None);
+    }
+
+    #[test]
+    fn wrench_margins_are_plotted_where_they_are_demanded() {
+        let path = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
+        assert_eq!(motion(&hard1(), &path, &Watch::NONE).unwrap().unwrap().margins, []);
+        let mut spec = hard1().spec().clone();
+        spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
+        let demanding = Scene::new(spec).unwrap();
+        let [found] = &motion(&demanding, &path, &Watch::NONE).unwrap().unwrap().margins[..] else {
+            panic!("one measure")
+        };
+        let [measure] = &measures(&demanding).unwrap()[..] else { panic!("one measure") };
+        assert_eq!((found.measure, found.unit), ("capacity", "N"));
+        assert_eq!(found.values[0], Some(measure.slack(&path[0]) as f32));
+        assert_eq!(found.values.last(), Some(&Some(measure.slack(&path[1]) as f32)));
+    }
+}
