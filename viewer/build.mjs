@@ -16,7 +16,7 @@ const placeholders = ['{{title}}', '/*{{style}}*/', '{{data}}', '{{worker}}', '{
 // What each asset is made from: a change of these needs `make viewer`.
 const sources = {
   page: ['src', 'build.mjs', 'package-lock.json'],
-  planner: ['../crates/cdpr-core/src', '../crates/cdpr-live/src', 'src/worker.js', 'package-lock.json'],
+  planner: ['../crates/cdpr-core/src', '../crates/cdpr-view/src', '../crates/cdpr-live/src', 'src/worker.js', 'package-lock.json'],
 };
 
 const shared = { bundle: true, minify: true, write: false, target: 'es2020', legalComments: 'none' };
@@ -85,12 +85,13 @@ async function writePlanner() {
   await write('planner.txt', (await deflated(await readFile(here('planner/planner.wasm')))).toString('base64'));
 }
 
-// Names and contents of files, in the order of their names.
+// The names of the files in a folder in order, without the assets that are built; or the name of the file itself.
 async function files(path) {
   const entries = await readdir(here(path), { withFileTypes: true, recursive: true }).catch(() => null);
   if (entries === null) return [path];
   const inside = entries.filter((entry) => entry.isFile()).map((entry) => `${entry.parentPath}/${entry.name}`);
-  return inside.map((file) => `${path}${file.slice(here(path).length)}`).sort();
+  const sources = inside.map((file) => `${path}${file.slice(here(path).length)}`);
+  return sources.filter((file) => !file.includes('/assets/')).sort();
 }
 
 async function checksum(paths) {

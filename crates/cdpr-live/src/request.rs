@@ -19,7 +19,7 @@ pub struct Request {
     pub ask: Ask,
 }
 
-/// What is asked.
+/// The kinds of request.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "ask", rename_all = "lowercase")]
 pub enum Ask {
