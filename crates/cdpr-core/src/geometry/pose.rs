@@ -35,7 +35,7 @@ impl Pose {
     /// Angle of the shorter turn to another orientation, rad, from 0 to π.
     pub fn angle_to(&self, other: &Pose) -> f64 {
         let turn = (other.orientation * self.orientation.inverse()).into_inner();
-        2.0 * turn.imag().norm().atan2(turn.w.abs())
+        2.0 * libm::atan2(turn.imag().norm(), turn.w.abs())
     }
 
     /// Whether all its numbers are finite.
@@ -61,10 +61,29 @@ impl Pose {
         if swapped {
             sine = -sine;
         }
-        let angle = 2.0 * sine.norm().atan2(turn.w.abs());
+        let angle = 2.0 * libm::atan2(sine.norm(), turn.w.abs());
         let (axis, angle) = if angle > NO_TURN { (sine.normalize(), angle) } else { (Vector::x(), 0.0) };
         PoseMotion { from: *self, to: *other, axis, angle }
     }
+}
+
+/// The rotation by an angle, rad, about a unit axis. Unlike those of the standard library, its sines have the same digits on
+/// every platform, so that the same seed gives the same path in a browser.
+pub fn turn_about(axis: &Vector, angle: f64) -> Rotation {
+    let (sine, cosine) = libm::sincos(0.5 * angle);
+    Rotation::new_unchecked(Quaternion::from_parts(cosine, axis * sine))
+}
+
+/// The rotation by roll, pitch and yaw, rad: about x, then about y, then about z, all fixed axes. Like [`turn_about`], the
+/// same on every platform.
+pub fn from_roll_pitch_yaw(angles: [f64; 3]) -> Rotation {
+    let [(sr, cr), (sp, cp), (sy, cy)] = angles.map(|angle| libm::sincos(0.5 * angle));
+    Rotation::new_unchecked(Quaternion::new(
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    ))
 }
 
 /// A rotation as the quaternion w x y z.
@@ -108,7 +127,7 @@ impl PoseMotion {
         if t >= 1.0 {
             return self.to;
         }
-        let turned = Rotation::from_scaled_axis(self.axis * (self.angle * t));
+        let turned = turn_about(&self.axis, self.angle * t);
         Pose::new(self.from.position + (self.to.position - self.from.position) * t, turned * self.from.orientation)
     }
 
@@ -193,7 +212,7 @@ impl Turning {
         if self.angle == 0.0 {
             return Placed { position, turn: self.series[0] };
         }
-        let (sine, cosine) = (self.angle * t).sin_cos();
+        let (sine, cosine) = libm::sincos(self.angle * t);
         let turn = self.series[0] + self.series[1] * sine + self.series[2] * (1.0 - cosine);
         Placed { position, turn }
     }
@@ -207,8 +226,11 @@ impl Turning {
     /// orientation of reference.
     pub fn least_along(&self, direction: &Vector) -> f64 {
         let [constant, sine, versine] = self.series.each_ref().map(|part| direction.dot(&(part * direction)));
-        let at = |angle: f64| constant + sine * angle.sin() + versine * (1.0 - angle.cos());
-        let still = (-sine).atan2(versine).rem_euclid(std::f64::consts::PI);
+        let at = |angle: f64| {
+            let (s, c) = libm::sincos(angle);
+            constant + sine * s + versine * (1.0 - c)
+        };
+        let still = libm::atan2(-sine, versine).rem_euclid(std::f64::consts::PI);
         [0.0, still, self.angle].into_iter().filter(|angle| *angle <= self.angle).map(at).fold(f64::INFINITY, f64::min)
     }
 
@@ -373,6 +395,22 @@ impl ConvexShape for PlacedBody<'_> {
         Boundary {
             edges: edges.iter().map(|edge| edge.each_ref().map(moved)).collect(),
             faces: faces.iter().map(|face| face.iter().map(moved).collect()).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rotations_are_those_of_nalgebra() {
+        for angles in [[0.3, -1.2, 2.9], [0.0, 0.0, 0.5 * std::f64::consts::PI], [-3.0, 1.6, 0.0]] {
+            let [roll, pitch, yaw] = angles;
+            let expected = Rotation::from_euler_angles(roll, pitch, yaw);
+            assert!((from_roll_pitch_yaw(angles).coords - expected.coords).norm() < 1e-15);
+            let axis = Vector::new(roll, pitch, yaw).normalize();
+            assert!((turn_about(&axis, yaw).coords - Rotation::from_scaled_axis(axis * yaw).coords).norm() < 1e-15);
         }
     }
 }

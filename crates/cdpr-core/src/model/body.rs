@@ -2,7 +2,7 @@
 
 use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, TurningAxis, TurningSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
-use crate::geometry::{Point, Polytope, Rotation, Vector};
+use crate::geometry::{Point, Polytope, Rotation, Vector, from_roll_pitch_yaw};
 use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, PARALLEL, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
@@ -243,7 +243,7 @@ pub struct Turn {
 pub fn turn(place: &str, given: &Turn) -> Result<Rotation, Error> {
     let euler = |key: &str, [roll, pitch, yaw]: [f64; 3], radians: f64| {
         coordinates(&format!("{place}.{key}"), &[roll, pitch, yaw])?;
-        Ok(Rotation::from_euler_angles(roll * radians, pitch * radians, yaw * radians))
+        Ok(from_roll_pitch_yaw([roll, pitch, yaw].map(|angle| angle * radians)))
     };
     match (given.rpy, given.rpy_degrees, given.quaternion) {
         (None, None, None) => Ok(Rotation::identity()),

@@ -108,7 +108,7 @@ impl StateSpace for TranslationSpace {
 
     fn sample_around(&self, state: &Point, rng: &mut impl Rng) -> Option<Point> {
         let farthest = (self.max - self.min).norm();
-        let distance = farthest * NEAREST_SHARE.powf(rng.random::<f64>());
+        let distance = farthest * libm::pow(NEAREST_SHARE, rng.random::<f64>());
         let direction = in_unit_ball(rng).try_normalize(f64::MIN_POSITIVE)?;
         self.inside(state + direction * distance)
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rand::{Rng, RngExt};
 
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation, Vector};
+use crate::geometry::{Point, Pose, Rotation, Vector, turn_about};
 use crate::model::Scene;
 use crate::model::spec::TurningAxis;
 use crate::numerics::{NO_TURN, OFF_AXIS};
@@ -81,13 +81,13 @@ impl PoseSpace {
 
     fn random_orientation(&self, rng: &mut impl Rng) -> Rotation {
         match self.freedom {
-            Freedom::Axis(axis) => Rotation::from_scaled_axis(axis * rng.random_range(-PI..PI)) * self.reference,
+            Freedom::Axis(axis) => turn_about(&axis, rng.random_range(-PI..PI)) * self.reference,
             Freedom::Tilt(most) => {
                 let [spin, side, share]: [f64; 3] = std::array::from_fn(|_| rng.random());
-                let tilt = (1.0 - share * (1.0 - most.cos())).acos();
-                let (sine, cosine) = (2.0 * PI * side).sin_cos();
-                let tilted = Rotation::from_scaled_axis(Vector::new(cosine, sine, 0.0) * tilt);
-                tilted * Rotation::from_scaled_axis(Vector::z() * (2.0 * PI * spin)) * self.reference
+                let tilt = libm::acos(1.0 - share * (1.0 - libm::cos(most)));
+                let (sine, cosine) = libm::sincos(2.0 * PI * side);
+                let tilted = turn_about(&Vector::new(cosine, sine, 0.0), tilt);
+                tilted * turn_about(&Vector::z(), 2.0 * PI * spin) * self.reference
             }
         }
     }
@@ -99,12 +99,12 @@ impl PoseSpace {
             Freedom::Axis(axis) => axis,
             Freedom::Tilt(_) => {
                 let [height, side]: [f64; 2] = std::array::from_fn(|_| rng.random());
-                let (height, (sine, cosine)) = (2.0 * height - 1.0, (2.0 * PI * side).sin_cos());
+                let (height, (sine, cosine)) = (2.0 * height - 1.0, libm::sincos(2.0 * PI * side));
                 let across = (1.0 - height * height).sqrt();
                 Vector::new(across * cosine, across * sine, height)
             }
         };
-        Rotation::from_scaled_axis(axis * angle) * orientation
+        turn_about(&axis, angle) * orientation
     }
 }
 
@@ -155,7 +155,7 @@ impl StateSpace for PoseSpace {
 
     fn sample_around(&self, state: &Pose, rng: &mut impl Rng) -> Option<Pose> {
         let position = self.positions.sample_around(&state.position, rng)?;
-        let most = PI * LEAST_TURN.powf(rng.random::<f64>());
+        let most = PI * libm::pow(LEAST_TURN, rng.random::<f64>());
         Some(Pose::new(position, self.orientation_near(&state.orientation, most, rng)))
     }
 
@@ -176,16 +176,18 @@ impl StateSpace for PoseSpace {
     }
 
     fn near_radius(&self, nodes: usize) -> f64 {
-        let crowd = (nodes as f64).ln() / nodes as f64;
+        let crowd = libm::log(nodes as f64) / nodes as f64;
         let size = self.positions.max - self.positions.min;
         let places = size.x.max(NO_TURN) * size.y.max(NO_TURN) * size.z.max(NO_TURN);
         // Volumes of the orientations and of the unit ball |Δp| + w |Δα| < 1.
         let (dimensions, turns, ball) = match self.freedom {
             Freedom::Axis(_) => (4.0, 2.0 * PI * self.weight, 2.0 * PI / 3.0),
-            Freedom::Tilt(most) => {
-                (6.0, 8.0 * PI * PI * self.weight.powi(3) * 0.5 * (1.0 - most.cos()), (4.0 * PI / 3.0).powi(2) / 20.0)
-            }
+            Freedom::Tilt(most) => (
+                6.0,
+                8.0 * PI * PI * self.weight.powi(3) * 0.5 * (1.0 - libm::cos(most)),
+                (4.0 * PI / 3.0).powi(2) / 20.0,
+            ),
         };
-        (2.0 * (1.0 + 1.0 / dimensions) * places * turns / ball * crowd).powf(1.0 / dimensions)
+        libm::pow(2.0 * (1.0 + 1.0 / dimensions) * places * turns / ball * crowd, 1.0 / dimensions)
     }
 }
