@@ -20,7 +20,7 @@ from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree, turns_of
 from ._scene import Scene
 from ._violation import exemption_from, violation_from
-from .exceptions import AnotherSceneWarning, InputError
+from .exceptions import AnotherSceneWarning, CdprError, InputError
 
 Planner: TypeAlias = Literal["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
@@ -370,6 +370,7 @@ def lower_bound(
     budget: float | None = None,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
+    certificate: str | os.PathLike[str] | None = None,
 ) -> float:
     """Return a lower bound on the length of every valid path, m: the straight line or better.
 
@@ -384,11 +385,14 @@ def lower_bound(
         Returns the best bound found within this time, s.
     start, goal : array_like (3,), optional
         Positions to use instead of the scene's, m.
+    certificate : path, optional
+        Writes a certificate of the bound to this file (.json), which anyone can check: see :func:`cdpr.check_proof`. The
+        bound returned is the certified one, which may be a little smaller. The scene must have one orientation and a path.
 
     Returns
     -------
     float
-        Infinite if it is certain that there is no path. With a gap or a budget, paths that come closer than 1e-7 m to
+        Infinite if it is certain that there is no path. With a gap, a budget or a certificate, paths that come closer than 1e-7 m to
         something between their ends do not count if they are shorter.
 
     Examples
@@ -399,12 +403,23 @@ def lower_bound(
     >>> plan(scene).cost / lower_bound(scene, gap=0.001) < 1.0011
     True
     """
-    return instance("scene", scene, Scene)._core.lower_bound(
+    file = None if certificate is None else file_name(certificate)
+    if file is not None and len(instance("scene", scene, Scene).orientations) > 1:
+        problem = "found a scene with several orientations, expected one: scene.replace(orientation=...)"
+        raise InputError(f"certificate: {problem}")
+    bound, written = instance("scene", scene, Scene)._core.lower_bound(
         None if gap is None else number("gap", gap),
         None if budget is None else number("budget", budget),
         None if start is None else point("start", start),
         None if goal is None else point("goal", goal),
+        file is not None,
     )
+    if file is not None:
+        if written is None:
+            problem = "found nothing to certify: there is no path, the platform may turn, or effort ran out"
+            raise CdprError(f"certificate: {problem}")
+        _core.save_text(file, written + "\n")
+    return bound
 
 
 def check(

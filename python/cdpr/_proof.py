@@ -98,25 +98,26 @@ def proof_from(values: Mapping[str, Any], certificate: str) -> Proof:
 def check_proof(
     scene: Scene, path: str | os.PathLike[str], *, start: ArrayLike | None = None, goal: ArrayLike | None = None
 ) -> bool:
-    """Check a certificate that a scene has no path, with exact arithmetic and without the code that made it.
+    """Check a certificate that a scene has no path, or none shorter than some length, with exact arithmetic and without the code that made it.
 
     Parameters
     ----------
     scene : Scene
     path : path
-        The file that `Proof.save` or ``cdpr plan --proof`` wrote.
+        The file that `Proof.save`, `lower_bound` or ``cdpr plan --proof`` wrote.
     start, goal : array_like (3,), optional
         The ends that were given to planning instead of the scene's, m.
 
     Returns
     -------
     bool
-        True: no path keeps a gap of more than the margin of the certificate.
+        True: no path keeps a gap of more than the margin of the certificate, or none that does is shorter than its
+        ``"length"``, m.
 
     Raises
     ------
     FileError
-        A file that cannot be read, is no certificate, or does not prove that this scene has no path; the message says
+        A file that cannot be read, is no certificate, or does not prove what it says of this scene; the message says
         what is wrong with it, and where.
 
     Notes

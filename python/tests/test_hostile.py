@@ -190,7 +190,7 @@ def calls(tmp_path, monkeypatch, batch):
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
         "refine": (cdpr.refine, along | judges),
         "check": (cdpr.check, along | judges | {"orientations": TURNED}),
-        "lower_bound": (cdpr.lower_bound, {"scene": scene, "gap": 0.5, "budget": 5.0} | end),
+        "lower_bound": (cdpr.lower_bound, {"scene": scene, "gap": 0.5, "budget": 5.0, "certificate": "bound.json"} | end),
         "load_path": (cdpr.load_path, {"path": "path.json", "scene": scene, "strict": False}),
         "schema": (cdpr.schema, {"of": "scene"}),
         "import_robot": (

@@ -1,6 +1,7 @@
 //! Planning, checking and wrenches: known answers, properties, and former wrong answers.
 
 mod anytime;
+mod bound_certificate;
 mod clearances;
 mod decomposition;
 mod lower_bound;

@@ -17,8 +17,10 @@ const MOST_HALF_SPACES: usize = 1000;
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
-    format: String,
-    version: u64,
+    #[serde(rename = "format")]
+    _format: String,
+    #[serde(rename = "version")]
+    _version: u64,
     /// The scene's fingerprint.
     pub scene: String,
     /// The platform's orientation, a unit quaternion w x y z.
@@ -85,26 +87,27 @@ impl Certificate {
     /// assert_eq!(error.to_string(), "version: found 2, expected 1");
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let mut reader = serde_json::Deserializer::from_str(text);
-        let parsed: Result<Certificate, _> = serde_path_to_error::deserialize(&mut reader);
-        let certificate = parsed.map_err(|error| {
-            let place = error.path().to_string();
-            let place = place.trim_end_matches(['.', '?']).to_string(); // unknown parts of the path
-            let problem = error.into_inner().to_string();
-            let told = if problem.starts_with("found") { problem } else { format!("found no certificate: {problem}") };
-            other_format(text).unwrap_or_else(|| Error::invalid(place, told))
-        })?;
-        reader.end().map_err(|error| Error::invalid("", format!("found more than a certificate: {error}")))?;
-        if (certificate.format.as_str(), certificate.version) != (FORMAT, VERSION) {
-            let problem = format!("found {} {}, expected {FORMAT} {VERSION}", certificate.format, certificate.version);
-            return Err(other_format(text).unwrap_or_else(|| Error::invalid("format", problem)));
-        }
-        Ok(certificate)
+        parsed(text, FORMAT)
     }
 }
 
+/// Reads a file of a format of this version.
+pub(crate) fn parsed<T: serde::de::DeserializeOwned>(text: &str, format: &str) -> Result<T, Error> {
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let parsed: Result<T, _> = serde_path_to_error::deserialize(&mut reader);
+    let certificate = parsed.map_err(|error| {
+        let place = error.path().to_string();
+        let place = place.trim_end_matches(['.', '?']).to_string(); // unknown parts of the path
+        let problem = error.into_inner().to_string();
+        let told = if problem.starts_with("found") { problem } else { format!("found no certificate: {problem}") };
+        other_format(text, format).unwrap_or_else(|| Error::invalid(place, told))
+    })?;
+    reader.end().map_err(|error| Error::invalid("", format!("found more than a certificate: {error}")))?;
+    other_format(text, format).map_or(Ok(certificate), Err)
+}
+
 /// An error if a text is of another format or version, be the rest as it may.
-fn other_format(text: &str) -> Option<Error> {
+fn other_format(text: &str, format: &str) -> Option<Error> {
     #[derive(serde::Deserialize)]
     struct Head {
         format: Option<serde_json::Value>,
@@ -115,11 +118,13 @@ fn other_format(text: &str) -> Option<Error> {
         let found = found.filter(|found| *found != expected)?;
         Some(Error::invalid(place, format!("found {found}, expected {expected}")))
     };
-    other("format", head.format, FORMAT.into()).or_else(|| other("version", head.version, VERSION.into()))
+    other("format", head.format, format.into()).or_else(|| other("version", head.version, VERSION.into()))
 }
 
 /// Reads a list; of a longer one, only the length.
-fn at_most<'de, D: Deserializer<'de>, T: Deserialize<'de>, const MOST: usize>(list: D) -> Result<Vec<T>, D::Error> {
+pub(crate) fn at_most<'de, D: Deserializer<'de>, T: Deserialize<'de>, const MOST: usize>(
+    list: D,
+) -> Result<Vec<T>, D::Error> {
     struct List<T, const MOST: usize>(std::marker::PhantomData<T>);
     impl<'de, T: Deserialize<'de>, const MOST: usize> Visitor<'de> for List<T, MOST> {
         type Value = Vec<T>;

@@ -50,6 +50,17 @@ impl Exact {
         leading * part(power / 2) * part(power - power / 2) // 2^power itself may be out of range
     }
 
+    /// About this number divided by another one that is not zero, even if both are beyond the range of `f64`.
+    pub fn over(&self, divisor: &Exact) -> f64 {
+        let leading = |x: &Exact| {
+            let bits = x.mantissa.bits().max(1) as i64;
+            (Exact { mantissa: x.mantissa.clone(), exponent: -bits }.to_f64(), x.exponent.saturating_add(bits))
+        };
+        let ((a, a_power), (b, b_power)) = (leading(self), leading(divisor));
+        let power = a_power.saturating_sub(b_power).clamp(-2000, 2000) as i32;
+        a / b * 2f64.powi(power / 2) * 2f64.powi(power - power / 2) // 2^power itself may be out of range
+    }
+
     /// An `f64` whose square is at least this number, and hardly more; `None` beyond the range of `f64`.
     pub fn root_above(&self) -> Option<Exact> {
         self.f64_above(self.to_f64().sqrt(), |root| root * root)
@@ -206,6 +217,17 @@ mod tests {
         assert!(sum > large && &sum - &large == small && sum.clone() - sum == exact(0.0));
         assert!((exact(0.1) + exact(0.2)) != exact(0.3)); // as the doubles are
         assert_eq!((exact(0.5) * exact(-6.0)).to_f64(), -3.0);
+    }
+
+    #[test]
+    fn a_quotient_of_numbers_beyond_the_range_is_right() {
+        let tiny = exact(1e-300) * exact(1e-300);
+        assert_eq!((exact(3.0) * &tiny).over(&tiny), 3.0);
+        assert_eq!(exact(-0.75).over(&exact(0.25)), -3.0);
+        assert_eq!(exact(0.0).over(&tiny), 0.0);
+        assert!(tiny.over(&exact(1.0)) == 0.0 && exact(-1.0).over(&tiny) == f64::NEG_INFINITY);
+        let huge = exact(1e300) * exact(1e300);
+        assert_eq!((&huge * &exact(0.1)).over(&huge), 0.1);
     }
 
     #[test]

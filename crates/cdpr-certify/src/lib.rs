@@ -1,7 +1,7 @@
-//! Checks certificates that a cable robot has no path. It shares no code with the program that writes them: what a
+//! Checks certificates that a cable robot has no path, and that none is shorter than a length ([`check_bound`]). It shares no code with the program that writes them: what a
 //! scene forbids is derived again, and every decision is exact.
 //!
-//! # What a certificate proves
+//! # What a certificate that there is no path proves
 //!
 //! Every path from start to goal (a continuous curve of the platform's origin, at one orientation, in the scene's box
 //! of positions) contains a position where some gap is at most `margin` larger than the scene requires, or where the
@@ -29,11 +29,16 @@
 //! choices are made in floating point, as in the definition of the scene: whether a cable's end lies on a body (within
 //! 1e-7 m), and which clearance is attainable at all.
 
+mod bends;
+mod bound;
+mod bound_certificate;
 mod certificate;
 mod exact;
 mod forbidden;
+mod labels;
 mod nearest;
 mod polyhedron;
+mod question;
 mod tiling;
 mod wrench;
 
@@ -41,14 +46,16 @@ use std::collections::BTreeMap;
 
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Vector, wxyz};
 use cdpr_core::model::Member;
 
+pub use bound::{BoundSummary, check_bound};
+pub use bound_certificate::{BoundCertificate, EdgeRow, is_bound};
 pub use certificate::{Cell, Certificate, Region, Status};
 
 use exact::{Exact, exact, exact3};
 use forbidden::{Bodies, Forbidden};
 use polyhedron::{HalfSpace, Place, box_corners, corners};
+use question::{Question, finite, positive, regions_are_finite};
 use tiling::{Bounds, Tiling, middle, point, touch};
 
 /// The size of a certificate that was accepted.
@@ -86,19 +93,12 @@ impl Certificate {
     /// As [`check_certificate`].
     pub fn check(&self, scene: &Scene) -> Result<Summary, Error> {
         self.numbers_are_sound()?;
-        self.is_of(scene)?;
+        self.question().is_of(scene)?;
         let boxes: Vec<Bounds> = self.boxes.iter().map(|cell| cell.bounds).collect();
         self.separates(&boxes)?;
         self.boxes_lie_in_their_regions()?;
         let ends = [&self.start, &self.goal];
-        let mut proofs = Proofs {
-            bodies: Bodies::of(scene, ends.map(|end| (*end).into())),
-            scene,
-            ends: ends.map(|end| Place::of(&(*end).into())),
-            margin: exact(self.margin),
-            known: BTreeMap::new(),
-            at_limit: Vec::new(),
-        };
+        let mut proofs = Proofs::of(scene, ends, self.margin, false);
         for (k, region) in self.regions.iter().enumerate() {
             proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
@@ -114,75 +114,24 @@ impl Certificate {
         Ok(Summary { boxes: boxes.len(), closed, regions: self.regions.len(), margin: self.margin })
     }
 
+    /// What it is about.
+    fn question(&self) -> Question<'_> {
+        Question {
+            scene: &self.scene,
+            orientation: &self.orientation,
+            margin: self.margin,
+            ends: [&self.start, &self.goal],
+            bounds: &self.bounds,
+        }
+    }
+
     fn numbers_are_sound(&self) -> Result<(), Error> {
-        let finite = |place: &str, numbers: &[f64]| match numbers.iter().find(|x| !(x.abs() <= MOST)) {
-            Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers up to {MOST:e}"))),
-            None => Ok(()),
-        };
-        let positive = |place: &str, bounds: &Bounds| {
-            finite(place, bounds.as_flattened())?;
-            match (0..3).find(|k| !(bounds[0][*k] < bounds[1][*k])) {
-                Some(k) => Err(Error::invalid(
-                    place,
-                    format!(
-                        "found a box from {} to {} along {}, expected a positive size",
-                        bounds[0][k], bounds[1][k], AXES[k]
-                    ),
-                )),
-                None => Ok(()),
-            }
-        };
-        if !(1e-8..=1e-6).contains(&self.margin) {
-            return Err(Error::invalid("margin", format!("found {}, expected 1e-8 to 1e-6 m", self.margin)));
-        }
-        finite("orientation", &self.orientation)?;
-        finite("start", &self.start)?;
-        finite("goal", &self.goal)?;
-        positive("box", &self.bounds)?;
-        for (k, region) in self.regions.iter().enumerate() {
-            finite(&format!("regions[{k}].half_spaces"), region.half_spaces.as_flattened())?;
-        }
+        self.question().numbers_are_sound()?;
+        regions_are_finite(&self.regions)?;
         for (k, cell) in self.boxes.iter().enumerate() {
             positive(&format!("boxes[{k}]"), &cell.bounds)?;
             if let Status::TooWeak(direction) = &cell.status {
                 finite(&format!("boxes[{k}]"), direction)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Orientation, scene, query, and the box of positions.
-    fn is_of(&self, scene: &Scene) -> Result<(), Error> {
-        let turn = scene.orientation();
-        let own = wxyz(turn);
-        let same = |sign: f64| own.iter().zip(&self.orientation).all(|(a, b)| (a - sign * b).abs() <= 1e-9);
-        if !same(1.0) && !same(-1.0) {
-            let problem = format!("found {:?}, but the scene is at {own:?}; expected the same", self.orientation);
-            return Err(Error::invalid("orientation", problem));
-        }
-        let fingerprint = scene.fingerprint();
-        if self.scene != fingerprint {
-            let problem = format!("found a proof for another scene, {}, expected one for {fingerprint}", self.scene);
-            return Err(Error::invalid("scene", problem));
-        }
-        for (place, found, asked) in [("start", &self.start, scene.start()), ("goal", &self.goal, scene.goal())] {
-            if let Some(asked) = asked.map(|p| -> [f64; 3] { p.coords.into() }).filter(|asked| asked != found) {
-                let problem =
-                    format!("found a proof for another question, from or to {found:?}; the scene asks {asked:?}");
-                return Err(Error::invalid(place, problem));
-            }
-        }
-        let bodies = Bodies::of(scene, [Vector::zeros(); 2]);
-        let platform = || bodies.platform.iter().flatten();
-        for k in 0..3 {
-            let reach = |pick: fn(f64, f64) -> f64, from: f64| exact(platform().map(|v| v[k]).fold(from, pick));
-            let low = exact(scene.workspace().min[k]) - reach(f64::min, f64::INFINITY);
-            let high = exact(scene.workspace().max[k]) - reach(f64::max, f64::NEG_INFINITY);
-            let [from, to] = [0, 1].map(|side| exact(self.bounds[side][k]));
-            if from > &low + exact(self.margin) || to < &high - exact(self.margin) {
-                let (from, to, low, high) = (from.to_f64(), to.to_f64(), low.to_f64(), high.to_f64());
-                let problem = format!("found {from} to {to} along {}, expected at least {low} to {high}", AXES[k]);
-                return Err(Error::invalid("box", problem));
             }
         }
         Ok(())
@@ -245,11 +194,8 @@ impl Certificate {
     }
 }
 
-/// Largest number of a certificate.
-const MOST: f64 = 1e12;
 /// Nothing this near to an end (along each axis) is closed if that end touches something that the other does not, m.
 const NEAR_END: f64 = 0.999e-3;
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Proofs that positions are forbidden.
 struct Proofs<'a> {
@@ -259,11 +205,25 @@ struct Proofs<'a> {
     margin: Exact,
     /// What the pairs that were asked for forbid.
     known: BTreeMap<[Member; 2], Vec<Forbidden>>,
+    /// Whether contact at one end is enough for contact to be allowed everywhere.
+    at_one_end: bool,
     /// Whether a cable is at a limit of its length at the start and at the goal, for those asked for.
     at_limit: Vec<[bool; 2]>,
 }
 
-impl Proofs<'_> {
+impl<'a> Proofs<'a> {
+    fn of(scene: &'a Scene, ends: [&[f64; 3]; 2], margin: f64, at_one_end: bool) -> Self {
+        Proofs {
+            bodies: Bodies::of(scene, ends.map(|end| (*end).into())),
+            scene,
+            ends: ends.map(|end| Place::of(&(*end).into())),
+            margin: exact(margin),
+            known: BTreeMap::new(),
+            at_one_end,
+            at_limit: Vec::new(),
+        }
+    }
+
     /// All corners of a region are near one forbidden set.
     fn region(&mut self, region: &Region, bounds: &Bounds) -> Result<(), Error> {
         let pair = self.pair(&region.who)?;
@@ -310,25 +270,25 @@ impl Proofs<'_> {
         let pair =
             self.pair(names.first_chunk().ok_or_else(|| Error::invalid("", "found no names, expected one or two"))?)?;
         let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places) };
-        let (ends, margin) = (self.ends.clone(), self.margin.clone());
+        self.know(pair)?;
         let near = |set: &Forbidden| {
-            let (weights, margin) = (set.nearest_at(&middle(&cell.bounds)), margin_for(set, &ends, &margin));
+            let (weights, margin) = (set.nearest_at(&middle(&cell.bounds)), self.margin_for(set));
             places.iter().all(|place| set.is_near_at(&weights, place, &margin))
         };
-        expect(self.forbidden(pair)?.iter().any(near), || {
+        expect(self.known[&pair].iter().any(near), || {
             format!("found no proof that {} and {} are too close", names[0], names[1])
         })
     }
 
     fn all_near(&mut self, pair: [Member; 2], places: &[Place]) -> Result<(), Error> {
         let names = pair.map(|member| self.scene.member_name(member).to_string());
-        let (ends, margin) = (self.ends.clone(), self.margin.clone());
+        self.know(pair)?;
         let far = |set: &Forbidden| {
-            let margin = margin_for(set, &ends, &margin);
+            let margin = self.margin_for(set);
             places.iter().find(|place| !set.is_near(place, &margin))
         };
         let mut missed = None;
-        for set in self.forbidden(pair)? {
+        for set in &self.known[&pair] {
             match far(set) {
                 None => return Ok(()),
                 Some(place) => missed = Some(place.to_f64()),
@@ -357,17 +317,20 @@ impl Proofs<'_> {
         Ok([self.bodies.member(&names[0])?, self.bodies.member(&names[1])?])
     }
 
-    fn forbidden(&mut self, pair: [Member; 2]) -> Result<&[Forbidden], Error> {
+    /// Finds what a pair forbids, once.
+    fn know(&mut self, pair: [Member; 2]) -> Result<(), Error> {
         if !self.known.contains_key(&pair) {
             self.known.insert(pair, self.bodies.forbidden(pair)?);
         }
-        Ok(&self.known[&pair])
+        Ok(())
     }
-}
 
-/// The margin by which a region may reach beyond a set.
-fn margin_for(set: &Forbidden, ends: &[Place; 2], margin: &Exact) -> Exact {
-    if ends.iter().all(|end| set.is_near(end, margin)) { set.contact() } else { margin.clone() }
+    /// The margin by which a region may reach beyond a set.
+    fn margin_for(&self, set: &Forbidden) -> Exact {
+        let mut near = self.ends.iter().map(|end| set.is_near(end, &self.margin));
+        let touched = if self.at_one_end { near.any(|near| near) } else { near.all(|near| near) };
+        if touched { set.contact() } else { self.margin.clone() }
+    }
 }
 
 /// An error unless something is proved.

@@ -24,7 +24,7 @@ impl Place {
 
     /// About the same position.
     pub fn to_f64(&self) -> Vector {
-        Vector::from_fn(|k, _| self.at[k].to_f64()) / self.scale.to_f64()
+        Vector::from_fn(|k, _| self.at[k].over(&self.scale))
     }
 }
 
@@ -42,7 +42,17 @@ impl HalfSpace {
 
     /// How n·x compares with d.
     fn side(&self, place: &Place) -> Ordering {
-        (dot(&self.normal, &place.at) - &self.offset * &place.scale).sign()
+        self.height(place).sign()
+    }
+
+    /// n·x - d, times the place's scale.
+    pub fn height(&self, place: &Place) -> Exact {
+        dot(&self.normal, &place.at) - &self.offset * &place.scale
+    }
+
+    /// The normal.
+    pub fn normal(&self) -> &Exact3 {
+        &self.normal
     }
 
     /// Whether it contains a closed box: the corner that is farthest along n decides.
@@ -59,9 +69,11 @@ pub fn box_corners([low, high]: &[[f64; 3]; 2]) -> Vec<Vector> {
 }
 
 /// A corner and the planes that contain it, by number.
-struct Corner {
-    place: Place,
-    on: BTreeSet<usize>,
+pub struct Corner {
+    /// Where it is.
+    pub place: Place,
+    /// The planes: those of the box are 0 to 5, those of the half-spaces follow.
+    pub on: BTreeSet<usize>,
 }
 
 /// All corners of the part of a box (first its least, then its largest coordinates) that lies in these half-spaces; none
@@ -71,6 +83,11 @@ struct Corner {
 /// are the old ones in the half-space, and one on every edge between an old one inside and an old one outside. Two
 /// corners are the ends of an edge if and only if no third corner lies on all planes that contain both.
 pub fn corners(bounds: &[[f64; 3]; 2], half_spaces: &[[f64; 4]]) -> Vec<Place> {
+    corners_on_planes(bounds, half_spaces).into_iter().map(|corner| corner.place).collect()
+}
+
+/// The same with the planes that contain each corner.
+pub fn corners_on_planes(bounds: &[[f64; 3]; 2], half_spaces: &[[f64; 4]]) -> Vec<Corner> {
     let wall = |k: usize| {
         let mut normal = [0.0; 3];
         normal[k % 3] = 1.0;
@@ -81,11 +98,7 @@ pub fn corners(bounds: &[[f64; 3]; 2], half_spaces: &[[f64; 4]]) -> Vec<Place> {
     let walls = |k: usize| (0..3).map(|axis| axis + 3 * (k >> axis & 1)).collect();
     let first =
         box_corners(bounds).iter().enumerate().map(|(k, v)| Corner { place: Place::of(v), on: walls(k) }).collect();
-    (6..planes.len())
-        .fold(first, |corners, k| cut(corners, &planes, k))
-        .into_iter()
-        .map(|corner| corner.place)
-        .collect()
+    (6..planes.len()).fold(first, |corners, k| cut(corners, &planes, k))
 }
 
 fn cut(mut corners: Vec<Corner>, planes: &[HalfSpace], by: usize) -> Vec<Corner> {

@@ -394,6 +394,29 @@ fn data_of(page: &str) -> Value {
 }
 
 #[test]
+fn the_bound_of_a_path_has_a_proof_that_check_accepts() {
+    let folder = folder();
+    let hard1 = testdata("scenes/hard1.toml");
+    let planned = cdpr_in(folder.path(), &["plan", &hard1, "--proof", "bound.json", "--format", "json"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    let bound = json(&planned)["lower_bound"].as_f64().unwrap();
+    let checked = cdpr_in(folder.path(), &["check", &hard1, "bound.json", "--format", "json"]);
+    assert_eq!(status(&checked), 0, "{}", stderr(&checked));
+    assert_eq!((&json(&checked)["valid"], json(&checked)["lower_bound"].as_f64()), (&true.into(), Some(bound)));
+    let viewed = cdpr_in(folder.path(), &["view", &hard1, "bound.json", "-o", "view.html"]);
+    assert!(status(&viewed) == 2 && stderr(&viewed).contains("which is not drawn"), "{}", stderr(&viewed));
+    let text = fs::read_to_string(folder.path().join("bound.json")).unwrap();
+    fs::write(folder.path().join("longer.json"), text.replace("\"length\":2.4", "\"length\":2.5")).unwrap();
+    let refused = cdpr_in(folder.path(), &["check", &hard1, "longer.json"]);
+    assert_eq!(status(&refused), 2);
+    assert!(
+        stderr(&refused).contains("longer.json: ") && stderr(&refused).contains(": found "),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
 fn the_page_of_a_scene_without_a_path_shows_why_and_so_does_that_of_its_proof() {
     let folder = folder();
     let closed = testdata("scenes/closed.toml");

@@ -18,20 +18,28 @@
 //! crossing cables and wrenches the bound is looser. Polyhedra are moved outward a little ([`widened_evenly`]): otherwise
 //! slits without width between parts that abut would be short cuts. `planes` gives a first bound quickly, by other means.
 
+mod bends;
+mod bound_file;
 mod free_edges;
 mod interval;
 mod network;
 mod planes;
 mod snapping;
 
-use crate::collision::{Checker, Polyhedron};
+use std::time::Duration;
+
+use crate::collision::{Checker, Conditions, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
 use crate::geometry::{Point, path_length};
-use crate::numerics::LEAST_INTERVAL;
+use crate::model::{Member, Scene};
+use crate::numerics::{BEND_STEP, BOUND_EFFORT, BOUND_MARGIN, CERTIFICATE_SECONDS, LEAST_INTERVAL};
 use crate::proof::widened_evenly;
 use crate::watch::{Watch, in_time};
-use free_edges::{Ellipsoid, free_edges};
+use bends::{FreePart, bends};
+use bound_file::Parts;
+pub use bound_file::{Certificate, EdgeRow, FORMAT, VERSION};
+use free_edges::{Ellipsoid, FreeEdge, free_edges};
 use interval::Interval;
 use network::Network;
 use snapping::{Moved, snapped};
@@ -114,19 +122,14 @@ impl<'c> Forbidden<'c> {
             return Ok(());
         }
         let within = Ellipsoid { start: *start, goal: *goal, length: enough };
-        let mut moved = Vec::new();
-        for polyhedron in self.polyhedra.iter().filter(|polyhedron| !within.misses(&polyhedron.half_spaces)) {
-            watch.check()?;
-            let after = widened_evenly(self.checker, polyhedron, [start, goal]);
-            moved.push(Moved { before: &polyhedron.half_spaces, after });
-        }
-        let hulls = HPolyhedra::new(snapped(&moved, self.low, self.high), self.low, self.high);
+        let hulls = self.moved(&within, &|_| true, watch)?;
+        let hulls = HPolyhedra::new(hulls.into_iter().map(|(_, hull)| hull), self.low, self.high);
         let edges = free_edges(&hulls, &within, watch)?;
         if edges.len().saturating_mul(edges.len()) / 2 > effort {
             return Ok(());
         }
         let intervals = edges.iter().enumerate().map(Interval::of);
-        let mut network = Network::new(&hulls, [start, goal], intervals, enough, watch)?;
+        let mut network = Network::new(&hulls, [start, goal], intervals, (enough, false), watch)?;
         loop {
             let left = effort.saturating_sub(network.examined());
             let Some(bound) = network.label(left, watch)? else { return Ok(()) };
@@ -142,6 +145,159 @@ impl<'c> Forbidden<'c> {
             if network.examined() > effort || !network.refine(LEAST_INTERVAL, watch)? {
                 return Ok(());
             }
+        }
+    }
+
+    /// The polyhedra of some conditions within an ellipsoid, moved outward, and the condition of each.
+    fn moved(
+        &self,
+        within: &Ellipsoid,
+        counts: &dyn Fn(usize) -> bool,
+        watch: &Watch,
+    ) -> Result<Vec<(usize, HPolyhedron)>, Error> {
+        let [start, goal] = &self.ends;
+        let (mut conditions, mut moved) = (Vec::new(), Vec::new());
+        let near = |polyhedron: &&Polyhedron| !within.misses(&polyhedron.half_spaces) && counts(polyhedron.condition);
+        for polyhedron in self.polyhedra.iter().filter(near) {
+            watch.check()?;
+            let after = widened_evenly(self.checker, polyhedron, [start, goal]);
+            moved.push(Moved { before: &polyhedron.half_spaces, after });
+            conditions.push(polyhedron.condition);
+        }
+        Ok(conditions.into_iter().zip(snapped(&moved, self.low, self.high)).collect())
+    }
+
+    /// A certificate that no path is shorter than `enough`, m, or than as much of it as can be proved by passing about `effort`
+    /// pairs of intervals; `None` if that does not suffice for any. The scene is the one of the engine.
+    ///
+    /// All its labels hold at once, so it does not need the rounds of the search: see docs/bounds.md. It costs several times as much
+    /// as [`prove`](Self::prove).
+    ///
+    /// # Errors
+    /// [`Error::interrupted`]. Running out of time ends the search as running out of effort does.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::collision::{CspaceEngine, Interference};
+    /// use cdpr_core::lower_bound::Forbidden;
+    /// use cdpr_core::numerics::BOUND_EFFORT;
+    /// use cdpr_core::watch::Watch;
+    /// let scene = cdpr_core::testing::hard1();
+    /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+    /// let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];
+    /// let forbidden = Forbidden::new(&engine, [&start, &goal], &Watch::NONE)?;
+    /// let certificate = forbidden.certificate(&scene, 2.41, BOUND_EFFORT, &Watch::NONE)?.unwrap();
+    /// assert_eq!(certificate.length, 2.41);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn certificate(
+        &self,
+        scene: &Scene,
+        enough: f64,
+        effort: usize,
+        watch: &Watch,
+    ) -> Result<Option<Certificate>, Error> {
+        let [start, goal] = &self.ends;
+        let within = Ellipsoid { start: *start, goal: *goal, length: enough + BOUND_MARGIN };
+        let Conditions { bodies, list, .. } = self.checker.conditions();
+        let has_name = |condition: usize| {
+            let details = list[condition].details();
+            let is_cable = |member: &Member| matches!(member, Member::Cable(_));
+            !details.closes_seam(bodies) && !details.members(bodies).iter().all(is_cable)
+        };
+        let Some(regions) = in_time(self.moved(&within, &has_name, watch))? else { return Ok(None) };
+        let hulls = HPolyhedra::new(regions.iter().map(|(_, hull)| hull.clone()), self.low, self.high);
+        let mut listed = hulls.list().iter().peekable();
+        let regions = regions.into_iter().filter(|(_, hull)| listed.next_if(|next| *next == hull).is_some()).collect();
+        let Some((edges, corners)) = in_time(bends(&hulls, [&self.low, &self.high], &within, watch))? else {
+            return Ok(None);
+        };
+        let count = edges.len() + corners.len();
+        if hulls.list().len() > MOST_REGIONS || count > MOST_PIECES || count.saturating_mul(count) / 2 > effort {
+            return Ok(None);
+        }
+        let slack = BEND_STEP * (2 * count + 16) as f64;
+        let edge_of = |(number, part): (usize, &FreePart)| Interval::of((number, &free_edge(&hulls, part)));
+        let intervals = corners.into_iter().map(Interval::point).chain(edges.iter().enumerate().map(edge_of));
+        let network = Network::new(&hulls, [start, goal], intervals, (enough + slack, true), watch);
+        let Some(mut network) = in_time(network)? else { return Ok(None) };
+        let Some(reached) = in_time(certified(&mut network, effort, watch))?.flatten() else { return Ok(None) };
+        let bounds = [self.low, self.high];
+        let length = (reached.min(enough + slack) - slack).max(0.0).min(enough);
+        let parts = Parts { ends: &self.ends, bounds, length, regions, edges };
+        Ok(Some(Certificate::of(&parts, network.labelled(), scene, self.checker)))
+    }
+
+    /// A certificate that a checker `accepts`, at most about `enough`, m: the one of [`certificate`](Self::certificate) if it does, or
+    /// one of a smaller length, at last that of the straight line, which needs no regions. `None` if it refuses even that. The search
+    /// ends after [`CERTIFICATE_SECONDS`]; the straight line needs no time.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    pub fn accepted_certificate(
+        &self,
+        scene: &Scene,
+        enough: f64,
+        accepts: &Accepts,
+        watch: &Watch,
+    ) -> Result<Option<Certificate>, Error> {
+        let straight = self.straight_certificate(scene, enough);
+        let most = Duration::from_secs(CERTIFICATE_SECONDS);
+        let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
+        let more = enough - straight.length;
+        for share in SHARES.into_iter().filter(|share| share * more > STRAIGHT_SLACK) {
+            let asked = straight.length + share * more;
+            let found = self.certificate(scene, asked, BOUND_EFFORT, &limited)?;
+            if let Some(found) = found.filter(|found| found.length > straight.length && accepts(found)) {
+                return Ok(Some(found));
+            }
+            if limited.expired()? {
+                break;
+            }
+        }
+        Ok(Some(straight).filter(|straight| accepts(straight)))
+    }
+
+    /// A certificate that no path is shorter than the straight line.
+    fn straight_certificate(&self, scene: &Scene, enough: f64) -> Certificate {
+        let [start, goal] = &self.ends;
+        let length = ((goal - start).norm() - STRAIGHT_SLACK).min(enough).max(0.0);
+        let bounds = [self.low, self.high];
+        let parts = Parts { ends: &self.ends, bounds, length, regions: Vec::new(), edges: Vec::new() };
+        Certificate::of(&parts, std::iter::empty(), scene, self.checker)
+    }
+}
+
+/// Whether a checker accepts a certificate.
+pub type Accepts<'a> = dyn Fn(&Certificate) -> bool + 'a;
+
+/// Shares of what a bound has beyond the straight line for which certificates are tried.
+const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];
+/// What is left of the straight line without bends, m: more than the checkers leave.
+const STRAIGHT_SLACK: f64 = 4.0 * BEND_STEP;
+/// Most regions that checkers accept.
+const MOST_REGIONS: usize = 1000;
+/// Most pieces of edges and most corners that checkers accept.
+const MOST_PIECES: usize = 10_000;
+
+fn free_edge(hulls: &HPolyhedra, part: &FreePart) -> FreeEdge {
+    let planes = part.planes.map(|plane| hulls.list()[part.hull].planes()[plane]);
+    FreeEdge { from: part.ends[0], to: part.ends[1], planes }
+}
+
+/// Networks with more intervals are not divided for a certificate: see [`MOST_PIECES`].
+const MOST_DIVIDED: usize = 2_500;
+
+/// Refines a network until its labels from the start prove enough, or effort is used up; the label of the goal, m.
+fn certified(network: &mut Network, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
+    loop {
+        let Some(reached) = network.certify(usize::MAX, watch)? else { return Ok(None) };
+        if network.is_proved()
+            || network.examined() > effort
+            || network.len() > MOST_DIVIDED
+            || !network.refine(LEAST_INTERVAL, watch)?
+        {
+            return Ok(Some(reached));
         }
     }
 }

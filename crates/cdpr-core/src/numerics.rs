@@ -424,6 +424,20 @@ pub const LABEL_STEP: f64 = 1e-9;
 /// Intervals shorter than this are not halved, m.
 pub const LEAST_INTERVAL: f64 = 1e-7;
 
+/// The label of an interval in a certificate may exceed what its neighbours allow by this for each bend, m, as the checkers of
+/// certificates allow: [`LABEL_STEP`], and what rounding and [`WRITTEN_LABEL`] may add.
+pub const BEND_STEP: f64 = 2e-8;
+
+/// Accuracy with which certificates list labels, m.
+pub const WRITTEN_LABEL: f64 = 1e-10;
+
+/// Depth inside a polyhedron from which on a part of an edge is left out of a certificate, m: far more than rounding errors, so that
+/// exact arithmetic finds it inside as well.
+pub const COVERED_DEPTH: f64 = 1e-9;
+
+/// Corners closer than this are listed once in a certificate, m: less than what the checkers take for the same place, 1e-10.
+pub const SAME_CORNER: f64 = 2e-11;
+
 /// Planes whose coordinates agree to this accuracy become one before lengths are bounded.
 pub const SAME_PLANE: f64 = 1e-8;
 
@@ -438,6 +452,9 @@ pub const QUICK_BOUND_EFFORT: usize = 1_000_000;
 
 /// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
 pub const BOUND_GAP: f64 = 1e-3;
+
+/// Most time for the search for a certificate of a bound, s; then one of a smaller length has to do.
+pub const CERTIFICATE_SECONDS: u64 = 60;
 
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;

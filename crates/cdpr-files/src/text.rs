@@ -53,7 +53,7 @@ pub fn read(path: &Path) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }
 
-/// The text of a file if it is a certificate: JSON in whose beginning the name of that format is found.
+/// The text of a file if it is a certificate, of either kind: JSON in whose beginning the name of that format is found.
 ///
 /// # Errors
 /// A certificate that cannot be read or is larger than [`MOST_CERTIFICATE_BYTES`].
@@ -64,8 +64,8 @@ pub fn read_certificate(path: &Path) -> Result<Option<String>, Error> {
     }
     let Ok(file) = File::open(path) else { return Ok(None) };
     let is_text = file.take(256).read_to_string(&mut beginning).is_ok();
-    let name = format!("\"{}\"", cdpr_core::proof::FORMAT);
-    if !is_text || !beginning.trim_start().starts_with('{') || !beginning.contains(&name) {
+    let names = [cdpr_core::proof::FORMAT, cdpr_core::lower_bound::FORMAT].map(|name| format!("\"{name}\""));
+    if !is_text || !beginning.trim_start().starts_with('{') || !names.iter().any(|name| beginning.contains(name)) {
         return Ok(None);
     }
     read_at_most(path, MOST_CERTIFICATE_BYTES).map(Some)

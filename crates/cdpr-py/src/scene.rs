@@ -5,11 +5,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, path_length};
+use cdpr_core::lower_bound::{Certificate, Forbidden};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, engine_within, lower_bound,
-    plan, shorten_path, trace_rewinding,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, check_turning, engine_within,
+    lower_bound, plan, shorten_path, trace_rewinding,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::certificate_ends;
@@ -422,7 +423,8 @@ impl Scene {
         budget: Option<f64>,
         start: Option<[f64; 3]>,
         goal: Option<[f64; 3]>,
-    ) -> PyResult<f64> {
+        certified: bool,
+    ) -> PyResult<(f64, Option<String>)> {
         let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
             let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
             given.map(point).or(own).ok_or_else(missing)
@@ -451,16 +453,26 @@ impl Scene {
                 }
                 let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
                 let quick = lower_bound(&*engine, &start, &goal, &watch)?;
-                if settings.gap.is_none() || quick.is_infinite() {
-                    return Ok(quick);
+                let mut best = quick;
+                if settings.gap.is_some() && quick.is_finite() {
+                    let found = plan(query.by(&*engine), &options, &|| stop())?.result;
+                    let nothing = if found.status == Status::NoPath { f64::INFINITY } else { quick };
+                    best = found.lower_bound.map_or(nothing, |bound| bound.max(quick));
                 }
-                let found = plan(query.by(&*engine), &options, &|| stop())?.result;
-                let nothing = if found.status == Status::NoPath { f64::INFINITY } else { quick };
-                Ok(found.lower_bound.map_or(nothing, |bound| bound.max(quick)))
+                if !certified || best.is_infinite() {
+                    return Ok((best, None));
+                }
+                let forbidden = Forbidden::new(&*engine, [&start, &goal], &watch)?;
+                let accepts =
+                    |certificate: &Certificate| cdpr_certify::check_bound(scene, &serialized(certificate)).is_ok();
+                let certificate = forbidden.accepted_certificate(scene, best, &accepts, &watch)?;
+                let proved = certificate.as_ref().map_or(best, |certificate| certificate.length);
+                Ok((proved, certificate.as_ref().map(serialized)))
             };
-            choices.iter().map(bound).collect::<Result<Vec<f64>, Error>>()
+            choices.iter().map(bound).collect::<Result<Vec<_>, Error>>()
         };
-        Ok(interruptible(py, bounds)?.into_iter().fold(f64::INFINITY, f64::min))
+        let least = interruptible(py, bounds)?.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(least.unwrap_or((f64::INFINITY, None)))
     }
 
     /// The shortened path, as JSON.

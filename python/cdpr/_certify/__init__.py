@@ -1,11 +1,13 @@
-"""Check a cdpr-proof certificate: that no path from start to goal keeps a gap of more than the margin.
+"""Check certificates: that no path exists (cdpr-proof), or that none is shorter than a length (cdpr-bound).
 
-A certificate tiles the box of positions with boxes. Each box is open, inside a region of forbidden positions, or
-forbidden as a whole for a stated reason. Each such set is convex and so is the set of positions that a pair of convex
-bodies forbids. So a region is forbidden if its vertices are, and a box if its corners are. If the open boxes that
-contain the start are not connected with those of the goal, each path enters a forbidden box.
+A cdpr-proof certificate proves that no path from start to goal keeps a gap of more than the margin. It tiles the box of
+positions with boxes. Each box is open, inside a region of forbidden positions, or forbidden as a whole for a stated reason.
+Each such set is convex and so is the set of positions that a pair of convex bodies forbids. So a region is forbidden if its
+vertices are, and a box if its corners are. If the open boxes that contain the start are not connected with those of the
+goal, each path enters a forbidden box. :func:`check_bound` describes cdpr-bound certificates.
 
-All decisions are exact. Floating point only finds witnesses (nearest points), which are then verified in rationals.
+All decisions are exact. Floating point only finds witnesses (nearest points), which are then verified in rationals;
+labels of bounds are compared in floating point, with reserves far above rounding errors.
 This package shares no code with the program that writes certificates, and needs only the standard library.
 """
 
@@ -14,9 +16,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ._certificate import Certificate, parsed
+from ._bends import Bends
+from ._certificate import Bound, Certificate, Question, parsed
 from ._forbidden import Model
 from ._hulls import clipped
+from ._labels import check_labels
 from ._tiling import check_inside, check_open_around, check_separation, tiling_of
 
 
@@ -26,17 +30,14 @@ def check_certificate(scene: Mapping[str, Any], certificate: Mapping[str, Any] |
     The scene is plain data with an inline robot and convex bodies; `fingerprint` is the scene's (None: do not compare).
     """
     file = parsed(certificate) if isinstance(certificate, str) else certificate
+    if isinstance(file, Mapping) and file.get("format") == "cdpr-bound":
+        return check_bound(scene, file, fingerprint)
     proof = Certificate(file)
-    if fingerprint is not None and file["scene"] != fingerprint:
-        raise ValueError(f"scene: found {file['scene']!r}, which is another scene; this one is {fingerprint!r}")
+    _same_scene(file, fingerprint)
     model = Model(scene, proof)
     tree = tiling_of(proof.box, proof.boxes)
     check_separation(proof, tree)
-    for k, region in enumerate(proof.regions):
-        vertices = clipped(proof.box, region.half_spaces)
-        if not model.forbids(region.who, vertices):
-            found = f"reaches more than the margin beyond the positions that {' and '.join(region.who)} forbid"
-            raise ValueError(f"regions[{k}]: {found}")
+    _check_regions(model, proof)
     check_inside(proof)
     for k, reason in proof.reasons.items():
         if not model.closes(reason, proof.boxes[k]):
@@ -44,3 +45,29 @@ def check_certificate(scene: Mapping[str, Any], certificate: Mapping[str, Any] |
     for end, point in enumerate((proof.start, proof.goal)):
         if end in model.touched:
             check_open_around("goal" if end else "start", point, proof)
+
+
+def check_bound(scene: Mapping[str, Any], file: Mapping[str, Any], fingerprint: str | None) -> None:
+    """Raise ValueError, with the reason, unless the certificate proves that no path is shorter than its length.
+
+    Among the positions outside all regions, a shortest path bends only at edges and corners of regions. The certificate
+    lists all of these with labels that grow no faster than the length of a path, up to a little for each bend. So the
+    label of the goal is a lower bound of the length.
+    """
+    proof = Bound(file)
+    _same_scene(file, fingerprint)
+    _check_regions(Model(scene, proof, at_one_end=True), proof)
+    check_labels(proof, Bends(proof))
+
+
+def _same_scene(file: Mapping[str, Any], fingerprint: str | None) -> None:
+    if fingerprint is not None and file["scene"] != fingerprint:
+        raise ValueError(f"scene: found {file['scene']!r}, which is another scene; this one is {fingerprint!r}")
+
+
+def _check_regions(model: Model, proof: Question) -> None:
+    for k, region in enumerate(proof.regions):
+        vertices = clipped(proof.box, region.half_spaces)
+        if not model.forbids(region.who, vertices):
+            found = f"reaches more than the margin beyond the positions that {' and '.join(region.who)} forbid"
+            raise ValueError(f"regions[{k}]: {found}")

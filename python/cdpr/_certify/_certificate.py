@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-KEYS = {"format", "version", "scene", "orientation", "margin", "start", "goal", "box", "regions", "boxes"}
+from ._vectors import Vector
+
+SHARED_KEYS = {"format", "version", "scene", "orientation", "margin", "start", "goal", "box", "regions"}
+KEYS = SHARED_KEYS | {"boxes"}
+BOUND_KEYS = SHARED_KEYS | {"length", "edges", "corners"}
+MOST_BOUND_REGIONS, MOST_PIECES, MOST_LENGTH = 1_000, 10_000, 1000
 MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES = 1_000_000, 10_000, 1_000
 MOST_NUMBER = 1e12
 
@@ -20,32 +26,26 @@ class Region:
     half_spaces: list[tuple[float, ...]]
 
 
-class Certificate:
-    """The contents of a file, checked for structure and numbers only."""
+class Question:
+    """What both kinds of certificates share: scene, orientation, margin, ends, box and regions."""
 
-    def __init__(self, file: Mapping[str, Any]) -> None:
-        if not isinstance(file, Mapping) or file.get("format") != "cdpr-proof":
-            raise ValueError("format: found another file, expected a table with \"format\": \"cdpr-proof\"")
+    def __init__(self, file: Mapping[str, Any], name: str, keys: set[str], most_regions: int) -> None:
+        if not isinstance(file, Mapping) or file.get("format") != name:
+            raise ValueError(f"format: found another file, expected a table with \"format\": \"{name}\"")
         if type(file.get("version")) is not int or file["version"] != 1:
             raise ValueError(f"version: found {file.get('version')!r}, expected 1")
-        _keys("certificate", file, KEYS)
-        boxes = _items("boxes", file["boxes"], MOST_BOXES)
-        regions = _items("regions", file["regions"], MOST_REGIONS)
+        _keys("certificate", file, keys)
+        regions = _items("regions", file["regions"], most_regions)
         if not isinstance(file["scene"], str):
             raise ValueError(f"scene: found {type(file['scene']).__name__}, expected a fingerprint")
         self.margin = _numbers("margin", [file["margin"]], 1)[0]
         if not 1e-8 <= self.margin <= 1e-6:
             raise ValueError(f"margin: found {self.margin!r}, expected 1e-8 to 1e-6 m")
         self.orientation = _numbers("orientation", file["orientation"], 4)
-        self.start, self.goal = (_numbers(key, file[key], 3) for key in ("start", "goal"))
+        self.start, self.goal = (_point(key, file[key]) for key in ("start", "goal"))
         low, high = (_numbers("box", corner, 3) for corner in _items("box", file["box"], 2, 2))
         self.box = low + high
         self.regions = [self._region(f"regions[{k}]", region) for k, region in enumerate(regions)]
-        self.boxes: list[tuple[float, ...]] = []
-        self.kinds: list[int] = []
-        self.reasons: dict[int, tuple[Any, ...]] = {}
-        for k, box in enumerate(boxes):
-            self._add_box(f"boxes[{k}]", box)
 
     @staticmethod
     def _region(place: str, region: Any) -> Region:
@@ -53,6 +53,19 @@ class Certificate:
         planes = _items(f"{place}.half_spaces", region["half_spaces"], MOST_HALF_SPACES)
         who = _names(f"{place}.who", region["who"])
         return Region(who, [_numbers(f"{place}.half_spaces", plane, 4) for plane in planes])
+
+
+class Certificate(Question):
+    """A certificate that there is no path, checked for structure and numbers only."""
+
+    def __init__(self, file: Mapping[str, Any]) -> None:
+        super().__init__(file, "cdpr-proof", KEYS, MOST_REGIONS)
+        boxes = _items("boxes", file["boxes"], MOST_BOXES)
+        self.boxes: list[tuple[float, ...]] = []
+        self.kinds: list[int] = []
+        self.reasons: dict[int, tuple[Any, ...]] = {}
+        for k, box in enumerate(boxes):
+            self._add_box(f"boxes[{k}]", box)
 
     def _add_box(self, place: str, box: Any) -> None:
         items = _items(place, box, 8, 7)
@@ -71,6 +84,53 @@ class Certificate:
             )
         self.boxes.append(corners)
         self.kinds.append(kind)
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A part of the edge of a region in which two half-spaces meet; pieces: where each ends, and labels at both ends."""
+
+    region: int
+    planes: tuple[int, int]
+    ends: tuple[Vector, Vector]
+    pieces: list[tuple[float, ...]]
+
+
+class Bound(Question):
+    """A certificate that no path is shorter than a length, checked for structure and numbers only."""
+
+    def __init__(self, file: Mapping[str, Any]) -> None:
+        super().__init__(file, "cdpr-bound", BOUND_KEYS, MOST_BOUND_REGIONS)
+        self.length = _numbers("length", [file["length"]], 1)[0]
+        self.edges = [
+            self._edge(f"edges[{k}]", edge) for k, edge in enumerate(_items("edges", file["edges"], MOST_PIECES))
+        ]
+        self.corners = [_numbers("corners", corner, 4) for corner in _items("corners", file["corners"], MOST_PIECES)]
+        small = [self.length, *self.start, *self.goal, *self.box, *(x for corner in self.corners for x in corner)]
+        small += [row[3] for region in self.regions for row in region.half_spaces]
+        small += [x for edge in self.edges for place in (*edge.ends, *edge.pieces) for x in place]
+        if max(map(abs, small)) > MOST_LENGTH:
+            raise ValueError(f"found {max(small, key=abs)!r}, expected numbers up to {MOST_LENGTH} m")
+        for k, region in enumerate(self.regions):
+            if any(abs(math.hypot(*row[:3]) - 1) > 1e-9 for row in region.half_spaces):
+                raise ValueError(f"regions[{k}]: found a normal of another length, expected 1")
+        if sum(len(edge.pieces) for edge in self.edges) > MOST_PIECES:
+            raise ValueError(f"edges: found more than {MOST_PIECES} pieces")
+
+    def _edge(self, place: str, edge: Any) -> Edge:
+        _keys(place, edge, {"region", "planes", "ends", "pieces"})
+        region, planes = edge["region"], _items(place, edge["planes"], 2, 2)
+        if type(region) is not int or not 0 <= region < len(self.regions):
+            raise ValueError(f"{place}: found region {region!r}, expected an index")
+        count = len(self.regions[region].half_spaces)
+        if any(type(k) is not int or not 0 <= k < count for k in planes):
+            raise ValueError(f"{place}: found half-spaces {planes!r:.60}, expected two indices")
+        a, b = (_point(place, end) for end in _items(place, edge["ends"], 2, 2))
+        pieces = [_numbers(place, piece, 3) for piece in _items(place, edge["pieces"], MOST_PIECES, 1)]
+        shares = [0.0, *(piece[0] for piece in pieces)]
+        if shares != sorted(shares) or shares[-1] != 1:
+            raise ValueError(f"{place}: found pieces that do not end one after another, the last one at 1")
+        return Edge(region, (planes[0], planes[1]), (a, b), pieces)
 
 
 def parsed(text: str) -> Any:
@@ -111,6 +171,11 @@ def _numbers(place: str, items: Any, count: int) -> tuple[float, ...]:
         if type(x) not in (int, float) or not abs(x) <= MOST_NUMBER:  # NaN compares false
             raise ValueError(f"{place}: found {x!r:.40}, expected numbers up to {MOST_NUMBER:g}")
     return tuple(map(float, items))
+
+
+def _point(place: str, items: Any) -> Vector:
+    x, y, z = _numbers(place, items, 3)
+    return x, y, z
 
 
 def _names(place: str, items: Any) -> tuple[str, ...]:

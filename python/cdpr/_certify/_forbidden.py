@@ -11,7 +11,7 @@ from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from ._bodies import faces_at, is_flat, orientation_of, rotated, vertices_of
-from ._certificate import Certificate
+from ._certificate import Bound, Certificate
 from ._hulls import Hull, are_near, nearest_points
 from ._vectors import (
     ON_SURFACE,
@@ -49,7 +49,8 @@ class Cable:
 class Model:
     """What a scene forbids, within the certificate's margin, at the certificate's orientation."""
 
-    def __init__(self, scene: Mapping[str, Any], proof: Certificate) -> None:
+    def __init__(self, scene: Mapping[str, Any], proof: Certificate | Bound, *, at_one_end: bool = False) -> None:
+        self.at_one_end = at_one_end
         self.scene, self.margin, self.ends = scene, Fraction(proof.margin), (proof.start, proof.goal)
         self.touched: set[int] = set()  # ends (0: start, 1: goal) that touch something which the other does not
         robot, query = scene["robot"], scene.get("query") or {}
@@ -121,18 +122,18 @@ class Model:
     def _test(self, required: Fraction, make: Callable[[Fraction], Test]) -> Test:
         """Whether a gap exceeds the required one by at most the margin.
 
-        What the platform touches at both start and goal it may touch everywhere, such as a floor that it slides on: the
-        gap must then be smaller than required by more than contact.
+        What the platform touches at both start and goal (or at one of them, if that is enough) it may touch everywhere,
+        such as a floor that it slides on: the gap must then be smaller than required by more than contact.
         """
         test = make(required + self.margin)
         touched = self._touch([test(exact(end)) for end in self.ends])
         return make(max(required - TOUCHING, ROUNDING)) if touched else test
 
     def _touch(self, at_ends: list[bool]) -> bool:
-        """Whether both ends touch something; notes an end that alone touches it."""
+        """Whether both ends touch something, or one if that is enough; notes an end that alone touches it."""
         if at_ends[0] != at_ends[1]:
             self.touched.add(at_ends.index(True))
-        return all(at_ends)
+        return any(at_ends) if self.at_one_end else all(at_ends)
 
     def closes(self, reason: tuple[Any, ...], box: tuple[float, ...]) -> bool:
         """Whether a reason forbids all positions of a box."""

@@ -17,6 +17,11 @@ Pair: TypeAlias = tuple[int, int]
 
 def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> list[Exact]:
     """The vertices of a box cut by half-spaces n·x <= d."""
+    return list(clipped_on_planes(box, half_spaces))
+
+
+def clipped_on_planes(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> dict[Exact, set[int]]:
+    """The vertices with the half-spaces in whose planes they lie; negative numbers are sides of the box."""
     # Each vertex with the planes through it. Two vertices share an edge if no third lies on all of their common planes.
     vertices = {exact([box[i] for i in sides]): {-1 - i for i in sides} for sides in product((0, 3), (1, 4), (2, 5))}
     for k, plane in enumerate(half_spaces):
@@ -28,7 +33,7 @@ def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> lis
             if len(common) >= 2 and sum(common <= planes for planes in vertices.values()) == 2:
                 kept[interpolated(v, w, above[v] / (above[v] - above[w]))] = common | {k}
         vertices = kept
-    return list(vertices)
+    return vertices
 
 
 @dataclass(frozen=True)

@@ -54,7 +54,8 @@ pub struct PlanArgs {
     /// Only search: do not decide, beside the search, if there is a path at all.
     #[arg(long, conflicts_with = "proof")]
     pub no_proof: bool,
-    /// If there is no path, write the proof here (.json); `cdpr check` checks it.
+    /// Write the proof of the answer here (.json): that there is no path, or that none is shorter than the printed bound;
+    /// `cdpr check` checks it.
     #[arg(long, value_name = "PROOF", value_hint = ValueHint::FilePath)]
     pub proof: Option<PathBuf>,
     /// Write the result here (.json, or .csv for the waypoints alone, with their orientations if the platform turns).

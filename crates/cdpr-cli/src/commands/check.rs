@@ -1,6 +1,6 @@
 //! `cdpr check`
 
-use cdpr_certify::Summary;
+use cdpr_certify::{BoundSummary, Summary};
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason};
 use cdpr_core::geometry::Pose;
@@ -81,11 +81,14 @@ pub fn turns(poses: &[Pose]) -> String {
     format!("turns by {} in all", degrees(angle))
 }
 
-/// Checks a proof that there is no path, in exact arithmetic and without the code that made it.
+/// Checks a proof of either kind, without the code that made it.
 fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Error> {
     let in_proof = |e: Error| e.in_file(&args.path);
     let scene = input::scene(&args.scene, out)?;
     let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
+    if cdpr_certify::is_bound(text) {
+        return check_bound(args, (&scene, text), out);
+    }
     input::selects_orientation(&scene, &args.scene)?;
     input::never_turns(&scene, &args.scene)?;
     let check = |_: &Interrupt| certificate.check(&scene);
@@ -110,6 +113,34 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
 }
 
 fn verdict(report: &PathReport, waypoints: &str) -> Verdict {
+/// Checks a proof that no path is shorter than a length.
+fn check_bound(args: &PathArgs, (scene, text): (&Scene, &str), out: &Console) -> Result<Answer, Error> {
+    let in_proof = |e: Error| e.in_file(&args.path);
+    let certificate = cdpr_certify::BoundCertificate::parse(text).map_err(in_proof)?;
+    input::selects_orientation(scene, &args.scene)?;
+    input::never_turns(scene, &args.scene)?;
+    let check = |_: &Interrupt| certificate.check(scene);
+    let BoundSummary { length, margin, regions, pieces } =
+        with_sign_of_life(out, "checking", check).map_err(in_proof)?;
+    match args.scene.format {
+        Format::Json => {
+            let answer = serde_json::json!({
+                "valid": true, "lower_bound": length, "pieces": pieces, "regions": regions, "margin": margin,
+            });
+            out.result(&format!("{answer:#}"));
+        }
+        Format::Text => {
+            out.result(&scene_line(scene));
+            let told = format!(" no path is shorter than {} m (gap margin {margin:e} m)", short(length));
+            out.verdict(&Verdict::yes("proved:", told));
+            let [pieces, regions] = [count(pieces, "piece"), count(regions, "region")];
+            let how = "regions and edges checked exactly, labels with reserves far above rounding errors";
+            out.result(&format!("{pieces} of edges of {regions}, with their labels; {how}"));
+        }
+    }
+    Ok(Answer::Yes)
+}
+
     let path = format!(" {} m, {waypoints}", short(report.length));
     if report.valid {
         Verdict::yes("valid:", path)

@@ -3,9 +3,10 @@
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose, wxyz};
+use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
-use cdpr_core::numerics::{SAME_TURN, TOUCH_DEPTH};
-use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Query, plan};
+use cdpr_core::numerics::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
+use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::trajectory::kept_plan;
 use cdpr_core::turning::pose_path_length;
@@ -51,10 +52,15 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let planned = plan(query, &options, &Reporter { stop, out })?;
         let (planned, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
         let scene = planned.turned.as_ref().unwrap_or(&scene);
-        let appraisal = planned.appraise(scene, bounded, &watch)?;
-        Ok((planned, timed, appraisal))
+        let appraisal = planned.appraise(scene, bounded || args.proof.is_some(), &watch)?;
+        let length = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
+        let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
+            true => planned.bound_certificate(scene, length, &accepted(scene), &Watch::on(stop))?,
+            false => None,
+        };
+        Ok((planned, timed, appraisal, bound))
     };
-    let (planned, timed, appraisal) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    let (planned, timed, appraisal, certificate) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     planned.checker().iter().for_each(|checker| out.notes(checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let scene = turned.unwrap_or(scene);
@@ -87,9 +93,16 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(path) = &args.proof {
-        match &found.no_path {
-            Some(no_path) => out.write(path, certificate_text(no_path).as_bytes(), "")?,
-            None => out.say(&format!("{} was not written: it was not proved that there is no path", path.display())),
+        match (&found.no_path, &certificate) {
+            (Some(no_path), _) => out.write(path, json_line(&no_path.certificate).as_bytes(), "")?,
+            (None, Some(certified)) => {
+                out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound))?;
+            }
+            _ if found.status == Status::Solved => {
+                let reason = if found.orientations.is_empty() { "none was accepted" } else { "the platform turns" };
+                out.say(&format!("{} was not written: no certificate of the length, since {reason}", path.display()));
+            }
+            _ => out.say(&format!("{} was not written: it was not proved that there is no path", path.display())),
         }
     }
     if interrupted() {
@@ -148,8 +161,21 @@ impl Observer for Reporter<'_> {
     }
 }
 
-fn certificate_text(no_path: &NoPath) -> String {
-    serde_json::to_string(&no_path.certificate).expect("its numbers are finite") + "\n"
+fn json_line(certificate: &impl serde::Serialize) -> String {
+    serde_json::to_string(certificate).expect("its numbers are finite") + "\n"
+}
+
+/// Whether the checker accepts a certificate of a bound, so that nothing is written that `cdpr check` refuses.
+fn accepted(scene: &Scene) -> impl Fn(&Certificate) -> bool + '_ {
+    |certificate| cdpr_certify::check_bound(scene, &json_line(certificate)).is_ok()
+}
+
+/// What a certificate proves; and the bound that was printed, if that is larger.
+fn certified_words(certificate: &Certificate, printed: Option<f64>) -> String {
+    let [proved, printed] = [Some(certificate.length), printed].map(|length| length.map_or(String::new(), short));
+    let less = !printed.is_empty() && printed != proved;
+    let more = if less { format!("; the bound of {printed} m has no certificate") } else { String::new() };
+    format!("(proves that no path is shorter than {proved} m{more})")
 }
 
 /// What removing obstacles gives, how far the platform gets, and what was proved.

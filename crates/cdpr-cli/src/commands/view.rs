@@ -27,6 +27,11 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     let watch = Watch::on(&interrupted);
     let scene = input::scene(&args.scene, out)?;
     let proof = args.path.as_deref().map(cdpr_files::text::read_certificate).transpose()?.flatten();
+    if let Some((path, _)) = args.path.as_ref().zip(proof.as_deref()).filter(|(_, text)| cdpr_certify::is_bound(text)) {
+        let problem = "found a proof that no path is shorter than a length, which is not drawn; expected a path, a \
+                       trajectory or a proof that there is no path";
+        return Err(Error::invalid("", problem).with_hints(&["or check it: cdpr check".to_string()]).in_file(path));
+    }
     let engine = |scene: &Scene| {
         engine_within(scene, args.checker.engine, args.checker.interference, &watch)
             .map_err(|e| e.in_file(&args.scene.scene))

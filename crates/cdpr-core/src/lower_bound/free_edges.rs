@@ -32,7 +32,7 @@ impl Ellipsoid {
     }
 
     /// The part of a segment within it, as fractions.
-    fn part(&self, from: &Point, to: &Point) -> Option<[f64; 2]> {
+    pub fn part(&self, from: &Point, to: &Point) -> Option<[f64; 2]> {
         let via = |t: f64| self.via(&(from + (to - from) * t)) - SAME_POINT;
         if via(0.0).max(via(1.0)) <= self.length {
             return Some([0.0, 1.0]);

@@ -26,8 +26,8 @@ struct Edge {
     number: u32,
     /// The planes that meet in it.
     planes: [HalfSpace; 2],
-    /// Whether the ends of the interval are those of the edge.
-    whole: [bool; 2],
+    /// The part of the edge, as fractions.
+    range: [f64; 2],
 }
 
 /// A linear function on an interval, by its values at both ends: a lower bound of the distance from start or goal, m.
@@ -95,7 +95,7 @@ impl Label {
 impl Interval {
     /// A whole free edge with its number.
     pub fn of((number, edge): (usize, &FreeEdge)) -> Self {
-        let edge_of = Edge { number: number as u32, planes: edge.planes, whole: [true; 2] };
+        let edge_of = Edge { number: number as u32, planes: edge.planes, range: [0.0, 1.0] };
         Interval::new([edge.from, edge.to], Some(edge_of))
     }
 
@@ -122,8 +122,9 @@ impl Interval {
 
     /// A part of it, given as fractions.
     pub fn part(&self, part: [f64; 2]) -> Interval {
-        let whole = |edge: Edge| [edge.whole[0] && part[0] == 0.0, edge.whole[1] && part[1] == 1.0];
-        let edge = self.edge.map(|edge| Edge { whole: whole(edge), ..edge });
+        let within =
+            |[from, to]: [f64; 2]| part.map(|share| if share == 1.0 { to } else { from + share * (to - from) });
+        let edge = self.edge.map(|edge| Edge { range: within(edge.range), ..edge });
         Interval::new(part.map(|share| self.at(share)), edge)
     }
 
@@ -144,7 +145,12 @@ impl Interval {
     /// A linear lower bound, for points y of this interval, of the smallest `label(x) + |y - x|` over the points x of
     /// another one. That value is convex in y, so any tangent will do.
     pub fn continued(&self, from: &Interval, label: &Label) -> Label {
-        let y = self.at(self.tangent_from(from));
+        self.continued_at(self.tangent_from(from), from, label)
+    }
+
+    /// The same as a tangent at a fraction of this interval.
+    pub fn continued_at(&self, share: f64, from: &Interval, label: &Label) -> Label {
+        let y = self.at(share);
         let (value, gradient) = from.reach(label, &y);
         Label(self.ends.map(|end| value + gradient.dot(&(end - y))))
     }
@@ -200,10 +206,26 @@ impl Interval {
     pub fn may_run_along(&self, other: &Interval) -> bool {
         match (&self.edge, &other.edge) {
             (Some(own), Some(others)) if own.number == others.number => {
-                own.whole[0] && others.whole[1] || own.whole[1] && others.whole[0]
+                let joins = |a: &Edge, b: &Edge| a.range[0] == 0.0 && b.range[1] == 1.0;
+                joins(own, others) || joins(others, own)
             }
             _ => true,
         }
+    }
+
+    /// Whether a shortest path that bends inside both edges may lead straight from one of these intervals to the other: not if they
+    /// are on the same line, since it crosses the edges.
+    pub fn may_connect(&self, other: &Interval) -> bool {
+        let on_one_line = match (&self.edge, &other.edge) {
+            (Some(a), Some(b)) => a.planes.iter().all(|plane| b.planes.contains(plane)),
+            _ => false,
+        };
+        !on_one_line && self.may_bend_towards(other) && other.may_bend_towards(self)
+    }
+
+    /// The number of its edge and its part of it, as fractions; `None` for a point.
+    pub fn of_edge(&self) -> Option<(usize, [f64; 2])> {
+        self.edge.map(|edge| (edge.number as usize, edge.range))
     }
 
     /// Whether the polyhedron blocks every segment between two intervals. It does if there is a fraction of the way at which

@@ -18,12 +18,16 @@ pub const GOAL: usize = 1;
 
 /// Changes of a label after which it becomes constant. Constant labels cannot lower each other for ever.
 const MOST_CHANGES: u8 = 12;
+/// The same for certificates, which have no other way to settle.
+const MOST_CHANGES_CERTIFIED: u8 = 200;
 /// Changes of a label after which it is what constant labels everywhere give.
 const MOST_CHANGES_IN_ALL: u8 = 60;
 /// Number of intervals from which on links are searched in parallel.
 const IN_PARALLEL: usize = 200;
 /// Rounds in which the points of a path slide along their intervals.
 const SLIDES: usize = 8;
+/// What is left beside the part of an interval that matters is a part of its own if it has this share of the length.
+const BESIDE: f64 = 1.0 / 8.0;
 /// Labels between two checks of the watch.
 const POLL: usize = 256;
 
@@ -39,6 +43,8 @@ struct Labels {
 /// What may lie on a path from start to goal that is short enough.
 pub struct Network<'h> {
     hulls: &'h HPolyhedra,
+    /// For a certificate: the labels from the start alone prove the bound, without those of earlier rounds.
+    certified: bool,
     /// Paths of at least this length do not matter, m.
     enough: f64,
     intervals: Vec<Interval>,
@@ -63,19 +69,15 @@ impl<'h> Network<'h> {
         hulls: &'h HPolyhedra,
         [start, goal]: [&Point; 2],
         intervals: impl Iterator<Item = Interval>,
-        enough: f64,
+        (enough, certified): (f64, bool),
         watch: &Watch,
     ) -> Result<Self, Error> {
         let ends = [Interval::point(*start), Interval::point(*goal)];
         let intervals: Vec<Interval> = ends.into_iter().chain(intervals).collect();
-        let straight = |end: &Interval| {
-            let label = |interval: &Interval| interval.continued(end, &Label::constant(0.0));
-            intervals.iter().map(label).collect()
-        };
-        let labels = ends.each_ref().map(straight);
-        let (count, links) = (intervals.len(), vec![Vec::new(); intervals.len()]);
-        let mut network =
-            Network { hulls, enough, intervals, labels, links, before: Vec::new(), most: count, examined: 0 };
+        let labels = ends.each_ref().map(|end| straight(end, &intervals));
+        let (most, links) = (intervals.len(), vec![Vec::new(); intervals.len()]);
+        let (before, examined) = (Vec::new(), 0);
+        let mut network = Network { hulls, certified, enough, intervals, labels, links, before, most, examined };
         network.link(|network, at| Vec::from_iter(at + 1..network.intervals.len()), watch)?;
         Ok(network)
     }
@@ -119,6 +121,9 @@ impl<'h> Network<'h> {
     /// Whether a path that is short enough may lead straight from one interval to another, in either direction.
     fn may_connect(&self, a: usize, b: usize, near: &mut Near) -> bool {
         let (from, to) = (&self.intervals[a], &self.intervals[b]);
+        if self.certified {
+            return from.may_connect(to) && !self.is_blocked(from, to, near);
+        }
         let middles = [from.middle(), to.middle()];
         let apart = (middles[0] - middles[1]).norm();
         let gap = (apart - 0.5 * (from.length + to.length)).max(0.0);
@@ -129,7 +134,14 @@ impl<'h> Network<'h> {
             && from.may_bend_towards(to)
             && to.may_bend_towards(from)
             && self.through(a, b) < self.limit()
-            && (apart < SAME_POINT || !self.hulls.near(&middles, near).any(|hull| from.blocked_by(to, hull)))
+            && !self.is_blocked(from, to, near)
+    }
+
+    /// Whether one polyhedron blocks every segment between two intervals.
+    fn is_blocked(&self, from: &Interval, to: &Interval, near: &mut Near) -> bool {
+        let middles = [from.middle(), to.middle()];
+        let apart = (middles[0] - middles[1]).norm();
+        apart >= SAME_POINT && self.hulls.near(&middles, near).any(|hull| from.blocked_by(to, hull))
     }
 
     /// A lower bound of the length of all paths with a segment between two intervals, m.
@@ -146,6 +158,9 @@ impl<'h> Network<'h> {
     }
 
     fn error(&self) -> f64 {
+        if self.certified {
+            return 0.0;
+        }
         LABEL_STEP * (2 * self.most + 2) as f64
     }
 
@@ -156,7 +171,9 @@ impl<'h> Network<'h> {
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn label(&mut self, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
         for end in [GOAL, START] {
-            let Some(Labels { labels: new, before, passed }) = self.labels_from(end, effort, watch)? else {
+            let Some(Labels { labels: new, before, passed }) =
+                self.labels_from(end, [&[], &self.labels[1 - end]], effort, watch)?
+            else {
                 return Ok(None);
             };
             self.before = before;
@@ -168,16 +185,52 @@ impl<'h> Network<'h> {
         Ok(Some(self.labels[START][GOAL].least() - self.error()))
     }
 
+    /// Labels all intervals anew as a certificate needs it: without what is known from earlier rounds. The label of the goal, m,
+    /// infinite if no path is short enough; `None` if this takes more than some effort.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn certify(&mut self, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
+        for end in [GOAL, START] {
+            let behind = straight(&self.intervals[end], &self.intervals);
+            // The checkers place the tangent of the way that is left in the middle.
+            let left = |to: &Interval| to.continued_at(0.5, &self.intervals[1 - end], &Label::constant(0.0));
+            let ahead: Vec<Label> = self.intervals.iter().map(left).collect();
+            let Some(Labels { labels, passed, .. }) = self.labels_from(end, [&behind, &ahead], effort, watch)? else {
+                return Ok(None);
+            };
+            self.examined += passed;
+            self.labels[end] = labels;
+        }
+        Ok(Some(self.labels[START][GOAL].least()))
+    }
+
+    /// Whether the label of the goal shows that no path is short enough.
+    pub fn is_proved(&self) -> bool {
+        self.labels[START][GOAL].least() >= self.enough
+    }
+
+    /// The intervals with their labels from the start, without start and goal.
+    pub fn labelled(&self) -> impl Iterator<Item = (&Interval, &Label)> {
+        self.intervals.iter().zip(&self.labels[START]).skip(2)
+    }
+
     /// The labels from an end, which fall until none exceeds what its neighbours allow; `None` if more than some number of links
-    /// would have to be passed.
-    fn labels_from(&self, end: usize, effort: usize, watch: &Watch) -> Result<Option<Labels>, Error> {
-        let ahead = &self.labels[1 - end];
+    /// would have to be passed. They do not fall below `floors`, if there are any.
+    fn labels_from(
+        &self,
+        end: usize,
+        [floors, ahead]: [&[Label]; 2],
+        effort: usize,
+        watch: &Watch,
+    ) -> Result<Option<Labels>, Error> {
         let mut labels = vec![Label::UNKNOWN; self.len()];
         let mut before = vec![end as u32; self.len()];
         let mut changes = vec![0u8; self.len()];
         let mut waiting = vec![false; self.len()];
         let mut queue = BinaryHeap::from([Next { least: 0.0, at: end as u32 }]);
         let mut distances = None;
+        let most = if self.certified { MOST_CHANGES_CERTIFIED } else { MOST_CHANGES };
         (labels[end], waiting[end]) = (Label::constant(0.0), true);
         let (mut count, mut passed) = (0, 0);
         while let Some(Next { at, .. }) = queue.pop() {
@@ -194,7 +247,7 @@ impl<'h> Network<'h> {
                 watch.check()?;
             }
             for to in self.links[at].iter().map(|&to| to as usize).filter(|&to| to != end) {
-                let is_constant = |k: usize| changes[k] >= MOST_CHANGES;
+                let is_constant = |k: usize| changes[k] >= most;
                 let mut new = if is_constant(to) && is_constant(at) {
                     Label::constant(labels[at].least() + self.intervals[to].distance(&self.intervals[at]))
                 } else {
@@ -204,7 +257,9 @@ impl<'h> Network<'h> {
                     new = Label::constant(new.least());
                 }
                 let falls = (0..2).any(|k| new.0[k] < labels[to].0[k] - LABEL_STEP);
-                if !falls || changes[to] == MOST_CHANGES_IN_ALL || new.plus(&ahead[to]).least() >= self.limit() {
+                let at_floor = floors.get(to) == Some(&labels[to]);
+                let is_settled = at_floor || !self.certified && changes[to] == MOST_CHANGES_IN_ALL;
+                if !falls || is_settled || new.plus(&ahead[to]).least() >= self.limit() {
                     continue;
                 }
                 before[to] = at as u32;
@@ -212,16 +267,19 @@ impl<'h> Network<'h> {
                     labels[to] = labels[to].lower(&new); // the search ends there
                     continue;
                 }
-                changes[to] += 1;
+                changes[to] += u8::from(!self.certified || changes[to] < most);
                 labels[to] = match changes[to] {
                     1 => new,
-                    MOST_CHANGES => Label::constant(labels[to].lower(&new).least()),
-                    MOST_CHANGES_IN_ALL => {
+                    count if count == most => Label::constant(labels[to].lower(&new).least()),
+                    MOST_CHANGES_IN_ALL if !self.certified => {
                         let distances = distances.get_or_insert_with(|| self.distances_from(end));
                         self.labels[end][to].higher(&Label::constant(distances[to]))
                     }
                     _ => labels[to].lower(&new),
                 };
+                if let Some(floor) = floors.get(to) {
+                    labels[to] = labels[to].higher(floor);
+                }
                 waiting[to] = true;
                 queue.push(Next { least: labels[to].plus(&ahead[to]).least(), at: to as u32 });
             }
@@ -266,7 +324,11 @@ impl<'h> Network<'h> {
             let own = self.labels.each_ref().map(|labels| labels[at]);
             let kept = own[START].plus(&own[GOAL]).below(self.limit());
             let first = intervals.len();
-            for part in kept.into_iter().flat_map(|part| halves(part, self.intervals[at].length, least)) {
+            let parts: Vec<[f64; 2]> = match self.certified {
+                false => kept.into_iter().flat_map(|part| halves(part, self.intervals[at].length, least)).collect(),
+                true => kept.map_or(vec![[0.0, 1.0]], |part| divided(part, self.intervals[at].length, least)),
+            };
+            for part in parts {
                 intervals.push(self.intervals[at].part(part));
                 (0..2).for_each(|end| labels[end].push(own[end].part(part)));
                 parents.push(at as u32);
@@ -276,7 +338,7 @@ impl<'h> Network<'h> {
         }
         let still_open = |a: usize| {
             let all = self.links[a].iter().copied();
-            all.filter(|&b| self.through(a, b as usize) < self.limit()).collect()
+            all.filter(|&b| self.certified || self.through(a, b as usize) < self.limit()).collect()
         };
         let open: Vec<Vec<u32>> = (0..self.len()).map(still_open).collect();
         (self.intervals, self.labels) = (intervals, labels);
@@ -310,6 +372,24 @@ impl<'h> Network<'h> {
         way.dedup_by(|a, b| (*a - *b).norm() < SAME_POINT);
         way
     }
+}
+
+/// Lower bounds of the distance from an end to intervals, by straight lines.
+fn straight(end: &Interval, intervals: &[Interval]) -> Vec<Label> {
+    intervals.iter().map(|interval| interval.continued(end, &Label::constant(0.0))).collect()
+}
+
+/// A whole interval of some length in parts: the part that matters in halves, and what is beside it unless that is short.
+fn divided([from, to]: [f64; 2], length: f64, least: f64) -> Vec<[f64; 2]> {
+    if length <= least {
+        return vec![[0.0, 1.0]];
+    }
+    let [from, to] = [if from < BESIDE { 0.0 } else { from }, if to > 1.0 - BESIDE { 1.0 } else { to }];
+    if to - from < BESIDE {
+        return vec![[0.0, 0.5], [0.5, 1.0]]; // no tiny parts
+    }
+    let cuts = [0.0, from, 0.5 * (from + to), to, 1.0];
+    cuts.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[from, to]| from < to).collect()
 }
 
 /// A part of an interval of some length, or both halves of the part if it is longer than `least`, m.

@@ -4,10 +4,11 @@ use super::{Appraisal, PlanResult, appraise, appraise_turning};
 use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
+use crate::lower_bound::{Accepts, Certificate, Forbidden};
 use crate::model::{Scene, body};
 use crate::proof::Answer;
 use crate::turning::TurningEngine;
-use crate::watch::Watch;
+use crate::watch::{Watch, in_time};
 
 /// A planning query: start and goal in a scene.
 ///
@@ -151,6 +152,24 @@ impl Planned {
     /// A result for a platform that may turn.
     pub(super) fn turning(engine: TurningEngine, result: PlanResult) -> Self {
         Planned { turning: Some(engine), ..Planned::without_engine(result) }
+    }
+
+    /// A certificate that no path of the scene, which is that of the query or [`Planned::turned`], is shorter than a length, m, or
+    /// than as much of it as can be proved and a checker `accepts`. `None` if it accepts nothing, if there is no path, or if the
+    /// platform may turn.
+    ///
+    /// # Errors
+    /// As [`Forbidden::accepted_certificate`].
+    pub fn bound_certificate(
+        &self,
+        scene: &Scene,
+        length: f64,
+        accepts: &Accepts,
+        watch: &Watch,
+    ) -> Result<Option<Certificate>, Error> {
+        let (Some(engine), [start, .., goal]) = (&self.engine, &self.result.waypoints[..]) else { return Ok(None) };
+        let Some(forbidden) = in_time(Forbidden::new(&**engine, [start, goal], watch))? else { return Ok(None) };
+        forbidden.accepted_certificate(scene, length, accepts, watch)
     }
 
     /// Measures the path that was found in the scene, which is that of the query or [`Planned::turned`].

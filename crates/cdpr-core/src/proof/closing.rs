@@ -159,10 +159,15 @@ const SHARPNESS: f64 = 4.0;
 /// distance, so that faces and edges that coincide still do.
 pub fn widened_evenly(checker: &dyn Checker, polyhedron: &Polyhedron, ends: [&Point; 2]) -> Vec<HalfSpace> {
     let Polyhedron { condition, half_spaces: certain } = polyhedron;
-    let touches = |end: &&Point| certain.iter().all(|plane| plane.height(end) < 2.0 * BOUND_MARGIN);
+    let Conditions { bodies, list, .. } = checker.conditions();
+    let details = list[*condition].details();
+    let touches = |end: &&Point| {
+        let is_near = !details.ends_on_body() && details.slack(bodies, end) < 2.0 * BOUND_MARGIN;
+        is_near || certain.iter().all(|plane| plane.height(end) < 2.0 * BOUND_MARGIN)
+    };
     let region = moved(certain, BOUND_MARGIN / SHARPNESS);
     let within_margin = || {
-        if checker.conditions().list[*condition].details().ends_on_body() {
+        if details.ends_on_body() {
             return mitre(&region) <= SHARPNESS;
         }
         let (low, high) = checker.conditions().position_box();

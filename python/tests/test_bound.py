@@ -1,0 +1,114 @@
+"""The checker of certificates of bounds accepts true bounds, and nothing else."""
+
+import copy
+import json
+import math
+import random
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import cdpr
+from cdpr._certify import check_certificate
+from conftest import TESTDATA
+
+DATA = Path(__file__).parent / "data"
+PATH = 2.5918  # m: length of a path of the sample
+
+Table = dict[str, Any]
+
+
+def sample() -> tuple[Table, Table]:
+    """A scene with three prisms, and a certificate of a bound."""
+    scene, file = (json.loads((DATA / f"bound-three{end}.json").read_text()) for end in (".scene", ""))
+    return scene, file
+
+
+def refused(scene: Table, file: Table | str, reason: str = ".") -> None:
+    with pytest.raises(ValueError, match=reason) as problem:
+        check_certificate(scene, file, None)
+    assert len(str(problem.value)) < 500
+
+
+def test_sample_is_a_proof():
+    scene, file = sample()
+    check_certificate(scene, file, file["scene"])
+    check_certificate({**scene, "query": None}, json.dumps(file), None)
+    assert PATH / 1.011 < file["length"] < PATH
+
+
+def test_damages_are_refused():
+    scene, file = sample()
+    draw = random.Random(1)
+    long = [k for k, edge in enumerate(file["edges"]) if math.dist(*edge["ends"]) > 0.05]
+    needed = [k for k in long[:12] if not accepts(scene, {**file, "edges": file["edges"][:k] + file["edges"][k + 1 :]})]
+    assert len(needed) > 3
+    for round_ in range(36):
+        damaged = copy.deepcopy(file)
+        edge = damaged["edges"][draw.choice(needed)]
+        match round_ % 6:
+            case 0:
+                damaged["length"] = PATH + draw.random()
+            case 1:
+                damaged["edges"].remove(edge)
+            case 2:
+                edge["ends"][draw.randrange(2)][draw.randrange(3)] += 1e-3
+            case 3:
+                for row in draw.choice(damaged["regions"])["half_spaces"]:
+                    row[3] += 1e-5
+            case 4:
+                damaged["start"][draw.randrange(3)] += 1e-6
+            case 5:
+                damaged["length"] += 0.1
+                for piece in (piece for other in damaged["edges"] for piece in other["pieces"]):
+                    piece[1] += 0.1
+                    piece[2] += 0.1
+        refused(scene, damaged)
+
+
+def accepts(scene: Table, file: Table) -> bool:
+    try:
+        check_certificate(scene, file, None)
+    except ValueError:
+        return False
+    return True
+
+
+def test_bad_contents_are_named_in_bounded_time():
+    scene, file = sample()
+    refused(scene, {**file, "version": 2}, "version: found 2")
+    refused(scene, {**file, "length": math.nan}, "length: found nan")
+    refused(scene, {**file, "length": 2000.0}, "expected numbers up to 1000")
+    refused(scene, {**file, "more": 1}, "unknown key 'more'")
+    refused(scene, {**file, "corners": [[0.0, 0.0, 0.0]]}, "corners: found 3 items")
+    refused(scene, {**file, "edges": []}, "an edge that is free")
+    first, *others = file["edges"]
+    for key, value, reason in [
+        ("region", 99, "found region 99"),
+        ("region", True, "found region True"),
+        ("planes", [0, 99], "found half-spaces"),
+        ("pieces", [[0.5, 0.0, 0.0]], "do not end one after another"),
+        ("pieces", [[0.5, 0.0, 0.0]] * 10_000_000, "expected 1 to 10000"),
+    ]:
+        began = time.monotonic()
+        refused(scene, {**file, "edges": [{**first, key: value}, *others]}, reason)
+        assert time.monotonic() - began < 10
+    text = json.dumps(file)
+    for end in range(0, len(text), 1999):
+        refused(scene, text[:end])
+
+
+def test_lower_bound_writes_a_certificate(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    file = tmp_path / "bound.json"
+    bound = cdpr.lower_bound(scene, gap=0.001, certificate=file)
+    assert cdpr.plan(scene).cost / bound < 1.0011
+    assert json.loads(file.read_text())["length"] == bound
+    assert cdpr.check_proof(scene, file)
+    with pytest.raises(cdpr.FileError, match="another scene"):
+        cdpr.check_proof(scene.without("pillar"), file)
+    closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
+    with pytest.raises(cdpr.CdprError, match="nothing to certify"):
+        cdpr.lower_bound(closed, gap=0.01, budget=5, certificate=file)
