@@ -6,12 +6,16 @@ WHEELS := target/wheels
 
 SITE := target/site
 
+# A first build is a third faster without; while editing the core, `make test CARGO_INCREMENTAL=1` may be faster.
+CARGO_INCREMENTAL ?= 0
+export CARGO_INCREMENTAL
+
 .PHONY: test lint rust-test long-test portable-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
 	package-test reference docs workflows packages deny demo figures bench viewer page browser clean
 
 test: lint rust-test python-test docs workflows
 
-# Tests that take too long for everyday use, after `make test`.
+# Tests that take too long for everyday use, after `make test`: Python tests marked "long" are part of wheel-test.
 long-test: portable-test release-test wheel-test wasm-check
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
@@ -108,10 +112,10 @@ PARALLEL := -n auto --dist worksteal
 python-test: wheel browser program
 	$(BIN)/python -m mypy python/cdpr
 	$(BIN)/python -m mypy.stubtest cdpr --mypy-config-file pyproject.toml --allowlist python/stubtest-allowlist.txt
-	$(BIN)/python -m pytest $(PARALLEL) python/tests
+	$(BIN)/python -m pytest $(PARALLEL) -m "not sdist and not long" python/tests
 	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
 
-# The Python tests once more with the wheel as users install it.
+# All Python tests, with the wheel as users install it.
 wheel-test: release-wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) python/tests
 

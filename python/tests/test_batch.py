@@ -86,6 +86,7 @@ def test_threads_and_executors_of_any_kind_give_the_same_bytes(one_thread):
         assert cdpr.run_batch(EXPERIMENT, pool, threads=2).trials_csv == one_thread.trials_csv
 
 
+@pytest.mark.long
 def test_a_dask_cluster_of_two_processes_gives_the_same_bytes(one_thread):
     distributed = pytest.importorskip("distributed")
     with (
@@ -222,6 +223,7 @@ def test_a_method_can_leave_the_decision_out():
     }  # fmt: skip
 
 
+@pytest.mark.long
 def test_the_examples_run(tmp_path):
     cluster = [sys.executable, ROOT / "python/examples/cluster.py", "", "4"]
     run = subprocess.run(cluster, cwd=tmp_path, capture_output=True, text=True, check=True)

@@ -334,6 +334,7 @@ def curves(ax):
     return {line.get_label(): line.get_xydata() for line in ax.get_lines() if not line.get_label().startswith("_")}
 
 
+@pytest.mark.long
 def test_convergence_draws_medians_of_all_trials_and_shares(told):
     best = 2.656139
     lengths, shares = map(curves, figures.convergence(told, scenario="hard3", best=best))
@@ -354,6 +355,7 @@ def test_convergence_draws_medians_of_all_trials_and_shares(told):
     assert np.isnan(lengths["never"][:, 1]).all() and (shares["never"][:, 1] == 0).all()
 
 
+@pytest.mark.long
 def test_convergence_in_random_scenes_compares_within_each_scene(told, monkeypatch):
     lengths, shares = map(curves, figures.convergence(told, scenario="drawn", methods=["on"]))
     trials = told.trials[told.trials.scenario == "drawn"]
@@ -363,6 +365,7 @@ def test_convergence_in_random_scenes_compares_within_each_scene(told, monkeypat
     assert shares["on"][-1][1] == pytest.approx(100 * costs["on"].notna().mean()) and list(lengths) == ["on"]
 
 
+@pytest.mark.long
 def test_convergence_says_what_it_needs(told, methods):
     with pytest.raises(cdpr.InputError, match="batch: found no run with a history"):
         figures.convergence(methods, scenario="hard1")

@@ -305,6 +305,7 @@ def test_everything_public_is_called_with_all_its_parameters(calls):
         assert outcome(call, arguments) is None, name
 
 
+@pytest.mark.long
 def test_only_our_exceptions_come_out(calls, hard1):
     found = []
     for name, (call, arguments) in calls.items():

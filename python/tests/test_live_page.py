@@ -231,6 +231,7 @@ def test_an_obstacle_is_removed_while_it_is_dragged(live: Page) -> None:
     assert numbers(live).tolist() == PILLAR
 
 
+@pytest.mark.long
 def test_a_held_key_is_one_step_even_where_there_is_no_path(live: Page) -> None:
     settled(live)
     live.mouse.click(*where(live, "goal"))
@@ -289,6 +290,7 @@ def test_things_are_selected_by_keys(live: Page) -> None:
     assert names[4:] == ["pillar", "goal", "start", "outlet of cable 7"]
 
 
+@pytest.mark.long
 def test_old_answers_are_forgotten_but_no_step(live: Page) -> None:
     first = settled(live)
     costs = live.evaluate("""async () => {
@@ -329,8 +331,12 @@ def test_the_changed_page_is_saved_as_one_file(live: Page, open_page: Open, tmp_
     assert again.evaluate("cdpr.plan({ seed: 0 })")["cost"] == pytest.approx(cost, rel=1e-12)
 
 
+def is_long(name: str) -> list[pytest.MarkDecorator]:
+    return [] if name in ["closed", "cogiro", "hard1", "turn"] else [pytest.mark.long]
+
+
 @pytest.mark.filterwarnings("ignore:the scene lists several orientations")
-@pytest.mark.parametrize("name", sorted(path.stem for path in SCENES.glob("*.toml")))
+@pytest.mark.parametrize("name", [pytest.param(n, marks=is_long(n)) for n in sorted(p.stem for p in SCENES.glob("*.toml"))])
 def test_the_page_plans_as_the_program_does(open_page: Open, name: str) -> None:
     scene = cdpr.Scene.load(SCENES / f"{name}.toml")
     page = open_page(scene, cdpr.plan(scene, seed=0))

@@ -26,6 +26,7 @@ def test_there_are_three():
     assert NOTEBOOKS == ["plan_first_path.ipynb", "winch_table.ipynb", "wrench_feasible.ipynb"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_notebook_runs_and_prints_what_is_stored(name):
     stored = nbformat.read(EXAMPLES / name, as_version=4)

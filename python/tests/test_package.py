@@ -73,6 +73,7 @@ def test_the_wheel_is_for_every_python_from_3_11_on():
     assert not [name for name in names if "test" in name or not name.startswith("cdpr")]
 
 
+@pytest.mark.long
 def test_the_wheel_plans_in_an_environment_of_its_own(tmp_path):
     (wheel,) = WHEELS.glob("*.whl")
     assert planned_with(wheel, tmp_path) == "planned 2.103\n"

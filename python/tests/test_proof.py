@@ -189,6 +189,7 @@ def damage(kind: str, file: Table, bridges: list[int], random: random.Random) ->
 KINDS = ["moved", "removed", "doubled", "opened", "widened", "start", "goal", "margin", "who", "nan"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SAMPLES)
 def test_random_damage_is_refused(name):
     scene, file = sample(name)

@@ -25,7 +25,10 @@ STATIONS = {
 }
 PAIRS = list(itertools.permutations(STATIONS, 2))
 
-pytestmark = pytest.mark.filterwarnings("ignore::cdpr.CdprWarning")  # how the parts of the mill's mesh fill it
+pytestmark = [
+    pytest.mark.long,
+    pytest.mark.filterwarnings("ignore::cdpr.CdprWarning"),  # how the parts of the mill's mesh fill it
+]
 
 
 @pytest.fixture(scope="module")

@@ -150,6 +150,7 @@ def test_it_says_what_limits_the_motion_when(show: Show, motion: Trajectory) -> 
     assert [plain(title) for title in corner] == ["waypoint 1 at 1.90 s: stop"]
 
 
+@pytest.mark.long
 def test_it_plays_in_real_time(show: Show, motion: Trajectory) -> None:
     page = show(motion)
     before = picture(page)
@@ -205,6 +206,7 @@ def test_a_curve_beyond_its_limit_says_so(show: Show, motion: Trajectory) -> Non
     assert page.locator(".plot .bad").count() == 1
 
 
+@pytest.mark.long
 def test_a_long_motion_keeps_its_extrema_on_a_small_page(show: Show) -> None:
     motion = straight(cdpr.Scene.load(HARD1), WAYPOINTS, rate=3000)
     motion["velocities"][7654] = [3.0, 4.0, 0.0]

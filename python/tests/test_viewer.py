@@ -152,6 +152,7 @@ def test_a_wrench_margin_that_is_missing_is_shown_in_red(open_page: Open, cogiro
     assert page.locator("#wrench.bad").count() == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("which", ["planned", "bad"])
 def test_every_switch_changes_the_picture(
     open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result, hard1: cdpr.Scene, which: str
@@ -639,6 +640,7 @@ def with_obstacles(spec: dict[str, Any], count: int) -> dict[str, Any]:
 ODD = ["kilometres", "millimetres", "3 cables", "24 cables", "no obstacles", "1000 obstacles"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("which", ODD)
 def test_huge_and_odd_scenes_open_and_frame_themselves(open_page: Open, hard1: cdpr.Scene, which: str) -> None:
     spec = hard1.to_dict()
