@@ -15,6 +15,8 @@ const LIMITS: MotionSpec = MotionSpec {
     jerk: None,
     cable_speed: Some(1.0),
     cable_acceleration: Some(4.0),
+    turn_speed: None,
+    turn_acceleration: None,
     blend: Some(0.03),
     wrench_margin: None,
 };

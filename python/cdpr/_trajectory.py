@@ -16,8 +16,8 @@ from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
 from ._given import file_name, flag, instance
 from ._pandas import frame
-from ._planning import core_for, path_rows
-from ._results import Path
+from ._planning import core_for, turns_along, two_or_more
+from ._results import Path, turns_of
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import AnotherSceneWarning, InputError
@@ -36,6 +36,8 @@ class Corner(NamedTuple):
         Largest distance between curve and path there, m.
     time : float
         When it is passed, s.
+    turn : bool
+        Whether the platform stops because it begins, ends or changes a turn there.
 
     Examples
     --------
@@ -50,6 +52,7 @@ class Corner(NamedTuple):
     kind: str
     deviation: float
     time: float
+    turn: bool = False
 
 
 class Limiting(NamedTuple):
@@ -60,7 +63,7 @@ class Limiting(NamedTuple):
     start, end : float
         From when until when, s.
     limit : str
-        "speed", "acceleration", "jerk", "cable_speed", "cable_acceleration" or "tension".
+        "speed", "acceleration", "turn_speed", "turn_acceleration", "jerk", "cable_speed", "cable_acceleration" or "tension".
     cable : str or None
         Name of the cable, for limits of a cable's speed and acceleration.
 
@@ -91,6 +94,10 @@ class MotionState(ByValue):
         S.
     position, velocity, acceleration : ndarray (..., 3)
         Of the platform's origin, world, m, m/s, m/s².
+    orientation : ndarray (..., 4)
+        World-from-platform unit quaternion w x y z.
+    angular_velocity, angular_acceleration : ndarray (..., 3)
+        Of the platform, world axes, rad/s and rad/s²; zero where it does not turn.
     cable_lengths, cable_speeds, cable_accelerations : ndarray (..., m) or None
         Length of each cable, m, how fast it grows, m/s, and the rate of that, m/s²; None for a loaded file without its
         scene.
@@ -112,6 +119,9 @@ class MotionState(ByValue):
     position: Floats
     velocity: Floats
     acceleration: Floats
+    orientation: Floats
+    angular_velocity: Floats
+    angular_acceleration: Floats
     cable_lengths: Floats | None
     cable_speeds: Floats | None
     cable_accelerations: Floats | None
@@ -127,7 +137,7 @@ class MotionState(ByValue):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Trajectory(ByValue):
-    """A timed motion along a path, from rest to rest, at a fixed orientation; made by `trajectory` or `load_trajectory`.
+    """A timed motion along a path, from rest to rest; made by `trajectory` or `load_trajectory`.
 
     The arrays are samples; `at` gives the state at any time.
 
@@ -143,6 +153,10 @@ class Trajectory(ByValue):
         Of the samples, s; the last one is the duration.
     positions, velocities, accelerations : ndarray (n, 3)
         Of the platform's origin, world, m, m/s, m/s².
+    orientations : ndarray (n, 4)
+        World-from-platform unit quaternions w x y z; all the same if the platform does not turn.
+    angular_velocities, angular_accelerations : ndarray (n, 3)
+        Of the platform, world axes, rad/s and rad/s²; zero if it does not turn.
     cable_lengths, cable_speeds : ndarray (n, m)
         Length of each cable, m, and how fast it grows, m/s.
     cable_accelerations : ndarray (n, m) or None
@@ -152,14 +166,16 @@ class Trajectory(ByValue):
     cables : tuple of str
         Names of the cables, in the order of the columns.
     orientation : ndarray (4,)
-        World-from-platform unit quaternion w x y z, held all the time.
+        World-from-platform unit quaternion w x y z, held all the time; that of the scene if the platform turns.
     orientation_name : str or None
         Its name, if the scene names it.
     waypoints : ndarray (k, 3)
         The path that the curve follows, m.
+    waypoint_orientations : ndarray (k, 4) or None
+        Orientations at the waypoints, unit quaternions w x y z; None if the platform does not turn.
     limits : dict
-        The limits that are set: ``speed``, ``acceleration``, ``jerk``, ``cable_speed``, ``cable_acceleration``,
-        ``wrench_margin``; always ``blend``.
+        The limits that are set: ``speed``, ``acceleration``, ``turn_speed``, ``turn_acceleration``, ``jerk``,
+        ``cable_speed``, ``cable_acceleration``, ``wrench_margin``; always ``blend``.
     tension_limits : ndarray (m, 2) or None
         Minimum and maximum tension of each cable, N, if tensions are limited.
     corners : tuple of Corner
@@ -167,7 +183,8 @@ class Trajectory(ByValue):
     limiting : tuple of Limiting
         Which limit determines the motion when, in order of time; gaps are possible.
     note : str or None
-        Why tensions are not limited, if they are not.
+        Why tensions are not limited, if they are not; what was assumed about the inertia of a platform that turns, if the
+        robot does not give it.
 
     Examples
     --------
@@ -189,6 +206,9 @@ class Trajectory(ByValue):
     positions: Floats
     velocities: Floats
     accelerations: Floats
+    orientations: Floats
+    angular_velocities: Floats
+    angular_accelerations: Floats
     cable_lengths: Floats
     cable_speeds: Floats
     cable_accelerations: Floats | None
@@ -197,6 +217,7 @@ class Trajectory(ByValue):
     orientation: Floats
     orientation_name: str | None
     waypoints: Floats
+    waypoint_orientations: Floats | None
     limits: Mapping[str, float]
     tension_limits: Floats | None
     corners: tuple[Corner, ...]
@@ -233,11 +254,16 @@ class Trajectory(ByValue):
         times = as_numbers("time", time)
         if not np.isfinite(times).all():
             raise InputError(f"time: found {times[~np.isfinite(times)].flat[0]}, expected finite times")
-        found = self._motion.at(times.reshape(-1))
-        columns = [None if rows is None else shaped(rows, times.shape) for rows in found]
-        position, velocity, acceleration, *of_cables = columns
-        assert position is not None and velocity is not None and acceleration is not None
-        return MotionState(times[()], position, velocity, acceleration, *of_cables)
+        straight, turning, cables = self._motion.at(times.reshape(-1))
+        position, velocity, acceleration = (shaped(rows, times.shape) for rows in straight)
+        orientation, turn, gain = (shaped(rows, times.shape) for rows in turning)
+        of_cables = [None if rows is None else shaped(rows, times.shape) for rows in cables]
+        return MotionState(times[()], position, velocity, acceleration, orientation, turn, gain, *of_cables)
+
+    @property
+    def turns(self) -> bool:
+        """Whether the platform turns."""
+        return self._motion.turns()
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write a file.
@@ -263,8 +289,9 @@ class Trajectory(ByValue):
         DataFrame
             One row per sample, with the columns of the .csv file: ``t`` (s), ``x``, ``y``, ``z`` (m), the orientation
             ``qw``, ``qx``, ``qy``, ``qz``, velocity ``vx``, ``vy``, ``vz`` (m/s), acceleration ``ax``, ``ay``, ``az``
-            (m/s²), and for each cable by its name ``length:cable 0`` (m) and ``speed:cable 0`` (m/s), and
-            ``tension:cable 0`` (N) if tensions are limited.
+            (m/s²), if the platform turns angular velocity ``wx``, ``wy``, ``wz`` (rad/s) and acceleration ``alphax``,
+            ``alphay``, ``alphaz`` (rad/s²), world axes, and for each cable by its name ``length:cable 0`` (m) and
+            ``speed:cable 0`` (m/s), and ``tension:cable 0`` (N) if tensions are limited.
 
         Examples
         --------
@@ -277,8 +304,11 @@ class Trajectory(ByValue):
         """
         columns: dict[str, Any] = {"t": self.times}
         columns |= dict(zip("xyz", self.positions.T, strict=True))
-        columns |= {f"q{axis}": np.full(len(self.times), part) for axis, part in zip("wxyz", self.orientation, strict=True)}
-        for letter, rows in (("v", self.velocities), ("a", self.accelerations)):
+        columns |= {f"q{axis}": part for axis, part in zip("wxyz", self.orientations.T, strict=True)}
+        rates = [("v", self.velocities), ("a", self.accelerations)]
+        if self.turns:
+            rates += [("w", self.angular_velocities), ("alpha", self.angular_accelerations)]
+        for letter, rows in rates:
             columns |= {f"{letter}{axis}": column for axis, column in zip("xyz", rows.T, strict=True)}
         of_cables = {"length": self.cable_lengths, "speed": self.cable_speeds, "tension": self.tensions}
         for name, matrix in of_cables.items():
@@ -289,15 +319,20 @@ class Trajectory(ByValue):
     @classmethod
     def _of(cls, core: _core.Trajectory) -> Trajectory:
         facts: dict[str, Any] = json.loads(core.facts())
-        times, (positions, velocities, accelerations, lengths, speeds, rates, tensions) = core.samples()
+        times, (straight, turning, (lengths, speeds, rates, tensions)) = core.samples()
+        positions, velocities, accelerations = straight
+        orientations, turns, gains = turning
         assert lengths is not None and speeds is not None
         limits = facts.pop("tension_limits")
-        entries = facts.pop("limiting")
+        entries, ends = facts.pop("limiting"), facts.pop("waypoint_orientations")
         return cls(
             times=times,
             positions=positions,
             velocities=velocities,
             accelerations=accelerations,
+            orientations=orientations,
+            angular_velocities=turns,
+            angular_accelerations=gains,
             cable_lengths=lengths,
             cable_speeds=speeds,
             cable_accelerations=rates,
@@ -305,6 +340,7 @@ class Trajectory(ByValue):
             cables=tuple(facts.pop("cables")),
             orientation=np.array(facts.pop("orientation"), dtype=np.float64),
             waypoints=np.array(facts.pop("waypoints"), dtype=np.float64),
+            waypoint_orientations=None if ends is None else np.array(ends, dtype=np.float64),
             tension_limits=None if limits is None else np.array(limits, dtype=np.float64),
             corners=tuple(Corner(**entry) for entry in facts.pop("corners")),
             limiting=tuple(Limiting(entry["from"], entry["to"], entry["limit"], entry["cable"]) for entry in entries),
@@ -328,9 +364,12 @@ class Trajectory(ByValue):
 def trajectory(
     scene: Scene,
     path: ArrayLike | Path,
+    orientations: ArrayLike | None = None,
     *,
     speed: float | None = None,
     acceleration: float | None = None,
+    turn_speed: float | None = None,
+    turn_acceleration: float | None = None,
     jerk: float | None = None,
     cable_speed: float | None = None,
     cable_acceleration: float | None = None,
@@ -342,7 +381,8 @@ def trajectory(
     """Compute the fastest motion along a path that keeps all limits at every instant, from rest to rest.
 
     Limits that are not given are those of the scene's table ``[motion]``; there must be one of acceleration, of cable
-    acceleration, or of tensions. Tensions are limited, including the inertia of the platform, if its mass and all tension
+    acceleration, or of tensions, and for a platform that turns one of turn acceleration, of cable acceleration, or of
+    tensions. Tensions are limited, including the inertia of the platform, if its mass and all tension
     limits are known and the cables leave no motion free.
 
     Parameters
@@ -350,8 +390,15 @@ def trajectory(
     scene : Scene
     path : array_like (k, 3), Path or Result, k >= 2
         Positions of the platform's origin, world, m; every segment must be valid.
-    speed, acceleration, jerk : float, optional
-        Largest speed, acceleration and jerk of the platform, m/s, m/s², m/s³. A jerk requires an acceleration.
+    orientations : array_like (k, 4) or (4,), optional
+        World-from-platform unit quaternions w x y z at these positions, for a platform that turns; a path that turns has its
+        own. Between two poses it turns about a fixed axis, the shorter way. Where a turn begins, ends or changes, it stops.
+    speed, acceleration : float, optional
+        Largest speed and acceleration of the platform's origin, m/s, m/s².
+    turn_speed, turn_acceleration : float, optional
+        Largest angular speed and acceleration of a platform that turns, rad/s, rad/s².
+    jerk : float, optional
+        Largest jerk of the platform's origin, m/s³; requires an acceleration.
     cable_speed, cable_acceleration : float, optional
         Largest speed and acceleration of each cable's length, m/s, m/s².
     blend : float, optional
@@ -386,10 +433,19 @@ def trajectory(
     >>> blended = trajectory(scene, path, speed=1, acceleration=2, blend=0.03)
     >>> blended.duration < stopping.duration, blended.corners[0].kind
     (True, 'outward')
+
+    A quarter turn on the spot:
+
+    >>> scene, corner = Scene.load("testdata/scenes/turn.toml"), [0.6, 1.6, 1.2]
+    >>> turn = trajectory(scene, [corner, corner], [[1, 0, 0, 0], [0.5**0.5, 0, 0, 0.5**0.5]], turn_speed=1, turn_acceleration=2)
+    >>> float(turn.at(turn.duration / 2).angular_velocity[2].round(3))
+    1.0
     """
     given = {
         "speed": speed,
         "acceleration": acceleration,
+        "turn_speed": turn_speed,
+        "turn_acceleration": turn_acceleration,
         "jerk": jerk,
         "cable_speed": cable_speed,
         "cable_acceleration": cable_acceleration,
@@ -398,7 +454,9 @@ def trajectory(
     }
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}
     core = core_for(scene, path, strict=strict)
-    found = _core.Trajectory.of(core, path_rows("path", path), json.dumps(limits), positive("rate", rate))
+    positions, turns = two_or_more("path", path), turns_along(path, orientations)
+    along = None if turns is None else turns_of(positions, turns)
+    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), positive("rate", rate))
     return Trajectory._of(found)
 
 

@@ -33,7 +33,7 @@ REPRS = {
     "AvailableSet": "AvailableSet(rank 3, margin 1561, 14 vertices)",
     "Trajectory": "Trajectory(1.500 s, 1.0000 m, 151 samples)",
     "MotionState": "MotionState(0.75 s, at [1.0, 1.0, 1.0] m, 1.0000 m/s)",
-    "Corner": "Corner(waypoint=1, kind='stop', deviation=0.0, time=0.5)",
+    "Corner": "Corner(waypoint=1, kind='stop', deviation=0.0, time=0.5, turn=False)",
     "Limiting": "Limiting(start=0.0, end=0.5, limit='cable_speed', cable='cable 3')",
     "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
     "WrenchReport": "WrenchReport(not feasible, rank 5 of 6, underconstrained)",

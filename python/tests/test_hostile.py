@@ -97,7 +97,7 @@ def calls(tmp_path, monkeypatch, batch):
     end = {"start": HERE, "goal": THERE}
     cables = {
         "outlets": robot.outlets, "attachments": robot.attachments, "platform": [CUBE], "tensions": [1.0, 100.0], "mass": 5.0,
-        "center_of_mass": [0.0, 0.0, 0.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
+        "center_of_mass": [0.0, 0.0, 0.0], "inertia": [1.0, 1.0, 1.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
     }  # fmt: skip
     said = {
         "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
@@ -115,7 +115,7 @@ def calls(tmp_path, monkeypatch, batch):
     figure = {"view": (20.0, -60.0), "ax": None}
     limits = {
         "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
-        "wrench_margin": None, "rate": 50.0,
+        "wrench_margin": None, "rate": 50.0, "turn_speed": 1.0, "turn_acceleration": 2.0, "orientations": None,
     }  # fmt: skip
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,

@@ -111,6 +111,7 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
         "tensions": [[10.0 + k, 900.0] for k in range(8)],
         "mass": 42.0,
         "center_of_mass": [0.0, 0.0, 0.1],
+        "inertia": [3.0, 4.0, 5.0],
         "cable_names": [f"winch {k + 1}" for k in range(8)],
         "diameters": 0.004,
         "lengths": [0.5, 30.0],
@@ -127,7 +128,10 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
     }  # fmt: skip
     assert (whole.diameters == 0.004).all() and whole.lengths.tolist() == [[0.5, 30.0]] * 8
     assert whole.to_dict()["platform"] == [{"name": "frame", "box": [1.0, 1.0, 0.5]}]
-    bare = whole.replace(tensions=None, mass=None, center_of_mass=None, cable_names=None, diameters=None, lengths=None, name=None)
+    assert whole.inertia.tolist() == np.diag([3.0, 4.0, 5.0]).tolist()
+    bare = whole.replace(
+        tensions=None, mass=None, center_of_mass=None, inertia=None, cable_names=None, diameters=None, lengths=None, name=None
+    )
     assert set(bare.to_dict()) == {"platform", "cables"} and set(bare.to_dict()["cables"][0]) == {"outlet", "attachment"}
     assert bare.cable_names[:2] == ("cable 0", "cable 1") and np.isnan(bare.tensions).all() and np.isinf(bare.lengths[:, 1]).all()
     with pytest.raises(cdpr.InputError, match="outlets: found 7, expected 8, one for each cable"):
@@ -183,7 +187,7 @@ def test_every_key_of_a_turn_a_demand_and_a_motion_is_taken(robot):
         assert set(scene.wrench) == {key}
     limits = {
         "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
-        "wrench_margin": 1.0,
+        "wrench_margin": 1.0, "turn_speed": 1.0, "turn_acceleration": 3.0,
     }  # fmt: skip
     assert set(limits) == keys(DEFINED["MotionSpec"])
     scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], motion=limits)

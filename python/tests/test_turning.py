@@ -355,7 +355,6 @@ def test_what_cannot_turn_refuses_paths_that_do(beside: cdpr.Scene) -> None:
     for name, call in [
         ("waypoints", lambda: cdpr.rewind(beside, path)),
         ("waypoints", lambda: cdpr.refine(beside, path)),
-        ("path", lambda: cdpr.trajectory(beside, path, speed=1, acceleration=1)),
         ("path", lambda: figures.scene(beside, path)),
         ("waypoints", lambda: figures.rewinding(beside, path)),
     ]:

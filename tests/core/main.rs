@@ -16,4 +16,6 @@ mod regions;
 mod regressions;
 mod trajectory;
 mod turning;
+mod turning_attacks;
+mod turning_motions;
 mod wrench_planning;

@@ -22,7 +22,8 @@ fn cable(outlet: [f64; 3], attachment: [f64; 3]) -> CableSpec {
 }
 
 fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySpec>, clearance: f64) -> GjkEngine {
-    let robot = RobotSpec { version: None, name: None, mass: None, center_of_mass: None, platform, cables };
+    let robot =
+        RobotSpec { version: None, name: None, mass: None, center_of_mass: None, inertia: None, platform, cables };
     let spec = SceneSpec {
         version: 1,
         name: None,

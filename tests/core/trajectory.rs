@@ -24,6 +24,8 @@ const FREE: MotionSpec = MotionSpec {
     jerk: None,
     cable_speed: None,
     cable_acceleration: None,
+    turn_speed: None,
+    turn_acceleration: None,
     blend: None,
     wrench_margin: None,
 };
@@ -262,6 +264,8 @@ fn random_motion(seed: u64) -> Option<(Scene, Vec<Point>, Trajectory)> {
         speed: maybe(-2.0, 1.5),
         cable_speed: maybe(-2.0, 1.5),
         cable_acceleration: maybe(-1.0, 2.0),
+        turn_speed: None,
+        turn_acceleration: None,
         blend: maybe(-5.0, -0.7),
         wrench_margin: None,
         acceleration: Some(10_f64.powf(rng.random_range(-1.0..2.0))),

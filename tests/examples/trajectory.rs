@@ -58,6 +58,8 @@ fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Resul
         jerk,
         cable_speed: Some(1.0),
         cable_acceleration: Some(4.0),
+        turn_speed: None,
+        turn_acceleration: None,
         blend: Some(CLEARANCE),
         wrench_margin: None,
     };

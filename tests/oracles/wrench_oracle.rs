@@ -148,7 +148,8 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize, point_mass: bool) -> Robot 
     let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0 * size]]), ..BodySpec::default() }];
     let center_of_mass = rng.random_bool(0.5).then(|| vector(rng, 0.1 * size).into());
     let mass = Some(uniform(rng, 0.0, 0.1) * strength);
-    Robot::try_from(RobotSpec { version: None, name: None, mass, center_of_mass, platform, cables }).unwrap()
+    Robot::try_from(RobotSpec { version: None, name: None, mass, center_of_mass, inertia: None, platform, cables })
+        .unwrap()
 }
 
 /// Between the outlets, or slightly beyond them.

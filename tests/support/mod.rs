@@ -38,8 +38,16 @@ pub fn point_robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robo
     };
     let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0]]), ..BodySpec::default() }];
     let cables = cables.iter().map(cable).collect();
-    Robot::try_from(RobotSpec { version: None, name: None, mass: Some(mass), center_of_mass: None, platform, cables })
-        .expect("a sound robot")
+    Robot::try_from(RobotSpec {
+        version: None,
+        name: None,
+        mass: Some(mass),
+        center_of_mass: None,
+        inertia: None,
+        platform,
+        cables,
+    })
+    .expect("a sound robot")
 }
 
 pub fn rng(seed: u64) -> ChaCha8Rng {

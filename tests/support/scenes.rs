@@ -162,6 +162,7 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
             name: None,
             mass: None,
             center_of_mass: None,
+            inertia: None,
             platform: parts.iter().map(|p| body_spec(None, p)).collect(),
             cables,
         }),

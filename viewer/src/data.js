@@ -128,12 +128,20 @@ const readNumbers = (record, keys) =>
 const LIMITS = {
   speed: 'speed',
   acceleration: 'acceleration',
+  turnSpeed: 'turn_speed',
+  turnAcceleration: 'turn_acceleration',
   jerk: 'jerk',
   cableSpeed: 'cable_speed',
   cableAcceleration: 'cable_acceleration',
   blend: 'blend',
   wrenchMargin: 'wrench_margin',
 };
+
+// An orientation for each time; null if the platform keeps its orientation.
+function readOrientations(orientations, count) {
+  const found = list(orientations);
+  return found.length === count && found.every(isOrientation) ? found : null;
+}
 
 // Times and positions; the curves have the same times or their own.
 function readTrajectory(trajectory) {
@@ -150,6 +158,8 @@ function readTrajectory(trajectory) {
     cables: list(trajectory.cables).map(String),
     times,
     positions: trajectory.positions,
+    orientations: readOrientations(trajectory.orientations, times.length),
+    turnSpeed: trajectory.turn_speed ? curve(trajectory.turn_speed) : null,
     speed: curve(trajectory.speed),
     acceleration: curve(trajectory.acceleration),
     cableSpeeds: list(trajectory.cable_speeds).map(curve),

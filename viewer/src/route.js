@@ -9,7 +9,8 @@ const mix = (a, b, t) => [0, 1, 2].map((i) => a[i] + (b[i] - a[i]) * t);
 // Quaternions of neighbouring waypoints have the signs between which the platform turns the shorter way.
 const halfAngleBetween = (a, b) => Math.acos(Math.min(1, Math.max(-1, a.reduce((sum, x, i) => sum + x * b[i], 0))));
 
-function slerp(a, b, t) {
+/** The orientation a share of the way from one to another. */
+export function slerp(a, b, t) {
   const half = halfAngleBetween(a, b);
   if (half < 1e-6) return a;
   const [u, v] = [Math.sin((1 - t) * half) / Math.sin(half), Math.sin(t * half) / Math.sin(half)];

@@ -26,6 +26,8 @@ export const wallRole = (index) => `wall${index % WALLS.length}`;
 const LIMITS = {
   limitSpeed: '#0072b2',
   limitAcceleration: '#e69f00',
+  limitTurnSpeed: '#6a3d9a',
+  limitTurnAcceleration: '#f0e442',
   limitJerk: '#cc79a7',
   limitCableSpeed: '#56b4e9',
   limitCableAcceleration: '#d55e00',

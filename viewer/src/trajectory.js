@@ -2,7 +2,8 @@
 
 import { cableSwatch, colorOf, createArea, ground, html, largest } from './charts.js';
 import { accelerationAxis, describeCorner, describeCorners, describeLimit, describeOtherLimits, describePiece } from './wording.js';
-import { forceAxis, formatShare, formatTimeProgress, speedAxis, timeAxis, roundTicks } from './wording.js';
+import { forceAxis, formatShare, formatTimeProgress, speedAxis, timeAxis, turnSpeedAxis, roundTicks } from './wording.js';
+import { slerp } from './route.js';
 
 // Limits of a trajectory are drawn even where the curves stay well away from them.
 const FAR = 3;
@@ -22,12 +23,24 @@ function sampleAt(times, time) {
   return low;
 }
 
-/** The positions of a trajectory as a function of time, s. */
-export function createTimedRoute({ times, positions, duration, corners }) {
-  function positionAt(time) {
+/** The positions of a trajectory as a function of time, s, and the orientations of a platform that turns. */
+export function createTimedRoute({ times, positions, orientations, duration, corners }) {
+  function between(time) {
     const i = sampleAt(times, time);
     const share = (time - times[i]) / (times[i + 1] - times[i]);
-    return mix(positions[i], positions[i + 1], Math.min(1, Math.max(0, share)));
+    return [i, Math.min(1, Math.max(0, share))];
+  }
+
+  function positionAt(time) {
+    const [i, share] = between(time);
+    return mix(positions[i], positions[i + 1], share);
+  }
+
+  // Null if the platform keeps its orientation.
+  function orientationAt(time) {
+    if (!orientations) return null;
+    const [i, share] = between(time);
+    return slerp(orientations[i], orientations[i + 1], share);
   }
 
   return {
@@ -36,6 +49,7 @@ export function createTimedRoute({ times, positions, duration, corners }) {
     corners: corners.map(({ time }) => time),
     axis: { title: 'time', unit: timeAxis.unit, ticks: roundTicks(duration), whole: duration },
     positionAt,
+    orientationAt,
     placeOf: ({ time }) => time,
     describe: (time) => formatTimeProgress(time, duration),
   };
@@ -46,7 +60,7 @@ const valuesOf = (curves) => curves.flatMap(({ values }) => values);
 const given = (limits) => [...new Set(limits)].filter(Number.isFinite);
 
 /** The curves of a trajectory over time, with their limits. */
-export function trajectoryPlots({ limits, tensionLimits, speed, acceleration, cableSpeeds, tensions }) {
+export function trajectoryPlots({ limits, tensionLimits, speed, acceleration, turnSpeed, cableSpeeds, tensions }) {
   const plot = (name, series, axisFor, bounds, more) => {
     const axis = axisFor(largest(valuesOf(series)));
     return { name, series, axis, limits: given(bounds), labelled: true, far: FAR, ...more };
@@ -56,6 +70,7 @@ export function trajectoryPlots({ limits, tensionLimits, speed, acceleration, ca
   const plots = [
     plot('speed', [speed], speedAxis, [limits.speed], positive),
     plot('acceleration', [acceleration], accelerationAxis, [limits.acceleration], positive),
+    ...(turnSpeed ? [plot('angular speed', [turnSpeed], turnSpeedAxis, [limits.turnSpeed], positive)] : []),
     plot('cable speeds', cableSpeeds, speedAxis, both, { column: 'speed' }),
   ];
   if (tensions.length === 0) return plots;

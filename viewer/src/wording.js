@@ -42,6 +42,9 @@ export const speedAxis = per('s');
 /** The unit of accelerations up to this one, m/s². */
 export const accelerationAxis = per('s²');
 
+/** The unit of angular speeds, rad/s. */
+export const turnSpeedAxis = () => axisOf({ factor: 1, digits: 2, name: 'rad/s' });
+
 /** The unit of times, s. */
 export const timeAxis = axisOf({ factor: 1, digits: 2, name: 's' });
 
@@ -61,7 +64,12 @@ export const formatTimeProgress = (time, whole) => `${timeAxis.format(time)} of 
 /** A share of a whole: "38 %". */
 export const formatShare = (share) => `${share < 0.01 ? '<\u00a01' : Math.round(100 * share)}\u00a0%`;
 
-const LIMIT_NAMES = { cable_speed: 'cable speed', cable_acceleration: 'cable acceleration' };
+const LIMIT_NAMES = {
+  turn_speed: 'angular speed',
+  turn_acceleration: 'angular acceleration',
+  cable_speed: 'cable speed',
+  cable_acceleration: 'cable acceleration',
+};
 
 /** A limit in words: "tension of cable 3", "speed of cable 3", "acceleration". */
 export function describeLimit({ kind, cable }) {

@@ -93,19 +93,6 @@ fn only_one() -> Error {
     Error::invalid("", "found - for both scene and path; only one of them can be standard input")
 }
 
-/// As [`path`], for commands that only know paths along which the platform keeps its orientation.
-pub fn level_path(
-    scene: &Scene,
-    args: &SceneArgs,
-    file: &Path,
-    (strict, why): (Strict, &str),
-    out: &Console,
-) -> Result<(Scene, LoadedPath), Error> {
-    let (scene, loaded) = path(scene, args, file, strict, out)?;
-    loaded.refuse_turns(why).map_err(|e| e.in_file(name_of(file)))?;
-    Ok((scene, loaded))
-}
-
 /// A path of a scene, and the scene at the path's orientation. Warns if the path was planned for another scene.
 pub fn path(
     scene: &Scene,
@@ -220,11 +207,6 @@ pub fn experiment(path: &Path) -> Result<Experiment, Error> {
         Some(stream) => stream.parse(|text| experiment_from_text_by(&loader(), text, notation(text), None)),
         None => load_experiment_by(&loader(), path),
     }
-}
-
-/// The name of a file in messages.
-fn name_of(path: &Path) -> &Path {
-    if is_standard_input(path) { Path::new(STANDARD_INPUT) } else { path }
 }
 
 fn is_standard_input(path: &Path) -> bool {

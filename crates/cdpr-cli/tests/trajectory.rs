@@ -192,3 +192,61 @@ fn a_trajectory_goes_through_pipes() {
     let checked = cdpr_fed(folder.path(), &["check", &hard1, "-"], &stdout(&made));
     assert!(status(&checked) == 0 && stdout(&checked).contains("in exact form"), "{}", stderr(&checked));
 }
+
+const TURNING: [&str; 10] =
+    ["--speed", "1", "--acceleration", "2", "--blend", "0.01", "--turn-speed", "1.5", "--turn-acceleration", "4"];
+
+#[test]
+fn a_turning_path_is_planned_timed_checked_and_shown() {
+    let (folder, turn) = (folder(), testdata("scenes/turn.toml"));
+    let at = folder.path();
+    let planned =
+        cdpr_in(at, &[&["plan", &turn, "-o", "path.json", "--trajectory", "motion.json"][..], &TURNING].concat());
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    let said = stdout(&planned);
+    assert!(said.contains("passed with a stop, since the platform begins or ends a turn there: "), "{said}");
+    let timed = cdpr_in(at, &[&["trajectory", &turn, "path.json", "-o", "again.json"][..], &TURNING].concat());
+    assert_eq!(status(&timed), 0, "{}", stderr(&timed));
+    let [first, again] = ["motion.json", "again.json"].map(|name| fs::read_to_string(at.join(name)).unwrap());
+    assert!(first == again && first.contains("\"angular_velocities\""));
+    for name in ["motion.csv", "motion.yaml"] {
+        let made = cdpr_in(at, &[&["trajectory", &turn, "path.json", "-o", name][..], &TURNING].concat());
+        assert_eq!(status(&made), 0, "{}", stderr(&made));
+    }
+    let header = fs::read_to_string(at.join("motion.csv")).unwrap();
+    assert!(header.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,wx,wy,wz,alphax,alphay,alphaz,length:"));
+    for name in ["motion.json", "motion.csv"] {
+        let checked = cdpr_in(at, &[&["check", &turn, name][..], &TURNING].concat());
+        assert_eq!(status(&checked), 0, "{}{}", stdout(&checked), stderr(&checked));
+        assert!(stdout(&checked).contains("turns at most by "), "{}", stdout(&checked));
+        let slow = cdpr_in(at, &["check", &turn, name, "--turn-speed", "0.2"]);
+        assert!(status(&slow) == 1 && stdout(&slow).contains(" rad/s, limit 0.2 rad/s"), "{}", stdout(&slow));
+    }
+    let shown = cdpr_in(at, &["view", &turn, "motion.json", "-o", "view.html", "--format", "json"]);
+    assert_eq!(status(&shown), 0, "{}", stderr(&shown));
+    assert_eq!(json(&shown)["violations"], json!([]));
+    assert!(fs::read_to_string(at.join("view.html")).unwrap().contains("\"turn_speed\":"));
+}
+
+#[test]
+fn a_turn_without_a_limit_is_refused_with_a_hint() {
+    let (folder, turn) = (folder(), testdata("scenes/turn.toml"));
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", &turn, "-o", "path.json"])), 0);
+    let refused = cdpr_in(folder.path(), &["trajectory", &turn, "path.json", "--acceleration", "2"]);
+    assert_eq!(status(&refused), 2);
+    let said = stderr(&refused);
+    assert!(said.contains("expected a turn_acceleration") && said.contains("--turn-acceleration"), "{said}");
+}
+
+#[test]
+fn the_wrench_margin_of_a_turning_path_is_stated() {
+    let folder = folder();
+    let path = json!({
+        "waypoints": [[-2.0, 0.0, 2.5], [-1.8, 0.0, 2.5]],
+        "orientations": [[1.0, 0.0, 0.0, 0.0], [0.05_f64.cos(), 0.0, 0.0, 0.05_f64.sin()]],
+    });
+    fs::write(folder.path().join("path.json"), path.to_string()).unwrap();
+    let checked = cdpr_in(folder.path(), &["check", &testdata("scenes/cogiro.toml"), "path.json"]);
+    assert!(stdout(&checked).contains("least capacity margin "), "{}{}", stdout(&checked), stderr(&checked));
+    assert!(stdout(&checked).contains("tensions from "), "{}", stdout(&checked));
+}

@@ -1,6 +1,7 @@
 //! Robots, obstacles and scenes: as plain data from files (`spec`), and checked (`robot`, `scene`).
 
 pub mod body;
+pub mod inertia;
 pub(crate) mod obstacle;
 pub(crate) mod pairs;
 pub(crate) mod robot;
@@ -12,7 +13,7 @@ pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{GRAVITY, Scene};
 pub use spec::{
-    BodySpec, CableSpec, ClearancesSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec, OrientationSource,
-    OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit,
-    WorkspaceSpec, WrenchSpec,
+    BodySpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec,
+    OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec,
+    SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };

@@ -107,6 +107,9 @@ pub const NO_WIDTH: f64 = 1e-12;
 /// Sine of the angle below which a facet counts as parallel to a plane, or a ray to a facet, when seams are built.
 pub const ALONG_FACET: f64 = 1e-9;
 
+/// Rounding of the numbers of an inertia, as a share of the largest: catalogues print four to seven digits.
+pub const INERTIA_ROUNDING: f64 = 1e-6;
+
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
@@ -421,9 +424,6 @@ pub const BLOCKED_DEPTH: f64 = 1e-9;
 /// rounding errors, so that labels settle.
 pub const LABEL_STEP: f64 = 1e-9;
 
-/// Intervals shorter than this are not halved, m.
-pub const LEAST_INTERVAL: f64 = 1e-7;
-
 /// The label of an interval in a certificate may exceed what its neighbours allow by this for each bend, m, as the checkers of
 /// certificates allow: [`LABEL_STEP`], and what rounding and [`WRITTEN_LABEL`] may add.
 pub const BEND_STEP: f64 = 2e-8;
@@ -438,6 +438,9 @@ pub const COVERED_DEPTH: f64 = 1e-9;
 /// Corners closer than this are listed once in a certificate, m: less than what the checkers take for the same place, 1e-10.
 pub const SAME_CORNER: f64 = 2e-11;
 
+/// Intervals shorter than this are not halved, m.
+pub const LEAST_INTERVAL: f64 = 1e-7;
+
 /// Planes whose coordinates agree to this accuracy become one before lengths are bounded.
 pub const SAME_PLANE: f64 = 1e-8;
 
@@ -450,11 +453,11 @@ pub const BOUND_EFFORT: usize = 50_000_000;
 /// The same for a bound that nobody asked for: some 0.1 s.
 pub const QUICK_BOUND_EFFORT: usize = 1_000_000;
 
-/// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
-pub const BOUND_GAP: f64 = 1e-3;
-
 /// Most time for the search for a certificate of a bound, s; then one of a smaller length has to do.
 pub const CERTIFICATE_SECONDS: u64 = 60;
+
+/// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
+pub const BOUND_GAP: f64 = 1e-3;
 
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
@@ -470,6 +473,13 @@ pub const PROOF_EFFORT: usize = 3_000_000;
 
 /// Number of these cells per sample that the planner may draw, so that its limit limits both.
 pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;
+
+/// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter of a turn is
+/// arbitrary, so this changes no motion.
+pub const LEAST_TURN_LENGTH: f64 = 1e-3;
+
+/// Largest weight of a turn in that parameter, m/rad, for the same reason: the rest of the path must keep its digits.
+pub const LARGEST_TURN_WEIGHT: f64 = 1e3;
 
 /// Distance of a waypoint from the line between its neighbours below which a trajectory goes straight on, m; as
 /// [`SAME_POINT`].
@@ -527,6 +537,11 @@ pub const RECORDED_RATE: f64 = 1e-4;
 /// cause larger differences.
 pub const RECORDED_ACCELERATION: f64 = 3.0;
 
+/// Allowed difference of a recorded velocity from the mean velocities beside it, as a multiple of how much these change nearby. An
+/// acceleration that reverses between samples shows only in part there; velocities that alternate about the right ones differ by
+/// more.
+pub const RECORDED_BEND: f64 = 2.0;
+
 /// Share of a tension limit by which a recorded tension may exceed it.
 pub const RECORDED_TENSION: f64 = 1e-6;
 
@@ -538,6 +553,18 @@ pub const RECORDED_RESERVE: f64 = 1e-2;
 
 /// Instants between two samples at which a motion in exact form is checked.
 pub const INSTANTS_BETWEEN: usize = 10;
+
+/// Number of poses of a turning motion between which its nearest approach is measured, unless there are more samples.
+pub const MEASURED_SAMPLES: usize = 500;
+
+/// Travel of a turning platform between two samples up to which one search for what is broken is enough, m; it looks at 33 poses.
+pub const SAMPLED_TRAVEL: f64 = 0.01;
+
+/// Largest number of parts into which the motion between two samples is divided for that.
+pub const INSTANTS_OF_STEP: f64 = 1000.0;
+
+/// Least number of instants of the whole motion at which that is done, however few the samples.
+pub const LEAST_INSTANTS: usize = 1000;
 
 /// A sample closer than this to a jump in acceleration may belong to either side of it, s.
 pub const SAME_TIME: f64 = 1e-9;

@@ -28,7 +28,7 @@ use crate::postprocess::{RewindOptions, StringPuller};
 use crate::watch::{Watch, in_time};
 use crate::wrench::{WrenchChecker, WrenchConstraint};
 
-pub use appraisal::{Appraisal, CheckReport, appraise, appraise_turning, check};
+pub use appraisal::{Appraisal, CheckReport, appraise, appraise_turning, check, check_turning};
 use deciding::{Decided, search_and_decide};
 pub use given_path::{shorten_path, shorten_poses, trace_rewinding};
 pub use no_path::NoPath;

@@ -5,7 +5,10 @@
 //! jerk is kept by smoothing it ([`timing`]). Bounds between the instants of the grid ([`between`]) then show by how much a
 //! limit may be exceeded, and the motion is planned again with tighter limits there; what remains, far below a thousandth,
 //! is removed by slowing down as a whole.
+//!
+//! The platform may turn between two poses ([`stages`]): about a fixed axis, at a constant rate per length.
 
+pub mod attitude;
 pub mod between;
 pub mod corners;
 pub mod curve;
@@ -13,33 +16,40 @@ pub mod fastest;
 mod free_space;
 mod kept;
 mod limits;
+pub mod motion;
+pub mod moving_mass;
 pub mod rows;
 mod schedule;
+pub mod stages;
 pub mod timing;
 pub mod winches;
 
-pub use between::{Bound, Motion};
+pub use attitude::Attitude;
+pub use between::Bound;
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
 pub use kept::{Kept, Minimise, kept_plan};
 pub use limits::Limits;
+pub use motion::Motion;
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
 
-use crate::collision::{Engine, Interference, check_path};
+use crate::collision::{Engine, Interference, Validity, Violation, check_path};
 use crate::error::Error;
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::plan::engine_within;
+use crate::turning::TurningEngine;
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 use between::{shares, tension_shares};
 use corners::rounded;
 use free_space::FreeSpace;
 use schedule::Schedule;
+use stages::along_poses;
 
-/// A timed motion of a robot's platform at fixed orientation, from rest to rest.
+/// A timed motion of a robot's platform, from rest to rest.
 #[derive(Debug, Clone)]
 pub struct Trajectory {
     curve: Curve,
@@ -101,14 +111,58 @@ impl Trajectory {
         let winches = Winches::of(scene, &limits, start)?;
         bounded(&limits, &winches)?;
         let engine = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
-        free(&check_path(&*engine, waypoints, watch)?)?;
+        let report = check_path(&*engine, waypoints, watch)?;
+        if let Some(first) = report.violations.first() {
+            return Err(not_free(first.segment, &first.violation));
+        }
         let bare = scene.without_clearance()?;
         let own = match bare.spec() == scene.spec() {
             true => None,
             false => Some(engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?),
         };
         let free = FreeSpace::new(&bare, own.as_deref().unwrap_or(&*engine), watch)?;
-        let (curve, corners) = rounded(waypoints, limits.blend, &free, watch)?;
+        let (curve, corners) = rounded(waypoints, limits.blend, &free, watch)?.curve();
+        Self::along(curve.held_at(*scene.orientation()), corners, limits, winches, watch)
+    }
+
+    /// As [`Trajectory::new`], along a path of poses: between two of them the platform moves on a straight line and turns about
+    /// a fixed axis by the shorter way. It stops where a turn begins, ends or changes; other corners are rounded.
+    ///
+    /// # Errors
+    /// As [`Trajectory::new`]; no limit on how fast a turn may begin.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Trajectory, watch::Watch};
+    /// let yaw = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
+    /// let limits =
+    ///     MotionSpec { turn_speed: Some(0.1), turn_acceleration: Some(0.2), ..MotionSpec::default() };
+    /// let motion = Trajectory::of_poses(&testing::empty(), &[yaw(0.0), yaw(0.1)], &limits, &Watch::NONE)?;
+    /// assert!((motion.duration() - 1.5).abs() < 1e-4); // half a second to speed up, half a second to slow down
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn of_poses(scene: &Scene, poses: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
+        let [start, ..] = poses else {
+            return Err(Error::invalid("waypoints", "found none, expected at least two"));
+        };
+        if scene.keeps_orientation(poses) {
+            let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+            return Self::new(scene, &positions, given, watch);
+        }
+        let limits = Limits::of(scene, given)?;
+        let winches = Winches::turning(scene, &limits, start)?;
+        let level = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
+        let engine = TurningEngine::new(scene, level)?;
+        free_poses(&engine, poses, watch)?;
+        let (curve, corners) = along_poses(scene, &engine, poses, limits.blend, watch)?;
+        let slides = curve.pieces().iter().any(|piece| !piece.attitude().turns());
+        if slides || limits.turn_acceleration.is_none() {
+            bounded(&limits, &winches)?;
+        }
+        if curve.turns() {
+            bounded_turns(&limits, &winches)?;
+        }
         Self::along(curve, corners, limits, winches, watch)
     }
 
@@ -159,8 +213,7 @@ impl Trajectory {
 
     /// The motion of the platform at an instant; outside of the duration that at its nearest end.
     pub fn at(&self, time: f64) -> Motion {
-        let phase = self.timing.at(time);
-        Motion::on(&self.curve, self.curve.piece_at(phase.s), &phase)
+        Motion::at(&self.curve, &self.timing, time)
     }
 
     /// Platform and cables at an instant. The solver is reused from one instant to the next.
@@ -169,11 +222,10 @@ impl Trajectory {
     /// A solver that reached no answer.
     pub fn sample(&self, solver: &mut TensionQp, time: f64) -> Result<Sample, Error> {
         let motion = self.at(time);
-        let Motion { position, velocity, acceleration, .. } = &motion;
         Ok(Sample {
             time,
-            windings: self.winches.windings(position, velocity, acceleration).collect(),
-            tensions: self.winches.tensions(solver, position, acceleration)?,
+            windings: self.winches.windings(&motion).collect(),
+            tensions: self.winches.tensions(solver, &motion)?,
             motion,
         })
     }
@@ -221,9 +273,34 @@ fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     Err(Error::invalid("acceleration", problem))
 }
 
-/// An error about the first violation of a path.
-fn free(report: &crate::collision::PathReport) -> Result<(), Error> {
-    let Some(first) = report.violations.first() else { return Ok(()) };
-    let problem = format!("found a segment that is not free ({}), expected a valid path", first.violation.sentence());
-    Err(Error::invalid(format!("waypoints[{}]", first.segment), problem))
+/// The same for turns, of which an acceleration of the platform's origin says nothing.
+fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
+    let limited = limits.turn_acceleration.is_some() || limits.cable_acceleration.is_some();
+    if limited || winches.tension_limits().is_some() {
+        return Ok(());
+    }
+    let note = winches.note().unwrap_or_default();
+    let problem = format!(
+        "found no limit for a platform that turns, expected a turn_acceleration or a cable_acceleration, since {note}"
+    );
+    Err(Error::invalid("turn_acceleration", problem))
+}
+
+/// Refuses a path of poses that is not proved to be free.
+fn free_poses(engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<(), Error> {
+    for (segment, pair) in poses.windows(2).enumerate() {
+        watch.check()?;
+        if !engine.motion_valid(&pair[0], &pair[1]) {
+            let first = engine.violations(&pair[0], &pair[1]).into_iter().next();
+            let unknown = || Error::invalid(format!("waypoints[{segment}]"), "found a segment that is not free");
+            return Err(first.map_or_else(unknown, |violation| not_free(segment, &violation)));
+        }
+    }
+    Ok(())
+}
+
+/// The error about a segment of a path that is not free.
+fn not_free(segment: usize, violation: &Violation) -> Error {
+    let problem = format!("found a segment that is not free ({}), expected a valid path", violation.sentence());
+    Error::invalid(format!("waypoints[{segment}]"), problem)
 }

@@ -2,14 +2,15 @@
 //!
 //! Limits are checked at the samples, and for the mean rates between them, which the motion really reaches; so every fault that
 //! is reported is one, but between two samples a rate may be higher by what its derivative allows. If the exact form of the
-//! motion is known and the samples are on it, ten instants between two samples are checked as well. Rates that are not given
-//! are derived from differences ([`Recorded`]), which never overstates them. Bodies must not overlap on the straight
-//! lines between samples; clearances are measured and not required, since a trajectory uses them up where it rounds corners. An
-//! overlap no deeper than the motion may deviate from the straight line is none, but at most a tenth of a millimetre; where
-//! the motion may deviate by more than that and by more than the nearest approach, a note says so.
+//! motion is known and the samples are on it, at least ten instants between two samples are checked as well, with their tensions. Rates
+//! that are not given are derived from differences ([`Recorded`]), which never overstates them. Bodies must not overlap on the
+//! straight lines between samples; clearances are measured and not required, since a trajectory uses them up where it rounds
+//! corners. An overlap no deeper than the motion may deviate from the straight line is none, but at most a tenth of a
+//! millimetre; where the motion may deviate by more than that and by more than the nearest approach, a note says so.
 
 mod faults;
 mod forces;
+mod meetings;
 mod recorded;
 mod rules;
 
@@ -19,17 +20,14 @@ pub use faults::{Fault, FaultKind};
 pub use recorded::Recorded;
 pub use rules::Largest;
 
-use crate::collision::path_check::{PathClearance, nearest};
-use crate::collision::{Checker, Engine, Interference};
+use crate::collision::{Engine, Interference};
 use crate::error::Error;
-use crate::geometry::{Vector, path_length};
+use crate::geometry::{Pose, Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::{INSTANTS_BETWEEN, RECORDED_OVERLAP, RECORDED_ROUNDING, RECORDED_SHARE};
-use crate::plan::engine_within;
+use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, RECORDED_ROUNDING, RECORDED_SHARE};
 use crate::trajectory::{Curve, Limits, Motion, Timing, Winches};
 use crate::watch::Watch;
-use crate::words::small_length;
 use crate::wrench::TensionQp;
 use faults::{Faults, Instant};
 use forces::{Forces, State};
@@ -82,7 +80,7 @@ pub struct TrajectoryRules {
     pub interference: Interference,
 }
 
-/// Checks a motion at the orientation of a scene under its limits.
+/// Checks a motion, at the orientation of a scene unless it has its own, under its limits.
 ///
 /// # Errors
 /// Limits that contradict each other or the robot; numbers too large to compute with; [`Error::interrupted`],
@@ -107,22 +105,32 @@ pub fn check_trajectory(
     watch: &Watch,
 ) -> Result<TrajectoryReport, Error> {
     let limits = Limits::of(scene, &given.limits)?;
-    let winches = Winches::of(scene, &limits, &motion.positions[0])?;
+    let winches = match &motion.orientations {
+        None => Winches::of(scene, &limits, &motion.positions[0])?,
+        Some(orientations) => Winches::turning(scene, &limits, &Pose::new(motion.positions[0], orientations[0]))?,
+    };
+    let held = scene.orientation();
     let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
     let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());
-    check_columns(&rules, motion, &mut faults, watch)?;
-    notes.extend(check_forces(scene, motion, &rules, &mut faults, watch)?);
+    let motions = motion.motions(held);
+    check_columns(&rules, motion, &motions, &mut faults, watch)?;
+    notes.extend(check_forces(scene, motion, &motions, &rules, &mut faults, watch)?);
     let exact = motion.exact.as_ref().filter(|_| !faults.any(FaultKind::NotExact));
     let fine = exact.map(|exact| between(&rules, motion, exact, &mut largest, &mut faults, watch)).transpose()?;
-    if fine.is_none() {
-        check_limits(&rules, motion, &mut largest, &mut faults, watch)?;
+    match &fine {
+        Some(fine) => {
+            let motions = fine.motions(held);
+            check_fit(&rules, fine, &motions, &mut faults, watch)?;
+            check_forces_between(scene, fine, &motions, &rules, &mut faults, watch)?;
+        }
+        None => {
+            check_fit(&rules, motion, &motions, &mut faults, watch)?;
+            check_limits(&rules, motion, &motions, &mut largest, &mut faults, watch)?;
+        }
     }
-    let bare = scene.without_clearance()?;
-    let engine = engine_within(&bare, given.engine, given.interference, watch)?;
     let shown = fine.as_ref().unwrap_or(motion);
-    conditions(&*engine, shown, &mut faults, watch)?;
-    let nearest = nearest(engine.conditions(), &shown.positions, watch)?.min_clearance;
-    notes.extend(too_coarse(shown, nearest.as_ref()));
+    let (nearest, of_bodies) = meetings::check(scene, given, [shown, motion], &mut faults, watch)?;
+    notes.extend(of_bodies);
     let times = &motion.times;
     let faults = faults.sorted();
     Ok(TrajectoryReport {
@@ -133,46 +141,43 @@ pub fn check_trajectory(
         exact: fine.is_some(),
         unseen_speed: if fine.is_some() { None } else { Some(unseen_speed(motion)) },
         largest,
-        nearest: nearest.map(|found| in_time(shown, &found)),
+        nearest,
         faults,
         notes,
     })
 }
 
-/// A note if the motion may deviate from the straight lines between samples by more than the nearest approach.
-fn too_coarse(motion: &Recorded, nearest: Option<&PathClearance>) -> Option<String> {
-    let accelerations = motion.accelerations();
-    let steps = 0..motion.positions.len() - 1;
-    let (deviation, k) = steps.map(|k| (motion.sag(k, &accelerations), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let untold = -deviation..deviation;
-    let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| untold.contains(&nearest.value));
-    counts.then(|| {
-        let (most, time) = (small_length(deviation), motion.times[k]);
-        format!(
-            "collisions are checked on straight lines between samples, from which the motion may deviate by {most} \
-                 after {time:.3} s: more samples tell more"
-        )
-    })
-}
-
-fn in_time(motion: &Recorded, PathClearance { value, segment, at, culprits, .. }: &PathClearance) -> NearestInTime {
-    let time = motion.times[*segment] + at * motion.step(*segment);
-    NearestInTime { time, value: *value, culprits: culprits.clone() }
-}
-
-/// Whether the columns of all samples fit each other, the robot, and the exact form.
-fn check_columns(rules: &Rules, motion: &Recorded, faults: &mut Faults, watch: &Watch) -> Result<(), Error> {
-    let velocities = motion.velocities();
-    let most = motion.accelerations().iter().map(Vector::norm).fold(0.0, f64::max);
+/// Whether the columns of all samples fit the robot and the exact form.
+fn check_columns(
+    rules: &Rules,
+    motion: &Recorded,
+    motions: &[Motion],
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(), Error> {
     for (k, time) in motion.times.iter().enumerate() {
         watch.check()?;
-        rules.cables(motion, k, faults);
+        rules.cables(motion, motions, k, faults);
         if let Some((curve, timing)) = &motion.exact {
-            rules.exact(motion, k, around(*time).map(|time| exact_at(curve, timing, time)), faults);
+            rules.exact(motion, k, around(*time).map(|time| Motion::at(curve, timing, time)), faults);
         }
-        if k + 1 < motion.times.len() {
-            rules.fits(motion, &velocities, k, most, faults);
-        }
+    }
+    Ok(())
+}
+
+/// Whether rates fit the poses and each other.
+fn check_fit(
+    rules: &Rules,
+    motion: &Recorded,
+    motions: &[Motion],
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(), Error> {
+    let largest = |norm: fn(&Motion) -> f64| motions.iter().map(norm).fold(0.0, f64::max);
+    let most = [largest(|m| m.acceleration.norm()), largest(|m| m.angular_acceleration.norm())];
+    for k in 0..motion.times.len() - 1 {
+        watch.check()?;
+        rules.fits(motion, motions, k, most, faults);
     }
     Ok(())
 }
@@ -181,39 +186,43 @@ fn check_columns(rules: &Rules, motion: &Recorded, faults: &mut Faults, watch: &
 fn check_limits(
     rules: &Rules,
     motion: &Recorded,
+    motions: &[Motion],
     largest: &mut Largest,
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<(), Error> {
-    let (velocities, accelerations) = (motion.velocities(), motion.accelerations());
-    for (k, (velocity, acceleration)) in velocities.iter().zip(&*accelerations).enumerate() {
+    let known = [motion.velocities.is_some(), motion.accelerations.is_some()];
+    let turn_known = [motion.angular_velocities.is_some(), motion.angular_accelerations.is_some()];
+    for (k, now) in motions.iter().enumerate() {
         watch.check()?;
-        let (time, position, rounding) = (motion.times[k], &motion.positions[k], derived_rounding(motion, k));
-        let rates = Rates { step: k, time, position, velocity, acceleration, jerk: None, rounding };
+        let rates = Rates {
+            step: k,
+            time: motion.times[k],
+            motion: now,
+            has_jerk: false,
+            rounding: derived_rounding(motion, k, known),
+            turn_rounding: motion.orientations.as_ref().map(|_| derived_rounding(motion, k, turn_known)),
+        };
         rules.at(&rates, largest, faults);
         if k + 1 < motion.times.len() {
-            rules.means(motion, k, faults);
+            rules.means(motion, motions, k, faults);
         }
     }
     Ok(())
 }
 
-/// What rounding of positions may add to a velocity and an acceleration that are derived from those around a sample.
-fn derived_rounding(motion: &Recorded, k: usize) -> [f64; 2] {
+/// What rounding of positions, or orientations, may add to a rate and its rate that are derived from those around a sample,
+/// unless they are known.
+fn derived_rounding(motion: &Recorded, k: usize, known: [bool; 2]) -> [f64; 2] {
     let last = motion.times.len() - 2;
     let step = motion.step(k.min(last)).min(motion.step(k.saturating_sub(1).min(last)));
     let rounding = RECORDED_ROUNDING / step;
-    match (&motion.velocities, &motion.accelerations) {
-        (Some(_), Some(_)) => [0.0; 2],
-        (Some(_), None) => [0.0, rounding],
-        (None, Some(_)) => [rounding, 0.0],
-        (None, None) => [rounding, 2.0 * rounding / step],
+    match known {
+        [true, true] => [0.0; 2],
+        [true, false] => [0.0, rounding],
+        [false, true] => [rounding, 0.0],
+        [false, false] => [rounding, 2.0 * rounding / step],
     }
-}
-
-fn exact_at(curve: &Curve, timing: &Timing, time: f64) -> Motion {
-    let phase = timing.at(time);
-    Motion::on(curve, curve.piece_at(phase.s), &phase)
 }
 
 /// Limits between samples in exact form, and the motion at all these instants.
@@ -225,43 +234,57 @@ fn between(
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<Recorded, Error> {
-    let (mut fine, mut rates) = (Recorded::default(), [Vec::new(), Vec::new()]);
+    let (mut times, mut motions) = (Vec::new(), Vec::new());
+    let turn_rounding = motion.orientations.as_ref().map(|_| [0.0; 2]);
+    let longest = timing.duration() / LEAST_INSTANTS as f64;
     for k in 0..motion.times.len() {
         watch.check()?;
-        let instants = if k + 1 < motion.times.len() { INSTANTS_BETWEEN + 1 } else { 1 };
+        let instants = match k + 1 < motion.times.len() {
+            true => ((motion.step(k) / longest).ceil() as usize).clamp(INSTANTS_BETWEEN + 1, LEAST_INSTANTS),
+            false => 1,
+        };
         for part in 0..instants {
             let step = if part == 0 { 0.0 } else { motion.step(k) * part as f64 / instants as f64 };
-            let time = motion.times[k] + step;
-            let Motion { position, velocity, acceleration, jerk } = exact_at(curve, timing, time);
-            let [v, a, j] = [&velocity, &acceleration, &jerk];
-            let (position, jerk, rounding) = (&position, Some(j), [0.0; 2]);
-            let rates_now = Rates { step: k, time, position, velocity: v, acceleration: a, jerk, rounding };
-            rules.at(&rates_now, largest, faults);
-            fine.times.push(time);
-            fine.positions.push(*position);
-            rates[0].push(velocity);
-            rates[1].push(acceleration);
+            let (time, now) = (motion.times[k] + step, Motion::at(curve, timing, motion.times[k] + step));
+            let rounding = [0.0; 2];
+            rules.at(&Rates { step: k, time, motion: &now, has_jerk: true, rounding, turn_rounding }, largest, faults);
+            times.push(time);
+            motions.push(now);
         }
     }
-    let [velocities, accelerations] = rates;
-    Ok(Recorded { velocities: Some(velocities), accelerations: Some(accelerations), ..fine })
+    let turns = |rate: fn(&Motion) -> Vector| turn_rounding.map(|_| motions.iter().map(rate).collect());
+    Ok(Recorded {
+        times,
+        positions: motions.iter().map(|now| now.position).collect(),
+        orientations: turn_rounding.map(|_| motions.iter().map(|now| now.orientation).collect()),
+        velocities: Some(motions.iter().map(|now| now.velocity).collect()),
+        accelerations: Some(motions.iter().map(|now| now.acceleration).collect()),
+        angular_velocities: turns(|now| now.angular_velocity),
+        angular_accelerations: turns(|now| now.angular_acceleration),
+        ..Recorded::default()
+    })
 }
 
 /// Tensions at all samples, and notes on what could not be checked.
 fn check_forces(
     scene: &Scene,
     motion: &Recorded,
+    motions: &[Motion],
     rules: &Rules,
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<Vec<String>, Error> {
-    let (forces, accelerations, mut solver) = (Forces::of(scene), motion.accelerations(), TensionQp::default());
+    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
     let limited = rules.winches.tension_limits().is_some();
-    for (k, acceleration) in accelerations.iter().enumerate() {
+    for (k, now) in motions.iter().enumerate() {
         watch.check()?;
-        let (time, position) = (motion.times[k], &motion.positions[k]);
-        let uncertain = if motion.accelerations.is_some() { 0.0 } else { spread(&accelerations, k) };
-        let state = State { step: k, time, position, acceleration, uncertain };
+        let derived = |known: bool, rate: fn(&Motion) -> Vector| if known { 0.0 } else { spread(motions, k, rate) };
+        let turn_known = motion.orientations.is_none() || motion.angular_accelerations.is_some();
+        let uncertain = [
+            derived(motion.accelerations.is_some(), |now| now.acceleration),
+            derived(turn_known, |now| now.angular_acceleration),
+        ];
+        let state = State { step: k, time: motion.times[k], motion: now, uncertain };
         match &motion.tensions {
             Some(tensions) => forces.check(&state, &tensions[k], faults),
             None if limited => forces.exist(&state, &mut solver, faults)?,
@@ -271,22 +294,48 @@ fn check_forces(
             margin(rules, &state, faults);
         }
     }
-    Ok(match (&motion.tensions, forces.unknown()) {
+    let mut notes = match (&motion.tensions, forces.unknown()) {
         (Some(_), Some(why)) => vec![format!("the balance of the tensions is not checked: {why}")],
         (None, _) => rules.winches.note().map(str::to_string).into_iter().collect(),
         _ => Vec::new(),
-    })
+    };
+    notes.extend(rules.winches.assumption().map(str::to_string));
+    Ok(notes)
+}
+
+/// Whether tensions exist, and the wrench margin is left, at the instants between the samples of a motion in exact form.
+fn check_forces_between(
+    scene: &Scene,
+    fine: &Recorded,
+    motions: &[Motion],
+    rules: &Rules,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(), Error> {
+    if rules.winches.tension_limits().is_none() {
+        return Ok(());
+    }
+    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
+    for (k, now) in motions.iter().enumerate() {
+        watch.check()?;
+        let state = State { step: k, time: fine.times[k], motion: now, uncertain: [0.0; 2] };
+        forces.exist(&state, &mut solver, faults)?;
+        if rules.limits.wrench_margin > 0.0 {
+            margin(rules, &state, faults);
+        }
+    }
+    Ok(())
 }
 
 /// How far a derived acceleration may be from the true one: how much it differs from its neighbours, and a twentieth.
-fn spread(accelerations: &[Vector], k: usize) -> f64 {
-    let near = &accelerations[k.saturating_sub(1)..(k + 2).min(accelerations.len())];
-    let differs = near.iter().map(|other| (other - accelerations[k]).norm()).fold(0.0, f64::max);
-    differs + 0.05 * accelerations[k].norm()
+fn spread(motions: &[Motion], k: usize, rate: fn(&Motion) -> Vector) -> f64 {
+    let (near, own) = (&motions[k.saturating_sub(1)..(k + 2).min(motions.len())], rate(&motions[k]));
+    let differs = near.iter().map(|other| (rate(other) - own).norm()).fold(0.0, f64::max);
+    differs + 0.05 * own.norm()
 }
 
 fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
-    let found = rules.winches.tension_shares(&[(*state.position, *state.acceleration)]);
+    let found = rules.winches.tension_shares(&[*state.motion]);
     let share = found.ok().and_then(|shares| shares.first().map(|found| found.share));
     if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
         return;
@@ -298,32 +347,6 @@ fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
     faults.add(&Instant { step, time, kind, culprits: &[], found: None, limit, excess }, || {
         format!("less than the wrench margin of {} N is left", faults::number(margin))
     });
-}
-
-/// Broken conditions on the straight lines between samples.
-fn conditions(engine: &dyn Checker, motion: &Recorded, faults: &mut Faults, watch: &Watch) -> Result<(), Error> {
-    let accelerations = motion.accelerations();
-    for (k, pair) in motion.positions.windows(2).enumerate() {
-        watch.check()?;
-        if engine.motion_valid(&pair[0], &pair[1]) {
-            continue; // many times faster than checking every condition separately
-        }
-        let sag = motion.sag(k, &accelerations).min(RECORDED_OVERLAP);
-        for violation in engine.violations(&pair[0], &pair[1]) {
-            if violation.margin.is_some_and(|margin| margin >= -sag) {
-                continue;
-            }
-            let culprits: Vec<&str> = violation.culprits.iter().map(String::as_str).collect();
-            let time = motion.times[k] + violation.at * motion.step(k);
-            let (found, limit) = (violation.gap, violation.required);
-            let excess = violation.margin.map_or(0.0, |margin| -margin);
-            let kind = FaultKind::Condition;
-            faults.add(&Instant { step: k, time, kind, culprits: &culprits, found, limit, excess }, || {
-                violation.sentence()
-            });
-        }
-    }
-    Ok(())
 }
 
 /// How much faster than at both samples the platform may be between them: what the sampled accelerations allow in half the time.
@@ -346,6 +369,8 @@ mod tests {
     const SLOW: MotionSpec = MotionSpec {
         speed: Some(1.0),
         acceleration: Some(3.0),
+        turn_speed: None,
+        turn_acceleration: None,
         jerk: None,
         cable_speed: None,
         cable_acceleration: None,
@@ -429,6 +454,43 @@ mod tests {
         let mut motion = around_pillar(100.0);
         motion.velocities.iter_mut().flatten().for_each(|v| *v *= 1.1);
         assert!(faults(&motion, &SLOW).iter().any(|fault| fault.kind == FaultKind::NotExact));
+    }
+
+    #[test]
+    fn velocities_that_alternate_about_the_right_ones_do_not_fit() {
+        let Recorded { times, positions, velocities, .. } = sampled(100.0);
+        for size in [0.2, 1.0, 100.0] {
+            let mut motion = Recorded {
+                times: times.clone(),
+                positions: positions.clone(),
+                velocities: velocities.clone(),
+                ..Recorded::default()
+            };
+            for (k, velocity) in motion.velocities.iter_mut().flatten().enumerate() {
+                velocity.x += if k % 2 == 0 { size } else { -size };
+            }
+            let found = faults(&motion, &MotionSpec::default());
+            assert!(found.iter().any(|fault| fault.kind == FaultKind::Velocity), "{size}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn tensions_between_the_samples_of_an_exact_motion_must_exist() {
+        let (scene, ends) = (held(), [Point::new(0.6, 0.8, 0.7), Point::new(1.3, 1.1, 0.9)]);
+        let mut spec = scene.spec().clone();
+        let RobotSource::Inline(robot) = &mut spec.robot else { panic!("the robot is part of the scene") };
+        robot.mass = None;
+        let fast =
+            MotionSpec { acceleration: Some(3000.0), jerk: Some(1e6), blend: Some(0.0), ..MotionSpec::default() };
+        let weightless = Scene::new(spec).unwrap();
+        let trajectory = Trajectory::new(&weightless, &ends, &fast, &Watch::NONE).unwrap();
+        // Two samples, both at rest.
+        let file = TrajectoryFile::of(&weightless, &ends, &trajectory, 0.1, &Watch::NONE).unwrap();
+        let motion = Recorded::of(&file).unwrap();
+        assert_eq!(motion.times.len(), 2);
+        let report = check(&scene, &motion, &fast);
+        assert!(report.exact && report.faults.iter().any(|fault| fault.kind == FaultKind::NoTensions), "{report:?}");
+        assert_eq!(check(&weightless, &motion, &fast).faults, []);
     }
 
     #[test]

@@ -5,13 +5,14 @@ mod planned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::collision::Checker;
 use crate::collision::path_check::PathViolation;
+use crate::collision::{Checker, Validity};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Pose, Vector, rotation_as_written};
 use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
 use crate::trajectory::Limits;
+use crate::turning::TurningEngine;
 use crate::watch::Watch;
 
 /// The value of [`TrajectoryFile::format`].
@@ -29,7 +30,7 @@ pub struct TrajectoryFile {
     pub version: u32,
     /// The scene that the trajectory was made for.
     pub scene: SceneId,
-    /// Orientation held all the time, a world-from-platform unit quaternion w x y z.
+    /// Orientation held all the time, a world-from-platform unit quaternion w x y z; that of the scene if the platform turns.
     pub orientation: [f64; 4],
     /// Name of the orientation in the scene.
     pub orientation_name: Option<String>,
@@ -45,6 +46,9 @@ pub struct TrajectoryFile {
     pub tension_limits: Option<Vec<[f64; 2]>>,
     /// The path that the curve follows, m.
     pub waypoints: Vec<[f64; 3]>,
+    /// Orientation at each waypoint, if the platform turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub waypoint_orientations: Option<Vec<[f64; 4]>>,
     /// How the curve passes the waypoints between start and goal.
     pub corners: Vec<TrajectoryCorner>,
     /// Which limit determines how fast the platform moves, in order of time; gaps are possible.
@@ -59,6 +63,15 @@ pub struct TrajectoryFile {
     pub velocities: Vec<[f64; 3]>,
     /// Its acceleration, m/s².
     pub accelerations: Vec<[f64; 3]>,
+    /// Orientation at each time, a world-from-platform unit quaternion w x y z, if the platform turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientations: Option<Vec<[f64; 4]>>,
+    /// Its angular velocity then, world axes, rad/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angular_velocities: Option<Vec<[f64; 3]>>,
+    /// Its angular acceleration then, world axes, rad/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angular_accelerations: Option<Vec<[f64; 3]>>,
     /// Length of each cable at each time, m.
     pub cable_lengths: Vec<Vec<f64>>,
     /// How fast each length grows, m/s.
@@ -82,6 +95,13 @@ impl TrajectoryFile {
         self.positions.iter().map(|row| Point::from(*row)).collect()
     }
 
+    /// The poses of the samples, if the platform turns.
+    pub fn poses(&self) -> Option<Vec<Pose>> {
+        let orientations = self.orientations.as_ref()?;
+        let pose = |(position, quaternion): (Point, &[f64; 4])| Pose::new(position, rotation_as_written(*quaternion));
+        Some(self.points().into_iter().zip(orientations).map(pose).collect())
+    }
+
     /// The violations on the straight lines between samples. Those that are no deeper than the curve may deviate from
     /// these lines are left out, up to [`RECORDED_OVERLAP`], since a curve that touches an obstacle is valid. The file has been
     /// checked.
@@ -89,8 +109,27 @@ impl TrajectoryFile {
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn violations(&self, checker: &dyn Checker, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
+        self.violations_between(&self.points(), checker, watch)
+    }
+
+    /// The same for a platform that turns between its samples. What is only too close to be proved free is left out.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn turning_violations(&self, engine: &TurningEngine, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
+        let mut found = self.violations_between(&self.poses().unwrap_or_default(), engine, watch)?;
+        found.retain(|found| !found.violation.unproved);
+        Ok(found)
+    }
+
+    fn violations_between<S, V: Validity<S> + ?Sized>(
+        &self,
+        states: &[S],
+        checker: &V,
+        watch: &Watch,
+    ) -> Result<Vec<PathViolation>, Error> {
         let mut violations = Vec::new();
-        for (segment, pair) in self.points().windows(2).enumerate() {
+        for (segment, pair) in states.windows(2).enumerate() {
             watch.check()?;
             if checker.motion_valid(&pair[0], &pair[1]) {
                 continue; // many times faster than checking every condition separately
@@ -131,6 +170,9 @@ pub struct TrajectoryCorner {
     pub deviation: f64,
     /// When it is passed, s.
     pub time: f64,
+    /// Whether the platform stops because it begins, ends or changes a turn there.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub turn: bool,
 }
 
 /// Ways to pass a corner.
@@ -166,6 +208,10 @@ pub enum LimitKind {
     Speed,
     /// Acceleration of the platform.
     Acceleration,
+    /// Angular speed of the platform.
+    TurnSpeed,
+    /// Angular acceleration of the platform.
+    TurnAcceleration,
     /// Jerk of the platform.
     Jerk,
     /// Speed of a cable.

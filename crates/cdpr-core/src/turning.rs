@@ -5,6 +5,7 @@ mod check;
 mod engine;
 mod pose_rows;
 mod pose_space;
+mod pose_wrench;
 mod shorten;
 mod turning_wrench;
 
@@ -13,5 +14,6 @@ pub use check::{check_poses, nearest_of_poses, pose_path_length};
 pub use engine::TurningEngine;
 pub use pose_rows::{lengths_along_poses, tensions_along_poses};
 pub use pose_space::{PoseSpace, turn_weight};
+pub use pose_wrench::wrench_of_poses;
 pub use shorten::PoseShortener;
 pub use turning_wrench::TurningWrench;

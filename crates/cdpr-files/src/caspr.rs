@@ -33,6 +33,7 @@ pub(super) fn import(path: &Path, options: &ImportOptions) -> Result<Source, Err
         name: Some(name),
         mass: Some(link.mass),
         center_of_mass: Some(link.center_of_mass),
+        inertia: None,
         platform: platform_of(&attachments),
         cables: set.cables,
     };

@@ -77,6 +77,7 @@ pub(super) fn import(path: &Path) -> Result<Source, Error> {
         name: name_of_file(path),
         mass: model.platform.mass,
         center_of_mass: None,
+        inertia: None,
         platform: platform(&model.platform).unwrap_or_else(|| platform_of(&attachments)),
         cables: model.points.iter().map(cable).collect(),
     };

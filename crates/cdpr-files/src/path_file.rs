@@ -76,22 +76,6 @@ pub struct LoadedPath {
     pub file: Option<PathFile>,
 }
 
-impl LoadedPath {
-    /// Refuses a path on which the platform turns, for what is only known without turns.
-    ///
-    /// # Errors
-    /// A path with orientations; `why` tells what needs one without.
-    pub fn refuse_turns(&self, why: &str) -> Result<(), Error> {
-        let Some(poses) = &self.poses else { return Ok(()) };
-        let problem = format!(
-            "found one for each of the {} waypoints, expected none: {why} for platforms that keep their \
-             orientation",
-            poses.len()
-        );
-        Err(Error::invalid("orientations", problem))
-    }
-}
-
 /// Loads a path of at least two waypoints from JSON or CSV.
 ///
 /// # Errors

@@ -1,7 +1,10 @@
 //! Trajectory files: the JSON of a timed trajectory, read and checked; tables of samples; messages for ROS 2.
 
+mod consistent;
 mod message;
 mod table;
+
+pub use consistent::check_trajectory;
 
 use std::path::Path;
 
@@ -12,13 +15,10 @@ use super::path_file::scene_for;
 use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
-use cdpr_core::model::{OrientationSource, body};
+use cdpr_core::model::OrientationSource;
 use cdpr_core::numerics::MOST_TRAJECTORY_BYTES;
 use cdpr_core::trajectory_check::Recorded;
-use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
-
-/// Beginning and end of the samples may differ from 0 and the duration by this share of the duration, due to rounding.
-const ROUNDING: f64 = 1e-9;
+use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 
 /// The text of a trajectory file; of other JSON files no more is said than that they are none.
 ///
@@ -50,29 +50,6 @@ pub fn trajectory_from_text(text: &str) -> Result<TrajectoryFile, Error> {
     let file: TrajectoryFile = text::parse(text, Notation::Json)?;
     check_trajectory(&file)?;
     Ok(file)
-}
-
-/// Checks that the parts of a trajectory fit each other.
-///
-/// # Errors
-/// Names the key, what was found and what was expected.
-pub fn check_trajectory(file: &TrajectoryFile) -> Result<(), Error> {
-    if file.format != TRAJECTORY_FORMAT {
-        let problem = format!("found {:?}, expected {TRAJECTORY_FORMAT:?}", file.format);
-        return Err(Error::invalid("format", problem));
-    }
-    if file.version != TRAJECTORY_VERSION {
-        let problem = format!("found {}, expected {TRAJECTORY_VERSION}", file.version);
-        return Err(Error::invalid("version", problem));
-    }
-    for (key, value) in [("duration", file.duration), ("length", file.length), ("rate", file.rate)] {
-        at_least_zero(key, value)?;
-    }
-    limits(file)?;
-    times(file)?;
-    samples(file)?;
-    corners(file)?;
-    limiting(file)
 }
 
 /// The scene at the orientation of a trajectory, and a warning if the trajectory was made for another scene.
@@ -158,7 +135,7 @@ pub struct LoadedTrajectory {
     pub motion: Recorded,
     /// Names of the cables that it knows.
     pub cables: Vec<String>,
-    /// Its orientation, a unit quaternion w x y z, if it is given.
+    /// Its orientation, a unit quaternion w x y z, if it is given; that of the scene if the platform turns.
     pub orientation: Option<[f64; 4]>,
     /// The whole contents of the file, if it is JSON.
     pub file: Option<TrajectoryFile>,
@@ -252,141 +229,6 @@ fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Re
         tensions: sorted(&motion.tensions),
         ..motion.clone()
     })
-}
-
-fn at_least_zero(place: &str, value: f64) -> Result<(), Error> {
-    match value.is_finite() && value >= 0.0 {
-        true => Ok(()),
-        false => Err(Error::invalid(place, format!("found {value}, expected a number of at least 0"))),
-    }
-}
-
-fn finite(place: &str, row: &[f64]) -> Result<(), Error> {
-    match row.iter().find(|value| !value.is_finite()) {
-        Some(value) => Err(Error::invalid(place, format!("found {value}, expected a number"))),
-        None => Ok(()),
-    }
-}
-
-fn counted(place: &str, found: usize, expected: usize, what: &str) -> Result<(), Error> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(Error::invalid(place, format!("found {found} entries, expected {expected}: one for each {what}"))),
-    }
-}
-
-fn limits(file: &TrajectoryFile) -> Result<(), Error> {
-    let limits = &file.limits;
-    let given = [
-        ("speed", limits.speed),
-        ("acceleration", limits.acceleration),
-        ("jerk", limits.jerk),
-        ("cable_speed", limits.cable_speed),
-        ("cable_acceleration", limits.cable_acceleration),
-        ("blend", Some(limits.blend)),
-        ("wrench_margin", Some(limits.wrench_margin)),
-    ];
-    for (key, value) in given {
-        value.map_or(Ok(()), |value| at_least_zero(&format!("limits.{key}"), value))?;
-    }
-    let Some(tensions) = &file.tension_limits else { return Ok(()) };
-    counted("tension_limits", tensions.len(), file.cables.len(), "cable")?;
-    for (k, [low, high]) in tensions.iter().enumerate() {
-        if !(low.is_finite() && high.is_finite() && low <= high) {
-            let problem = format!("found {low} and {high}, expected a minimum and a maximum");
-            return Err(Error::invalid(format!("tension_limits[{k}]"), problem));
-        }
-    }
-    Ok(())
-}
-
-fn times(file: &TrajectoryFile) -> Result<(), Error> {
-    let (times, duration) = (&file.times, file.duration);
-    let [first, .., last] = times[..] else {
-        return Err(Error::invalid("times", format!("found {} entries, expected at least two", times.len())));
-    };
-    finite("times", times)?;
-    if let Some(k) = (1..times.len()).find(|&k| times[k] <= times[k - 1]) {
-        let problem = format!("found {} s after {} s, expected times that increase", times[k], times[k - 1]);
-        return Err(Error::invalid(format!("times[{k}]"), problem));
-    }
-    for (k, found, expected) in [(0, first, 0.0), (times.len() - 1, last, duration)] {
-        if (found - expected).abs() > ROUNDING * duration {
-            let problem = format!("found {found} s, expected {expected} s: samples last from 0 to the duration");
-            return Err(Error::invalid(format!("times[{k}]"), problem));
-        }
-    }
-    Ok(())
-}
-
-fn samples(file: &TrajectoryFile) -> Result<(), Error> {
-    if file.waypoints.len() < 2 {
-        let problem = format!("found {} entries, expected at least two", file.waypoints.len());
-        return Err(Error::invalid("waypoints", problem));
-    }
-    points("waypoints", &file.waypoints)?;
-    counted("positions", file.positions.len(), file.times.len(), "time")?;
-    points("positions", &file.positions)?;
-    for (key, rows) in [("velocities", &file.velocities), ("accelerations", &file.accelerations)] {
-        counted(key, rows.len(), file.times.len(), "time")?;
-        rows.iter().enumerate().try_for_each(|(k, row)| finite(&format!("{key}[{k}]"), row))?;
-    }
-    for (key, rows) in [("cable_lengths", &file.cable_lengths), ("cable_speeds", &file.cable_speeds)] {
-        by_cable(file, key, rows)?;
-    }
-    for (key, rows) in [("tensions", &file.tensions), ("cable_accelerations", &file.cable_accelerations)] {
-        rows.as_ref().map_or(Ok(()), |rows| by_cable(file, key, rows))?;
-    }
-    Ok(())
-}
-
-fn points(key: &str, rows: &[[f64; 3]]) -> Result<(), Error> {
-    rows.iter().enumerate().try_for_each(|(k, row)| body::point(&format!("{key}[{k}]"), *row).map(drop))
-}
-
-fn by_cable(file: &TrajectoryFile, key: &str, rows: &[Vec<f64>]) -> Result<(), Error> {
-    counted(key, rows.len(), file.times.len(), "time")?;
-    rows.iter().enumerate().try_for_each(|(k, row)| {
-        let place = format!("{key}[{k}]");
-        counted(&place, row.len(), file.cables.len(), "cable")?;
-        finite(&place, row)
-    })
-}
-
-fn corners(file: &TrajectoryFile) -> Result<(), Error> {
-    for (k, corner) in file.corners.iter().enumerate() {
-        let place = |key: &str| format!("corners[{k}].{key}");
-        if corner.waypoint >= file.waypoints.len() {
-            let problem = format!("found {}, expected less than {}", corner.waypoint, file.waypoints.len());
-            return Err(Error::invalid(place("waypoint"), problem));
-        }
-        at_least_zero(&place("deviation"), corner.deviation)?;
-        instant(file, &place("time"), corner.time)?;
-    }
-    Ok(())
-}
-
-fn limiting(file: &TrajectoryFile) -> Result<(), Error> {
-    for (k, entry) in file.limiting.iter().enumerate() {
-        let place = |key: &str| format!("limiting[{k}].{key}");
-        instant(file, &place("from"), entry.from)?;
-        instant(file, &place("to"), entry.to)?;
-        if entry.to < entry.from {
-            return Err(Error::invalid(place("to"), format!("found {}, expected at least {}", entry.to, entry.from)));
-        }
-        if let Some(cable) = entry.cable.as_ref().filter(|cable| !file.cables.contains(cable)) {
-            return Err(Error::invalid(place("cable"), format!("found {cable:?}, expected one of the cables")));
-        }
-    }
-    Ok(())
-}
-
-fn instant(file: &TrajectoryFile, place: &str, time: f64) -> Result<(), Error> {
-    let slack = ROUNDING * file.duration;
-    match time >= -slack && time <= file.duration + slack {
-        true => Ok(()),
-        false => Err(Error::invalid(place, format!("found {time} s, expected 0 to {} s", file.duration))),
-    }
 }
 
 #[cfg(test)]

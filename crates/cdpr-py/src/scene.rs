@@ -304,7 +304,7 @@ impl Scene {
         if let Some(turns) = &orientations {
             let engine = turning_of(py, self, engine, interference)?;
             let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
-            let report = interruptible(py, |stop| check_poses(&self.0, &engine, &poses, &Watch::on(stop)))?;
+            let report = interruptible(py, |stop| check_turning(&self.0, &engine, &poses, &Watch::on(stop)))?;
             return Ok(serialized(&report));
         }
         let engine = engine_of(py, self, engine, interference)?;
@@ -449,7 +449,7 @@ impl Scene {
             let bound = |scene: &cdpr_core::Scene| {
                 let query = Query { start: Some(start), goal: Some(goal), ..Query::of(scene) };
                 if query.turns() {
-                    return Ok(pose_path_length(scene, &query.poses()?));
+                    return Ok((pose_path_length(scene, &query.poses()?), None));
                 }
                 let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
                 let quick = lower_bound(&*engine, &start, &goal, &watch)?;

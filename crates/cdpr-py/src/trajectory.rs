@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use cdpr_core::collision::Engine;
-use cdpr_core::geometry::{Point, Vector, path_length};
+use cdpr_core::geometry::{Point, Pose, Vector, path_length, rotation_as_written, wxyz};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path_file::SceneId;
 use cdpr_core::plan::engine_within;
 use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
+use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
@@ -22,6 +23,7 @@ use serde_json::json;
 use crate::convert::{named, points, quaternion, serialized, triples};
 use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
+use crate::turning::PoseRows;
 
 /// Number of instants up to which a thread is not worthwhile.
 const FEW_INSTANTS: usize = 20;
@@ -39,22 +41,37 @@ pub struct Trajectory {
 
 #[pymethods]
 impl Trajectory {
-    /// The fastest motion along a path; `limits` is JSON as in the table `[motion]` of a scene.
+    /// The fastest motion along a path, with quaternions whose length has been checked if the platform turns; `limits` is JSON
+    /// as in the table `[motion]` of a scene.
     #[staticmethod]
     fn of(
         py: Python<'_>,
         scene: &Scene,
         waypoints: PyReadonlyArray2<'_, f64>,
+        quaternions: Option<PyReadonlyArray2<'_, f64>>,
         limits: &str,
         rate: f64,
     ) -> PyResult<Self> {
         let scene = &scene.0;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
-        let waypoints = points(waypoints.as_slice()?);
+        let positions = waypoints.as_slice()?;
+        let quaternions = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
+        let poses = quaternions.map(|quaternions| PoseRows { positions, quaternions }.poses());
+        let waypoints = points(positions);
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
-            let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
+            let (motion, file) = match &poses {
+                None => {
+                    let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
+                    let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
+                    (motion, file)
+                }
+                Some(poses) => {
+                    let motion = trajectory::Trajectory::of_poses(scene, poses, &limits, &watch)?;
+                    let file = TrajectoryFile::of_poses(scene, poses, &motion, rate, &watch)?;
+                    (motion, file)
+                }
+            };
             let exact = (motion.curve().clone(), motion.timing().clone());
             Ok(Trajectory {
                 file,
@@ -120,8 +137,12 @@ impl Trajectory {
             let watch = Watch::on(stop);
             let (scene, warning) = scene_of_trajectory(&scene.0, &self.file, strict)?;
             // The curve may use the clearance of the path.
-            let engine = engine_within(&scene.without_clearance()?, Engine::default(), interference, &watch)?;
-            let violations = self.file.violations(&*engine, &watch)?;
+            let bare = scene.without_clearance()?;
+            let engine = engine_within(&bare, Engine::default(), interference, &watch)?;
+            let violations = match self.file.orientations {
+                None => self.file.violations(&*engine, &watch)?,
+                Some(_) => self.file.turning_violations(&TurningEngine::new(&bare, engine)?, &watch)?,
+            };
             Ok((trajectory_page_within(&scene, &self.file, &violations, &watch)?, warning))
         })
     }
@@ -130,7 +151,9 @@ impl Trajectory {
     fn facts(&self) -> String {
         let file = &self.file;
         let unknown = file.tensions.is_none().then_some("tensions are not limited");
-        let note = self.winches().map_or(unknown, Winches::note);
+        let winches = self.winches();
+        let assumption = winches.and_then(Winches::assumption).filter(|_| file.orientations.is_some());
+        let note = winches.map_or(unknown, |winches| winches.note().or(assumption));
         let facts = json!({
             "duration": file.duration,
             "length": file.length,
@@ -140,6 +163,7 @@ impl Trajectory {
             "limits": file.limits,
             "tension_limits": file.tension_limits,
             "waypoints": file.waypoints,
+            "waypoint_orientations": file.waypoint_orientations,
             "corners": file.corners,
             "limiting": file.limiting,
             "cables": file.cables,
@@ -148,12 +172,25 @@ impl Trajectory {
         facts.to_string()
     }
 
+    /// Whether the samples have orientations of their own.
+    fn turns(&self) -> bool {
+        self.file.orientations.is_some()
+    }
+
     /// The times of the samples, and the states then, as [`Trajectory::at`] returns them.
     fn samples<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray1<f64>>, States<'py>)> {
         let file = &self.file;
         let of_cables = |rows: &Vec<Vec<f64>>| rows.concat();
         let columns = py.detach(|| Columns {
             platform: [&file.positions, &file.velocities, &file.accelerations].map(|rows| rows.as_flattened().to_vec()),
+            orientations: match &file.orientations {
+                Some(orientations) => orientations.as_flattened().to_vec(),
+                None => file.orientation.repeat(file.times.len()),
+            },
+            turning: [&file.angular_velocities, &file.angular_accelerations].map(|rows| match rows {
+                Some(rows) => rows.as_flattened().to_vec(),
+                None => vec![0.0; 3 * file.times.len()],
+            }),
             cables: [Some(&file.cable_lengths), Some(&file.cable_speeds), file.cable_accelerations.as_ref()]
                 .map(|rows| rows.map(of_cables)),
             tensions: file.tensions.as_ref().map(of_cables),
@@ -202,7 +239,11 @@ impl Trajectory {
 
 /// The cables of the robot of a trajectory.
 fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
-    Winches::of(scene, &file.limits, &Point::from(file.waypoints[0]))
+    let start = Point::from(file.waypoints[0]);
+    match file.orientations.as_ref().and_then(|orientations| orientations.first()) {
+        None => Winches::of(scene, &file.limits, &start),
+        Some(first) => Winches::turning(scene, &file.limits, &Pose::new(start, rotation_as_written(*first))),
+    }
 }
 
 /// Loads a file, the scene at its orientation, and a warning if it was made for another scene.
@@ -231,26 +272,28 @@ fn of_table(
     scene: Option<&CoreScene>,
 ) -> Result<TrajectoryFile, Error> {
     let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
-    let (velocities, accelerations) = (motion.velocities(), motion.accelerations());
+    let poses = motion.poses();
+    // The orientation of a scene counts only where the platform does not turn; without a scene, no cables are computed.
+    let orientation = orientation.or_else(|| poses.as_ref().map(|poses| wxyz(&poses[0].orientation)));
+    let orientation = orientation.ok_or_else(|| missing("qw"))?;
+    let motions = motion.motions(&rotation_as_written(orientation));
     let winches =
         scene.map(|scene| Winches::of(scene, &Limits::of(scene, &MotionSpec::default())?, &motion.positions[0]));
     let winches = winches.transpose()?;
     let windings = |of: fn(&Winding) -> f64| {
-        let row = |winches: &Winches, k: usize| {
-            winches.windings(&motion.positions[k], &velocities[k], &accelerations[k]).map(|w| of(&w)).collect()
-        };
-        winches.as_ref().map(|winches| (0..motion.times.len()).map(|k| row(winches, k)).collect())
+        let row = |winches: &Winches, now: &Motion| winches.windings(now).map(|w| of(&w)).collect();
+        winches.as_ref().map(|winches| motions.iter().map(|now| row(winches, now)).collect())
     };
     let columns =
         |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
     let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
     let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
-    let rows = |vectors: &[Vector]| vectors.iter().map(|v| (*v).into()).collect();
+    let rows = |rate: fn(&Motion) -> Vector| -> Vec<[f64; 3]> { motions.iter().map(|now| rate(now).into()).collect() };
     Ok(TrajectoryFile {
         format: TRAJECTORY_FORMAT.to_string(),
         version: TRAJECTORY_VERSION,
         scene: scene.map_or_else(|| SceneId { name: String::new(), fingerprint: String::new() }, SceneId::of),
-        orientation: orientation.ok_or_else(|| missing("qw"))?,
+        orientation,
         orientation_name: None,
         duration: last - first,
         length: path_length(&motion.positions),
@@ -258,11 +301,15 @@ fn of_table(
         limits: Limits::default(),
         tension_limits: None,
         waypoints: positions.clone(),
+        waypoint_orientations: None,
         corners: Vec::new(),
         limiting: Vec::new(),
         times: motion.times.iter().map(|time| time - first).collect(),
-        velocities: rows(&velocities),
-        accelerations: rows(&accelerations),
+        velocities: rows(|now| now.velocity),
+        accelerations: rows(|now| now.acceleration),
+        orientations: poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
+        angular_velocities: poses.as_ref().map(|_| rows(|now| now.angular_velocity)),
+        angular_accelerations: poses.as_ref().map(|_| rows(|now| now.angular_acceleration)),
         cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
         cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
         tensions: motion.tensions.clone(),
@@ -276,11 +323,15 @@ fn of_table(
 
 type Rows<'py> = Bound<'py, PyArray2<f64>>;
 type Maybe<'py> = Option<Rows<'py>>;
-type States<'py> = (Rows<'py>, Rows<'py>, Rows<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>);
+/// Positions, velocities, accelerations; orientations, angular velocities and accelerations; lengths, speeds and accelerations
+/// of the cables, and tensions.
+type States<'py> = ([Rows<'py>; 3], [Rows<'py>; 3], (Maybe<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>));
 
 /// States at some times, each quantity row by row.
 struct Columns {
     platform: [Vec<f64>; 3],
+    orientations: Vec<f64>,
+    turning: [Vec<f64>; 2],
     cables: [Option<Vec<f64>>; 3],
     tensions: Option<Vec<f64>>,
 }
@@ -295,26 +346,31 @@ impl Columns {
         let limited = winches.filter(|winches| winches.tension_limits().is_some());
         let mut columns = Columns {
             platform: Default::default(),
+            orientations: Vec::new(),
+            turning: Default::default(),
             cables: [(); 3].map(|()| winches.map(|_| Vec::new())),
             tensions: limited.map(|_| Vec::new()),
         };
         let mut solver = TensionQp::default();
         for &time in times {
             watch.check()?;
-            let phase = timing.at(time);
-            let Motion { position, velocity, acceleration, .. } = Motion::on(curve, curve.piece_at(phase.s), &phase);
-            for (column, row) in columns.platform.iter_mut().zip([position.coords, velocity, acceleration]) {
+            let now = Motion::at(curve, timing, time);
+            let straight = [now.position.coords, now.velocity, now.acceleration];
+            let turning = [now.angular_velocity, now.angular_acceleration];
+            let platform = columns.platform.iter_mut().zip(straight);
+            for (column, row) in platform.chain(columns.turning.iter_mut().zip(turning)) {
                 column.extend(Vector::iter(&row));
             }
+            columns.orientations.extend(wxyz(&now.orientation));
             if let (Some(winches), [Some(lengths), Some(speeds), Some(rates)]) = (winches, &mut columns.cables) {
-                for winding in winches.windings(&position, &velocity, &acceleration) {
+                for winding in winches.windings(&now) {
                     lengths.push(winding.length);
                     speeds.push(winding.speed);
                     rates.push(winding.acceleration);
                 }
             }
             if let (Some(winches), Some(rows)) = (limited, &mut columns.tensions) {
-                rows.extend(winches.tensions(&mut solver, &position, &acceleration)?.unwrap_or_default());
+                rows.extend(winches.tensions(&mut solver, &now)?.unwrap_or_default());
             }
         }
         Ok(columns)
@@ -324,15 +380,17 @@ impl Columns {
     fn arrays(self, py: Python<'_>, count: usize, cables: usize) -> PyResult<States<'_>> {
         let matrix = |numbers: Vec<f64>| PyArray1::from_vec(py, numbers).reshape([count, cables]);
         let [positions, velocities, accelerations] = self.platform;
+        let [turns, gains] = self.turning;
         let [lengths, speeds, rates] = self.cables;
         Ok((
-            triples(py, positions)?,
-            triples(py, velocities)?,
-            triples(py, accelerations)?,
-            lengths.map(matrix).transpose()?,
-            speeds.map(matrix).transpose()?,
-            rates.map(matrix).transpose()?,
-            self.tensions.map(matrix).transpose()?,
+            [triples(py, positions)?, triples(py, velocities)?, triples(py, accelerations)?],
+            [PyArray1::from_vec(py, self.orientations).reshape([count, 4])?, triples(py, turns)?, triples(py, gains)?],
+            (
+                lengths.map(matrix).transpose()?,
+                speeds.map(matrix).transpose()?,
+                rates.map(matrix).transpose()?,
+                self.tensions.map(matrix).transpose()?,
+            ),
         ))
     }
 }

@@ -119,8 +119,13 @@ pub fn trajectory_page_within(
     violations: &[PathViolation],
     watch: &Watch,
 ) -> Result<String, Error> {
-    let position_at = |time| trajectory::position_at(trajectory, time);
-    let motion = extra(motion::timed_motion(scene, trajectory.duration, position_at, watch))?;
+    let motion = extra(match trajectory.poses() {
+        None => motion::timed_motion(scene, trajectory.duration, |t| trajectory::position_at(trajectory, t), watch),
+        Some(poses) => {
+            let pose_at = |time| trajectory::pose_at(trajectory, &poses, time);
+            motion::timed_turning_motion(scene, trajectory.duration, pose_at, watch)
+        }
+    })?;
     let mut data = data(scene, Some(&trajectory::path(trajectory)), &[]);
     data["motion"] = json!(motion);
     data["trajectory"] = json!(trajectory::shown(trajectory));

@@ -203,12 +203,7 @@ pub(super) fn turning_motion(scene: &Scene, poses: &[Pose], watch: &Watch) -> Re
     }
     let s = places.iter().map(|(s, _)| *s as f32).collect();
     let poses: Vec<Pose> = places.into_iter().map(|(_, pose)| pose).collect();
-    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
-    let conditions = Conditions::within(scene, watch)?;
-    motion.approaches = approaches(&poses, watch, |pose, of| {
-        tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()), of)
-    })?;
-    motion.margins = turning_margins(scene, &poses, watch)?;
+    let mut motion = untensed_turning(scene, s, &poses, watch)?;
     // A robot without mass or tension limits has no tensions.
     if let Ok(statics) = Statics::of(scene) {
         motion.tensions = turning_tensions(scene, &poses, watch)?;
@@ -281,6 +276,32 @@ pub(super) fn timed_motion(
     let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
     let positions: Vec<Point> = times.iter().map(|time| position_at(*time)).collect();
     untensed(scene, times.iter().map(|time| *time as f32).collect(), &positions, watch).map(Some)
+}
+
+/// The same for a platform that turns.
+///
+/// # Errors
+/// As [`timed_motion`].
+pub(super) fn timed_turning_motion(
+    scene: &Scene,
+    duration: f64,
+    pose_at: impl Fn(f64) -> Pose,
+    watch: &Watch,
+) -> Result<Option<Motion>, Error> {
+    let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
+    let poses: Vec<Pose> = times.iter().map(|time| pose_at(*time)).collect();
+    untensed_turning(scene, times.iter().map(|time| *time as f32).collect(), &poses, watch).map(Some)
+}
+
+/// Everything but tensions at these poses.
+fn untensed_turning(scene: &Scene, s: Vec<f32>, poses: &[Pose], watch: &Watch) -> Result<Motion, Error> {
+    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
+    let conditions = Conditions::within(scene, watch)?;
+    motion.approaches = approaches(poses, watch, |pose, of| {
+        tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()), of)
+    })?;
+    motion.margins = turning_margins(scene, poses, watch)?;
+    Ok(motion)
 }
 
 /// Everything but tensions at these positions.

@@ -4,10 +4,12 @@ use serde::Serialize;
 
 use cdpr_core::collision::Violation;
 use cdpr_core::collision::path_check::PathViolation;
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Pose, wxyz};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::trajectory::Limits;
 use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile};
+
+use super::quaternions;
 
 /// Maximum number of positions on a page.
 const MOST_POSITIONS: usize = 2000;
@@ -29,6 +31,12 @@ pub(super) struct Shown<'a> {
     times: Vec<f64>,
     /// m.
     positions: Vec<[f32; 3]>,
+    /// If the platform turns, unit quaternions w x y z between which it turns as they are interpolated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    orientations: Option<Vec<[f32; 4]>>,
+    /// If the platform turns, rad/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    turn_speed: Option<Curve>,
     /// m/s.
     speed: Curve,
     /// m/s².
@@ -64,6 +72,9 @@ pub(super) fn shown(file: &TrajectoryFile) -> Shown<'_> {
         waypoints: &file.waypoints,
         times: kept.iter().map(|&k| microseconds(file.times[k])).collect(),
         positions: kept.iter().map(|&k| file.positions[k].map(|x| x as f32)).collect(),
+        orientations: kept_poses(file)
+            .map(|poses| quaternions(&poses).iter().map(|turn| wxyz(turn).map(|x| x as f32)).collect()),
+        turn_speed: file.angular_velocities.as_deref().map(norm),
         speed: norm(&file.velocities),
         acceleration: norm(&file.accelerations),
         cable_speeds: by_cable(&file.cable_speeds),
@@ -76,18 +87,37 @@ pub(super) fn path(file: &TrajectoryFile) -> PathFile {
     let kept = evenly(file.times.len(), MOST_POSITIONS);
     PathFile {
         waypoints: kept.into_iter().map(|k| file.positions[k]).collect(),
+        orientations: kept_poses(file).map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
         raw_waypoints: Some(file.waypoints.clone()),
         cost: Some(file.length),
         ..PathFile::default()
     }
 }
 
+/// The poses on a page, if the platform turns.
+fn kept_poses(file: &TrajectoryFile) -> Option<Vec<Pose>> {
+    let poses = file.poses()?;
+    Some(evenly(file.times.len(), MOST_POSITIONS).into_iter().map(|k| poses[k]).collect())
+}
+
 /// The position at a time, between samples on the straight line.
 pub(super) fn position_at(file: &TrajectoryFile, time: f64) -> Point {
+    let (after, share) = between(file, time);
+    let [from, to] = [after - 1, after].map(|k| Point::from(file.positions[k]));
+    from + (to - from) * share
+}
+
+/// The pose at a time of a platform with these poses, between samples on the motion at constant rates.
+pub(super) fn pose_at(file: &TrajectoryFile, poses: &[Pose], time: f64) -> Pose {
+    let (after, share) = between(file, time);
+    poses[after - 1].toward(&poses[after]).at(share)
+}
+
+/// The index of the first sample after a time, and the share of the time since the one before.
+fn between(file: &TrajectoryFile, time: f64) -> (usize, f64) {
     let after = file.times.partition_point(|&other| other <= time).clamp(1, file.times.len() - 1);
     let (begin, end) = (file.times[after - 1], file.times[after]);
-    let [from, to] = [after - 1, after].map(|k| Point::from(file.positions[k]));
-    from + (to - from) * ((time - begin) / (end - begin)).clamp(0.0, 1.0)
+    (after, ((time - begin) / (end - begin)).clamp(0.0, 1.0))
 }
 
 /// A violation with its time.

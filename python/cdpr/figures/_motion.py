@@ -22,6 +22,8 @@ _DASHES = ("-", (0, (4, 1, 1, 1)))  # of the cables; the second once the colours
 _KINDS = {
     "speed": "speed",
     "acceleration": "acceleration",
+    "turn_speed": "angular speed",
+    "turn_acceleration": "angular acceleration",
     "jerk": "jerk",
     "cable_speed": "cable speed",
     "cable_acceleration": "cable acceleration",
@@ -33,6 +35,8 @@ _KINDS = {
 def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> tuple[Axes, ...]:
     """Draw a timed motion: speed, acceleration, cable speeds and tensions over time, and which limit binds when.
 
+    If the platform turns, its angular speed as well.
+
     Limits are named above each chart; those that are not far away are drawn as dashed lines. Thin vertical lines are the
     corners of the path, with the indices of their waypoints. Below, a bar shows when a limit binds; that of a single cable
     has its colour.
@@ -41,12 +45,14 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     ----------
     trajectory : Trajectory
     ax : sequence of Axes, optional
-        Where to draw: five, or four if tensions are not limited; default a new figure of the width of a column.
+        Where to draw: five, or four if tensions are not limited, and one more if the platform turns; default a new figure of
+        the width of a column.
 
     Returns
     -------
     tuple of Axes
-        Speed, acceleration, cable speeds, tensions (if they are limited), and which limit binds.
+        Speed, acceleration, angular speed (if the platform turns), cable speeds, tensions (if they are limited), and which
+        limit binds.
 
     Raises
     ------
@@ -64,15 +70,13 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     """
     motion = instance("trajectory", trajectory, Trajectory)
     axes = _panels(motion) if ax is None else _given_axes(ax, _count(motion))
-    speed, acceleration, cables, *tensions, strip = axes
-    limits = motion.limits
-    for chart, rows, key, unit in (
-        (speed, motion.velocities, "speed", "m/s"),
-        (acceleration, motion.accelerations, "acceleration", "m/s²"),
-    ):
+    quantities = _quantities(motion)
+    platform, (cables, *tensions, strip) = axes[: len(quantities)], axes[len(quantities) :]
+    speed, limits = platform[0], motion.limits
+    for chart, (key, rows, unit) in zip(platform, quantities, strict=True):
         values = np.linalg.norm(rows, axis=1)
         chart.plot(motion.times, values, color=BLACK, gid=key, zorder=3)
-        _framed(chart, f"{key} ({unit})", values, _limit(limits.get(key), unit), [limits[key]] if key in limits else [])
+        _framed(chart, f"{_KINDS[key]} ({unit})", values, _limit(limits.get(key), unit), [limits[key]] if key in limits else [])
     _of_cables(cables, motion, motion.cable_speeds)
     most = limits.get("cable_speed")
     _framed(cables, "cable speeds (m/s)", motion.cable_speeds, _limit(most, "m/s"), [] if most is None else [most, -most])
@@ -103,8 +107,14 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     return axes
 
 
+def _quantities(motion: Trajectory) -> list[tuple[str, Floats, str]]:
+    """What is drawn of the platform: the key of its limit, its vectors and its unit."""
+    found = [("speed", motion.velocities, "m/s"), ("acceleration", motion.accelerations, "m/s²")]
+    return [*found, ("turn_speed", motion.angular_velocities, "rad/s")] if motion.turns else found
+
+
 def _count(motion: Trajectory) -> int:
-    return 4 if motion.tensions is None else 5
+    return len(_quantities(motion)) + (2 if motion.tensions is None else 3)
 
 
 def _given_axes(ax: Sequence[Axes], count: int) -> tuple[Axes, ...]:

@@ -17,6 +17,12 @@ pub struct LimitArgs {
     /// Largest acceleration of the platform instead of the scene's, m/s².
     #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
     pub acceleration: Option<f64>,
+    /// Largest angular speed of a platform that turns instead of the scene's, rad/s.
+    #[arg(long, value_name = "W", value_parser = positive, allow_negative_numbers = true)]
+    pub turn_speed: Option<f64>,
+    /// Largest angular acceleration of a platform that turns instead of the scene's, rad/s².
+    #[arg(long, value_name = "A", value_parser = positive, allow_negative_numbers = true)]
+    pub turn_acceleration: Option<f64>,
     /// Largest jerk of the platform instead of the scene's, m/s³.
     #[arg(long, value_name = "J", value_parser = positive, allow_negative_numbers = true)]
     pub jerk: Option<f64>,
@@ -39,6 +45,8 @@ impl LimitArgs {
         MotionSpec {
             speed: self.speed,
             acceleration: self.acceleration,
+            turn_speed: self.turn_speed,
+            turn_acceleration: self.turn_acceleration,
             jerk: self.jerk,
             cable_speed: self.cable_speed,
             cable_acceleration: self.cable_acceleration,
@@ -70,7 +78,7 @@ pub struct CheckArgs {
 pub struct TrajectoryArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns).
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: PathBuf,
     /// Write the trajectory here (.json; .csv for the samples; .yaml for a ROS 2 JointTrajectory of the cables).

@@ -5,8 +5,7 @@ use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathV
 use cdpr_core::collision::{Exemption, Reason};
 use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{CheckReport, check, engine_within};
-use cdpr_core::turning::check_poses;
+use cdpr_core::plan::{self, CheckReport, check, engine_within};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
@@ -57,19 +56,21 @@ fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Cons
     Ok(if report.valid { Answer::Yes } else { Answer::No })
 }
 
-/// Checks a path along which the platform turns; its wrench margins are not measured.
+/// Checks a path along which the platform turns.
 fn check_turning(args: &PathArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
     let engine = input::turning_engine(scene, &args.scene.scene, args.checker)?;
     out.notes(engine.conditions());
-    let check = |stop: &Interrupt| check_poses(scene, &engine, poses, &Watch::on(stop));
-    let report = with_sign_of_life(out, "checking", check)?;
+    let check = |stop: &Interrupt| plan::check_turning(scene, &engine, poses, &Watch::on(stop));
+    let found = with_sign_of_life(out, "checking", check)?;
+    let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
-        Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
+        Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
             let waypoints = format!("{}, {}", count(poses.len(), "waypoint"), turns(poses));
             out.result(&robot_line(scene));
-            out.verdict(&verdict(&report, &waypoints));
-            report_lines(&report).iter().for_each(|line| out.result(line));
+            out.verdict(&verdict(report, &waypoints));
+            report_lines(report).iter().for_each(|line| out.result(line));
+            wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
@@ -85,10 +86,10 @@ pub fn turns(poses: &[Pose]) -> String {
 fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Error> {
     let in_proof = |e: Error| e.in_file(&args.path);
     let scene = input::scene(&args.scene, out)?;
-    let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
     if cdpr_certify::is_bound(text) {
         return check_bound(args, (&scene, text), out);
     }
+    let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
     input::selects_orientation(&scene, &args.scene)?;
     input::never_turns(&scene, &args.scene)?;
     let check = |_: &Interrupt| certificate.check(&scene);
@@ -112,7 +113,6 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     Ok(Answer::Yes)
 }
 
-fn verdict(report: &PathReport, waypoints: &str) -> Verdict {
 /// Checks a proof that no path is shorter than a length.
 fn check_bound(args: &PathArgs, (scene, text): (&Scene, &str), out: &Console) -> Result<Answer, Error> {
     let in_proof = |e: Error| e.in_file(&args.path);
@@ -141,6 +141,7 @@ fn check_bound(args: &PathArgs, (scene, text): (&Scene, &str), out: &Console) ->
     Ok(Answer::Yes)
 }
 
+fn verdict(report: &PathReport, waypoints: &str) -> Verdict {
     let path = format!(" {} m, {waypoints}", short(report.length));
     if report.valid {
         Verdict::yes("valid:", path)

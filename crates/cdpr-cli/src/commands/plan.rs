@@ -18,7 +18,7 @@ use cdpr_view::{Contents, page};
 
 use super::check::turns;
 use super::post::{check_path_name, save_path};
-use super::trajectory::{Timed, check_trajectory_name, save_trajectory};
+use super::trajectory::{Timed, check_trajectory_name, hinted, save_trajectory};
 use super::view::{IN_BROWSER, form};
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
@@ -44,7 +44,6 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let options = args.options()?;
     let in_scene = |e: Error| input::in_scene_file(e, &args.scene.scene);
     let query = args.query(&scene)?;
-    refuse_timed_turns(args, &query)?;
     query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
@@ -115,16 +114,6 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
 }
 
-/// Refuses `--trajectory` for a platform that may turn on its way.
-fn refuse_timed_turns(args: &PlanArgs, query: &Query) -> Result<(), Error> {
-    if args.trajectory.is_none() || !query.turns() {
-        return Ok(());
-    }
-    let problem =
-        "found a platform that may turn on its way, expected one that keeps its orientation, as timed motions do";
-    Err(Error::invalid("--trajectory", problem))
-}
-
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
 /// replaces it.
 fn timed(
@@ -137,9 +126,9 @@ fn timed(
         return Ok((planned, None));
     }
     let scene = planned.turned.as_ref().unwrap_or(scene);
-    let ends = args.query(scene)?.ends()?;
+    let ends = args.query(scene)?.poses()?;
     let (options, limits) = (args.options()?, args.timing.limits.spec());
-    let kept = kept_plan(scene, ends, planned.result, (&options, args.minimise), &limits, watch)?;
+    let kept = kept_plan(scene, ends, planned.result, (&options, args.minimise), &limits, watch).map_err(hinted)?;
     let timed = Timed::kept(scene, &kept, args.minimise, args.timing.rate, watch)?;
     planned.result = kept.result;
     Ok((planned, Some(timed)))

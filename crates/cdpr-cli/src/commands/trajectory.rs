@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::trajectory::{Kept, Limits, Minimise, Trajectory};
 use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
 use cdpr_core::{Error, Scene};
-use cdpr_files::trajectory_json;
+use cdpr_files::{LoadedPath, trajectory_json};
 use serde_json::{Value, json};
 
 use crate::Answer;
@@ -40,11 +40,10 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     check_trajectory_name(args.output.as_deref())?;
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
-    let level = (args.strict, "timed motions are");
-    let (scene, path) = input::level_path(&scene, &args.scene, &args.path, level, out)?;
+    let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
     let limits = args.timing.limits.spec();
     Limits::of(&scene, &limits).map_err(|e| e.in_file(&args.scene.scene))?;
-    let timed = |stop: &Interrupt| Timed::along(&scene, &path.waypoints, &limits, args.timing.rate, &Watch::on(stop));
+    let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
     let timed = with_sign_of_life(out, "timing", timed).map_err(|e| named(e, args))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", timed.json())),
@@ -63,13 +62,16 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
 fn named(error: Error, args: &TrajectoryArgs) -> Error {
     match error.place() {
         Some("rate") => error,
-        Some("acceleration") => {
-            let hint = "pass --acceleration or set it in [motion]".to_string();
-            error.with_hints(&[hint]).in_file(&args.scene.scene)
-        }
         Some(place) if place.starts_with("waypoints") => error.in_file(&args.path),
-        _ => error.in_file(&args.scene.scene),
+        _ => hinted(error).in_file(&args.scene.scene),
     }
+}
+
+/// The error, with what to do about a limit that is missing.
+pub fn hinted(error: Error) -> Error {
+    let Some(key @ ("acceleration" | "turn_acceleration")) = error.place() else { return error };
+    let hint = format!("pass --{} or set it in [motion]", key.replace('_', "-"));
+    error.with_hints(&[hint])
 }
 
 /// A planned trajectory and its summary.
@@ -78,6 +80,8 @@ pub struct Timed {
     pub file: TrajectoryFile,
     /// Why tensions are not limited.
     note: Option<String>,
+    /// What was assumed about the platform.
+    assumption: Option<String>,
     /// How its path was chosen.
     choice: Option<Choice>,
 }
@@ -92,25 +96,35 @@ struct Choice {
 }
 
 impl Timed {
-    fn along(scene: &Scene, waypoints: &[Point], limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        let trajectory = Trajectory::new(scene, waypoints, limits, watch)?;
-        Self::of(scene, waypoints, &trajectory, rate, watch)
+    fn along(scene: &Scene, path: &LoadedPath, limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
+        let trajectory = match &path.poses {
+            None => Trajectory::new(scene, &path.waypoints, limits, watch)?,
+            Some(poses) => Trajectory::of_poses(scene, poses, limits, watch)?,
+        };
+        Self::of(scene, (&path.waypoints, path.poses.as_deref()), &trajectory, rate, watch)
     }
 
     fn of(
         scene: &Scene,
-        waypoints: &[Point],
+        (waypoints, poses): (&[Point], Option<&[Pose]>),
         trajectory: &Trajectory,
         rate: f64,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let file = TrajectoryFile::of(scene, waypoints, trajectory, rate, watch)?;
-        Ok(Timed { file, note: trajectory.winches().note().map(str::to_string), choice: None })
+        let file = match poses {
+            None => TrajectoryFile::of(scene, waypoints, trajectory, rate, watch)?,
+            Some(poses) => TrajectoryFile::of_poses(scene, poses, trajectory, rate, watch)?,
+        };
+        let winches = trajectory.winches();
+        let assumption = winches.assumption().filter(|_| file.orientations.is_some()).map(str::to_string);
+        Ok(Timed { file, note: winches.note().map(str::to_string), assumption, choice: None })
     }
 
     /// The trajectory of a planned path.
     pub fn kept(scene: &Scene, kept: &Kept, minimise: Minimise, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        let timed = Self::of(scene, &kept.result.waypoints, &kept.trajectory, rate, watch)?;
+        let poses = kept.result.poses(scene.orientation());
+        let poses = (!kept.result.orientations.is_empty()).then_some(&poses[..]);
+        let timed = Self::of(scene, (&kept.result.waypoints, poses), &kept.trajectory, rate, watch)?;
         let Kept { seed, first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
             *kept;
         let choice = (minimise == Minimise::Time).then_some(Choice {
@@ -137,7 +151,7 @@ impl Timed {
                 shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect::<Vec<_>>().join(", ");
             out.result(&format!("limited by: {list} of the time"));
         }
-        self.note.iter().for_each(|note| out.note(note));
+        self.note.iter().chain(&self.assumption).for_each(|note| out.note(note));
     }
 
     /// The same for programs.
@@ -155,6 +169,9 @@ impl Timed {
             "tensions_limited": self.note.is_none(),
             "note": self.note,
         });
+        if let Some(assumption) = &self.assumption {
+            json["assumption"] = json!(assumption);
+        }
         if let Some(Choice { seed, room, tried, duration_of_shortest, .. }) = &self.choice {
             json["choice"] = json!({
                 "seed": seed, "room": room, "tried": tried, "duration_of_shortest": duration_of_shortest,
@@ -207,6 +224,8 @@ fn limit_words(kind: LimitKind) -> &'static str {
     match kind {
         LimitKind::Speed => "speed",
         LimitKind::Acceleration => "acceleration",
+        LimitKind::TurnSpeed => "turn speed",
+        LimitKind::TurnAcceleration => "turn acceleration",
         LimitKind::Jerk => "jerk",
         LimitKind::CableSpeed => "cable speed",
         LimitKind::CableAcceleration => "cable acceleration",
@@ -217,11 +236,12 @@ fn limit_words(kind: LimitKind) -> &'static str {
 /// How corners are passed: one line for each way.
 fn corner_lines(corners: &[TrajectoryCorner]) -> Vec<String> {
     let ways = [
-        (CornerKind::Rounded, "rounded"),
-        (CornerKind::Outward, "passed outside"),
-        (CornerKind::Stop, "passed with a stop"),
+        (CornerKind::Rounded, false, "rounded"),
+        (CornerKind::Outward, false, "passed outside"),
+        (CornerKind::Stop, false, "passed with a stop"),
+        (CornerKind::Stop, true, "passed with a stop, since the platform begins or ends a turn there"),
     ];
-    ways.into_iter().filter_map(|(kind, words)| corner_line(corners, kind, words)).collect()
+    ways.into_iter().filter_map(|(kind, turn, words)| corner_line(corners, (kind, turn), words)).collect()
 }
 
 /// Limits that determine the motion for less than this share of the time are not printed.
@@ -230,8 +250,9 @@ const LEAST_SHARE: f64 = 0.005;
 /// Waypoints named in a line.
 const MOST_NAMED: usize = 8;
 
-fn corner_line(corners: &[TrajectoryCorner], kind: CornerKind, words: &str) -> Option<String> {
-    let found: Vec<&TrajectoryCorner> = corners.iter().filter(|corner| corner.kind == kind).collect();
+fn corner_line(corners: &[TrajectoryCorner], (kind, turn): (CornerKind, bool), words: &str) -> Option<String> {
+    let of_kind = |corner: &&TrajectoryCorner| corner.kind == kind && corner.turn == turn;
+    let found: Vec<&TrajectoryCorner> = corners.iter().filter(of_kind).collect();
     let deviation = found.iter().map(|corner| corner.deviation).fold(0.0, f64::max);
     let names: Vec<String> = found.iter().take(MOST_NAMED).map(|corner| corner.waypoint.to_string()).collect();
     let more = if found.len() > MOST_NAMED { " and more" } else { "" };

@@ -61,6 +61,9 @@ fn lines(report: &TrajectoryReport) -> Vec<String> {
         short(largest.cable_speed),
         short(largest.cable_acceleration)
     ));
+    if let (Some(speed), Some(acceleration)) = (largest.turn_speed, largest.turn_acceleration) {
+        lines.push(format!("turns at most by {} rad/s and {} rad/s²", short(speed), short(acceleration)));
+    }
     lines.push(match report.unseen_speed {
         None => "checked in exact form, also at ten instants between two samples".to_string(),
         Some(speed) => format!("checked at the samples; between them the speed may be {} m/s higher", short(speed)),

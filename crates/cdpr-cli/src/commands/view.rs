@@ -66,7 +66,14 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;
                 // The curve may use the clearance of the path.
-                let violations = file.violations(&*engine(&scene.without_clearance()?)?, &watch)?;
+                let bare = scene.without_clearance()?;
+                let violations = match file.orientations {
+                    None => file.violations(&*engine(&bare)?, &watch)?,
+                    Some(_) => {
+                        let engine = input::turning_engine(&bare, &args.scene.scene, args.checker)?;
+                        file.turning_violations(&engine, &watch)?
+                    }
+                };
                 (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
             }
         },

@@ -22,7 +22,7 @@ pub struct Violation {
     pub required: Option<f64>,
     /// Gap minus required gap, m: never positive.
     pub margin: Option<f64>,
-    /// Whether the condition may hold but could not be proved: almost no slack is left. Only for wrenches.
+    /// Whether the condition may hold but could not be proved: almost no slack is left. Only for wrenches and motions with a turn.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
     /// What the wrenches lack, and which cables limit them; only for wrenches.
@@ -98,11 +98,19 @@ impl Violation {
     /// Describes the violation: "cable 3 meets pillar, 12.0 mm deep".
     pub fn sentence(&self) -> String {
         let limit = self.wrench.as_ref().map_or(String::new(), WrenchLimit::sentence);
-        let what = if self.unproved {
-            "it could not be proved that the cables balance the required wrenches".to_string()
-        } else {
-            self.kind.sentence(&Broken { culprits: &self.culprits, gap: self.gap, required: self.required })
+        let what = match (self.unproved, &self.wrench) {
+            (true, Some(_)) => "it could not be proved that the cables balance the required wrenches".to_string(),
+            (true, None) => self.unproved_gap(),
+            _ => self.kind.sentence(&Broken { culprits: &self.culprits, gap: self.gap, required: self.required }),
         };
         what + &limit
+    }
+
+    fn unproved_gap(&self) -> String {
+        let culprits = self.culprits.join(" and ");
+        match self.culprits.len() {
+            2 => format!("it could not be proved that {culprits} stay as far apart as required"),
+            _ => format!("it could not be proved that {culprits} stays within its limits"),
+        }
     }
 }

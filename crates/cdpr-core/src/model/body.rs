@@ -123,6 +123,8 @@ pub fn sound_motion(spec: &MotionSpec) -> Result<(), Error> {
     let limits = [
         ("speed", spec.speed),
         ("acceleration", spec.acceleration),
+        ("turn_speed", spec.turn_speed),
+        ("turn_acceleration", spec.turn_acceleration),
         ("jerk", spec.jerk),
         ("cable_speed", spec.cable_speed),
         ("cable_acceleration", spec.cable_acceleration),

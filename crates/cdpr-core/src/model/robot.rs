@@ -1,7 +1,9 @@
 //! A checked robot: platform parts, cables, and values derived from them.
 
-use super::body;
+use nalgebra::Matrix3;
+
 use super::spec::{CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
+use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
@@ -33,6 +35,7 @@ pub struct Robot {
     parts: Vec<Polytope>,
     seams: Vec<Seam>,
     center_of_mass: Point,
+    inertia: Option<Matrix3<f64>>,
 }
 
 impl TryFrom<RobotSpec> for Robot {
@@ -59,6 +62,7 @@ impl TryFrom<RobotSpec> for Robot {
             body::not_negative("mass", mass)?;
         }
         let center_of_mass = body::point("center_of_mass", spec.center_of_mass.unwrap_or_default())?;
+        let inertia = spec.inertia.as_ref().map(|given| inertia::checked("inertia", given)).transpose()?;
         let parts = (spec.platform.iter().enumerate())
             .map(|(k, part)| body::build(&format!("platform[{k}]"), part))
             .collect::<Result<Vec<_>, _>>()?;
@@ -70,7 +74,7 @@ impl TryFrom<RobotSpec> for Robot {
         let seams = seams(&parts.iter().collect::<Vec<_>>());
         unique_names(&cables)?;
         attachments_outside(&cables, &parts, &seams)?;
-        Ok(Robot { spec, cables, parts, seams, center_of_mass })
+        Ok(Robot { spec, cables, parts, seams, center_of_mass, inertia })
     }
 }
 
@@ -118,6 +122,13 @@ impl Robot {
     /// Centre of mass, platform frame, m.
     pub fn center_of_mass(&self) -> Point {
         self.center_of_mass
+    }
+
+    /// Inertia about the centre of mass, platform axes, kg·m²: as given or, if only the mass is, that of the parts at uniform
+    /// density about their common centre; `None` without a mass.
+    pub fn inertia(&self) -> Option<Matrix3<f64>> {
+        let mass = self.mass()?;
+        Some(self.inertia.unwrap_or_else(|| inertia::uniform(mass, &self.parts)))
     }
 }
 

@@ -170,10 +170,75 @@ pub struct RobotSpec {
     /// Centre of mass in the platform frame, m; default the origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center_of_mass: Option<[f64; 3]>,
+    /// Inertia of the platform about its centre of mass, platform axes, kg·m²: [Ixx, Iyy, Izz], or the rows of the symmetric
+    /// tensor; default that of its parts at uniform density. It matters for timed motions on which the platform turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaSpec>,
     /// Convex parts of the platform, in the platform frame; a part may be flat, a segment or a point.
     pub platform: Vec<BodySpec>,
     /// Cables.
     pub cables: Vec<CableSpec>,
+}
+
+/// The inertia of a body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(untagged)]
+pub enum InertiaSpec {
+    /// Ixx, Iyy and Izz; the products of inertia are zero.
+    Diagonal([f64; 3]),
+    /// The rows of the tensor.
+    Tensor([[f64; 3]; 3]),
+}
+
+/// A number of a diagonal, or a row of a tensor.
+enum InertiaEntry {
+    Number(f64),
+    Row([f64; 3]),
+}
+
+impl<'de> Deserialize<'de> for InertiaEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = InertiaEntry;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a number, or a row of three numbers")
+            }
+
+            fn visit_f64<E: de::Error>(self, number: f64) -> Result<InertiaEntry, E> {
+                Ok(InertiaEntry::Number(number))
+            }
+
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<InertiaEntry, E> {
+                Ok(InertiaEntry::Number(number as f64))
+            }
+
+            fn visit_u64<E: de::Error>(self, number: u64) -> Result<InertiaEntry, E> {
+                Ok(InertiaEntry::Number(number as f64))
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<InertiaEntry, A::Error> {
+                fixed_length::from_seq(seq).map(InertiaEntry::Row)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl<'de> Deserialize<'de> for InertiaSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use InertiaEntry::{Number, Row};
+        let entries = <[InertiaEntry; 3]>::deserialize(fixed_length::FixedLength(deserializer))?;
+        match entries {
+            [Number(x), Number(y), Number(z)] => Ok(InertiaSpec::Diagonal([x, y, z])),
+            [Row(x), Row(y), Row(z)] => Ok(InertiaSpec::Tensor([x, y, z])),
+            _ => Err(de::Error::custom(
+                "found numbers and rows, expected [Ixx, Iyy, Izz] or three rows of three numbers",
+            )),
+        }
+    }
 }
 
 /// A straight cable between a fixed outlet and an attachment on the platform.
@@ -489,6 +554,12 @@ pub struct MotionSpec {
     /// Largest acceleration of the platform, m/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<f64>,
+    /// Largest angular speed of a platform that turns, rad/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_speed: Option<f64>,
+    /// Largest angular acceleration of a platform that turns, rad/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_acceleration: Option<f64>,
     /// Largest jerk of the platform, m/s³; needs an acceleration.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub jerk: Option<f64>,
@@ -513,6 +584,8 @@ impl MotionSpec {
         MotionSpec {
             speed: self.speed.or(other.speed),
             acceleration: self.acceleration.or(other.acceleration),
+            turn_speed: self.turn_speed.or(other.turn_speed),
+            turn_acceleration: self.turn_acceleration.or(other.turn_acceleration),
             jerk: self.jerk.or(other.jerk),
             cable_speed: self.cable_speed.or(other.cable_speed),
             cable_acceleration: self.cable_acceleration.or(other.cable_acceleration),

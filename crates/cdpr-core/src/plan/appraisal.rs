@@ -8,11 +8,11 @@ use super::PlanResult;
 use crate::collision::path_check::{Nearest, PathReport, nearest};
 use crate::collision::{Checker, check_path};
 use crate::error::{Error, ErrorClass};
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose};
 use crate::lower_bound::Forbidden;
 use crate::model::Scene;
 use crate::numerics::{BOUND_GAP, QUICK_BOUND_EFFORT};
-use crate::turning::{TurningEngine, nearest_of_poses};
+use crate::turning::{TurningEngine, check_poses, nearest_of_poses, wrench_of_poses};
 use crate::watch::Watch;
 use crate::wrench::{PathWrench, measures, path_wrench};
 
@@ -37,6 +37,20 @@ pub struct CheckReport {
 pub fn check(scene: &Scene, engine: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<CheckReport, Error> {
     let path = check_path(engine, waypoints, watch)?;
     Ok(CheckReport { path, wrench: path_wrench(&measures(scene)?, waypoints, watch)? })
+}
+
+/// Checks a path of a scene along which the platform turns.
+///
+/// # Errors
+/// As [`wrench_of_poses`].
+pub fn check_turning(
+    scene: &Scene,
+    engine: &TurningEngine,
+    poses: &[Pose],
+    watch: &Watch,
+) -> Result<CheckReport, Error> {
+    let path = check_poses(scene, engine, poses, watch)?;
+    Ok(CheckReport { path, wrench: wrench_of_poses(scene, poses, watch)? })
 }
 
 /// Measurements of a found path besides its length; those not finished in time are left out.

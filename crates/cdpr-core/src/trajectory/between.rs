@@ -1,15 +1,15 @@
 //! How close a timed motion comes to its limits, at every instant and not only on a grid.
 //!
 //! During a time h in which the motion is smooth, a quantity f exceeds the larger of its values at both ends by at most
-//! h²/8 max |f''|. The derivatives of the position follow from those of the curve and of the progress (Faà di Bruno's
-//! formula); both are polynomials with known bounds.
+//! h²/8 max |f''|. [`Rates`] bounds the derivatives of the position, of the turn and of each attachment.
 
-use super::curve::{Curve, Piece};
+use super::curve::Curve;
 use super::limits::Limits;
+use super::motion::{Derivatives, Motion, Rates};
 use super::timing::{Phase, Timing};
-use super::winches::{TensionShare, Winches, Winding};
+use super::winches::{Span, TensionShare, Winches, Winding};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 use crate::numerics::{TENSION_HALVINGS, TURNING};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
@@ -21,6 +21,10 @@ pub enum Bound {
     Speed,
     /// Acceleration of the platform.
     Acceleration,
+    /// Angular speed of the platform.
+    TurnSpeed,
+    /// Angular acceleration of the platform.
+    TurnAcceleration,
     /// Jerk of the platform.
     Jerk,
     /// Speed of this cable.
@@ -31,33 +35,6 @@ pub enum Bound {
     Tension(usize),
 }
 
-/// Position, velocity, acceleration and jerk of the platform at an instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Motion {
-    /// m.
-    pub position: Point,
-    /// m/s.
-    pub velocity: Vector,
-    /// m/s².
-    pub acceleration: Vector,
-    /// m/s³.
-    pub jerk: Vector,
-}
-
-impl Motion {
-    /// The motion at a state of progress on a piece of a curve.
-    pub fn on(curve: &Curve, piece: usize, phase: &Phase) -> Self {
-        let jet = curve.on_piece(piece, phase.s);
-        let Phase { speed, acceleration, jerk, .. } = *phase;
-        Motion {
-            position: jet.position,
-            velocity: jet.first * speed,
-            acceleration: jet.first * acceleration + jet.second * speed.powi(2),
-            jerk: jet.first * jerk + jet.second * (3.0 * speed * acceleration) + jet.third * speed.powi(3),
-        }
-    }
-}
-
 /// A time in which the motion stays on one piece of the curve and in one phase of its progress.
 struct Smooth {
     piece: usize,
@@ -65,15 +42,14 @@ struct Smooth {
     /// s.
     time: f64,
     ends: [Motion; 2],
-    /// Bounds of the norms of the first five time derivatives of the position.
-    derivatives: [f64; 5],
+    rates: Rates,
 }
 
 impl Smooth {
     fn new(curve: &Curve, piece: usize, phase: Phase, time: f64) -> Self {
         let end = phase.after(time);
         let ends = [Motion::on(curve, piece, &phase), Motion::on(curve, piece, &end)];
-        Smooth { piece, phase, time, ends, derivatives: derivatives(&curve.pieces()[piece], &phase, &end, time) }
+        Smooth { piece, phase, time, ends, rates: Rates::new(&curve.pieces()[piece], &phase, &end, time) }
     }
 
     /// How much a quantity with this bound of its second derivative exceeds its values at both ends.
@@ -81,35 +57,15 @@ impl Smooth {
         self.time * self.time / 8.0 * second_derivative
     }
 
-    /// The bounds of the first, second and fourth derivative.
-    fn tension_bounds(&self) -> [f64; 3] {
-        let [first, second, _, fourth, _] = self.derivatives;
-        [first, second, fourth]
+    /// What the proof that tensions exist needs.
+    fn span(&self) -> Span<'_> {
+        Span { ends: &self.ends, rates: &self.rates, time: self.time }
     }
 
     fn halves(&self, curve: &Curve) -> [Smooth; 2] {
         let half = 0.5 * self.time;
         [self.phase, self.phase.after(half)].map(|phase| Smooth::new(curve, self.piece, phase, half))
     }
-}
-
-/// Bounds of the norms of the first five derivatives of q(s(t)).
-fn derivatives(piece: &Piece, start: &Phase, end: &Phase, time: f64) -> [f64; 5] {
-    let [d1, d2, d3, d4, d5] = piece.derivative_bounds;
-    let s3 = start.jerk.abs();
-    let s2 = start.acceleration.abs().max(end.acceleration.abs());
-    let s1 = start.speed.abs().max(end.speed.abs()) + time * time / 8.0 * s3;
-    [
-        d1 * s1,
-        d1 * s2 + d2 * s1.powi(2),
-        d1 * s3 + 3.0 * d2 * s1 * s2 + d3 * s1.powi(3),
-        4.0 * d2 * s1 * s3 + 3.0 * d2 * s2.powi(2) + 6.0 * d3 * s1.powi(2) * s2 + d4 * s1.powi(4),
-        10.0 * d2 * s2 * s3
-            + 10.0 * d3 * s1.powi(2) * s3
-            + 15.0 * d3 * s1 * s2.powi(2)
-            + 10.0 * d4 * s1.powi(3) * s2
-            + d5 * s1.powi(5),
-    ]
 }
 
 /// Calls `visit` with the index of each phase and the smooth times within it.
@@ -149,7 +105,7 @@ pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches
 }
 
 fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit: impl FnMut(f64, Bound)) {
-    let [_, _, m3, m4, m5] = smooth.derivatives;
+    let [_, _, m3, m4, m5] = smooth.rates.origin;
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
     if let Some(limit) = limits.speed {
         let speed = largest(|motion| motion.velocity.norm()) + smooth.sag(m3);
@@ -163,13 +119,16 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
         let jerk = largest(|motion| motion.jerk.norm()) + smooth.sag(m5);
         visit((jerk / limit).powf(2.0 / 3.0), Bound::Jerk);
     }
+    if smooth.rates.turns() {
+        for_each_turn_share(smooth, limits, &mut visit);
+    }
     if limits.cable_speed.is_none() && limits.cable_acceleration.is_none() {
         return;
     }
-    let [before, after] =
-        [&smooth.ends[0], &smooth.ends[1]].map(|m| winches.windings(&m.position, &m.velocity, &m.acceleration));
+    let [before, after] = smooth.ends.each_ref().map(|motion| winches.windings(motion));
     for (cable, (before, after)) in before.zip(after).enumerate() {
-        let [third, fourth] = winding_derivatives(smooth, &before, &after);
+        let arm = winches.cables()[cable].arm(&smooth.ends[0].orientation);
+        let [third, fourth] = winding_derivatives(&smooth.rates.of_point(&arm), smooth.time, &before, &after);
         if let Some(limit) = limits.cable_speed {
             let speed = before.speed.abs().max(after.speed.abs()) + smooth.sag(third);
             visit((speed / limit).powi(2), Bound::CableSpeed(cable));
@@ -181,14 +140,27 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
     }
 }
 
-/// Bounds of the third and fourth time derivative of a cable's length between two instants.
-fn winding_derivatives(smooth: &Smooth, before: &Winding, after: &Winding) -> [f64; 2] {
-    let [m1, m2, m3, m4, _] = smooth.derivatives;
-    let shortest = 0.5 * (before.length + after.length - m1 * smooth.time);
+/// The angle is proportional to the progress, whose second derivative is linear in time.
+fn for_each_turn_share(smooth: &Smooth, limits: &Limits, visit: &mut impl FnMut(f64, Bound)) {
+    let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
+    let [_, _, third] = smooth.rates.turn();
+    if let Some(limit) = limits.turn_speed {
+        let speed = largest(|motion| motion.angular_velocity.norm()) + smooth.sag(third);
+        visit((speed / limit).powi(2), Bound::TurnSpeed);
+    }
+    if let Some(limit) = limits.turn_acceleration {
+        let acceleration = largest(|motion| motion.angular_acceleration.norm());
+        visit(acceleration / limit, Bound::TurnAcceleration);
+    }
+}
+
+/// Bounds of the third and fourth time derivative of a cable's length between two instants, given those of its attachment.
+fn winding_derivatives([m1, m2, m3, m4, _]: &Derivatives, time: f64, before: &Winding, after: &Winding) -> [f64; 2] {
+    let shortest = 0.5 * (before.length + after.length - m1 * time);
     if !(shortest > 0.0) {
         return [f64::INFINITY; 2];
     }
-    let [b1, b2, b3] = [m1, m2, m3].map(|m| m / shortest);
+    let [b1, b2, b3] = [m1, m2, m3].map(|m| *m / shortest);
     let turning =
         [TURNING[0] * b1, TURNING[1] * b1 * b1 + b2, TURNING[2] * b1.powi(3) + 3.0 * TURNING[1] * b1 * b2 + b3];
     [m3 + 2.0 * turning[0] * m2 + turning[1] * m1, m4 + 3.0 * turning[0] * m3 + 3.0 * turning[1] * m2 + turning[2] * m1]
@@ -216,13 +188,13 @@ fn tension_ends(
 ) -> Result<Vec<(usize, Smooth, [TensionShare; 2])>, Error> {
     let (mut smooths, mut motions) = (Vec::new(), Vec::new());
     for_each_smooth(curve, timing, |k, smooth| {
-        motions.extend(smooth.ends.iter().map(|motion| (motion.position, motion.acceleration)));
+        motions.extend(smooth.ends);
         smooths.push((k, smooth));
     });
     let mut shares = Vec::with_capacity(motions.len());
     for some in motions.chunks(BETWEEN_CHECKS) {
         watch.check()?;
-        shares.extend(winches.tension_shares(some).map_err(|k| not_held(&some[k].0))?);
+        shares.extend(winches.tension_shares(some).map_err(|k| not_held(&some[k].position))?);
     }
     let ends = shares.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
     Ok(smooths.into_iter().zip(ends).map(|((k, smooth), ends)| (k, smooth, ends)).collect())
@@ -240,7 +212,7 @@ pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches, watch
         return Ok(lacking);
     }
     for (k, smooth, shares) in &tension_ends(curve, timing, winches, watch)? {
-        let sag = winches.sag(smooth.ends.each_ref().map(|m| &m.position), smooth.tension_bounds(), smooth.time);
+        let sag = winches.sag(&smooth.span());
         if shares[0].slack.min(shares[1].slack) >= sag || lacking.last() == Some(k) {
             continue;
         }
@@ -272,8 +244,7 @@ fn has_tensions(
     solver: &mut TensionQp,
     halvings: usize,
 ) -> Result<bool, Error> {
-    let ends = smooth.ends.each_ref().map(|motion| (&motion.position, &motion.acceleration));
-    if winches.hold_between(solver, ends, smooth.tension_bounds(), smooth.time)? {
+    if winches.hold_between(solver, &smooth.span())? {
         return Ok(true);
     }
     if halvings == 0 {

@@ -36,6 +36,49 @@ pub struct Corner {
     pub deviation: f64,
     /// The parameter of the curve there, m.
     pub at: f64,
+    /// Whether the platform stops because it begins, ends or changes a turn there.
+    pub turn: bool,
+}
+
+/// Pieces that follow each other, and how they pass corners.
+#[derive(Debug, Default)]
+pub struct Part {
+    /// The pieces.
+    pub pieces: Vec<Piece>,
+    /// The corners; their parameters are not known yet.
+    pub corners: Vec<PartCorner>,
+}
+
+/// A corner of a part.
+#[derive(Debug)]
+pub struct PartCorner {
+    /// The corner.
+    pub corner: Corner,
+    /// The piece that rounds it or begins there.
+    pub piece: usize,
+}
+
+impl Part {
+    /// Adds another part that begins where this one ends; waypoints of its corners are counted from `waypoint`.
+    pub fn append(&mut self, other: Part, waypoint: usize) {
+        let first = self.pieces.len();
+        self.pieces.extend(other.pieces);
+        self.corners.extend(other.corners.into_iter().map(|PartCorner { corner, piece }| PartCorner {
+            corner: Corner { waypoint: waypoint + corner.waypoint, ..corner },
+            piece: first + piece,
+        }));
+    }
+
+    /// The curve and its corners.
+    pub fn curve(self) -> (Curve, Vec<Corner>) {
+        let curve = Curve::new(self.pieces);
+        let placed = |PartCorner { corner, piece }: PartCorner| {
+            let length = if corner.passing == Passing::Stop { 0.0 } else { curve.pieces()[piece].length };
+            Corner { at: curve.starts()[piece] + 0.5 * length, ..corner }
+        };
+        let corners = self.corners.into_iter().map(placed).collect();
+        (curve, corners)
+    }
 }
 
 /// Distance of a bend's middle from its corner, as a share of the distance of its ends times the sine of half the angle
@@ -66,16 +109,11 @@ impl Attempt {
     }
 }
 
-/// The curve along a free path whose deviation is at most `blend`, m, and how it passes each corner.
+/// Pieces along a free path whose deviation is at most `blend`, m, and how they pass each corner.
 ///
 /// # Errors
 /// A path whose waypoints coincide; [`Error::interrupted`], [`Error::out_of_time`].
-pub fn rounded(
-    waypoints: &[Point],
-    blend: f64,
-    free: &FreeSpace,
-    watch: &Watch,
-) -> Result<(Curve, Vec<Corner>), Error> {
+pub fn rounded(waypoints: &[Point], blend: f64, free: &FreeSpace, watch: &Watch) -> Result<Part, Error> {
     let path = Waypoints::of(waypoints)?;
     let stop = Attempt(2 * SIZES);
     let mut attempts: Vec<Attempt> =
@@ -85,7 +123,7 @@ pub fn rounded(
         let layout = Layout::new(&path, &attempts, blend);
         let failed = layout.failed(free);
         if failed.is_empty() {
-            return Ok(layout.curve(&path));
+            return Ok(layout.part(&path));
         }
         for corner in failed {
             attempts[corner].0 += 1;
@@ -196,24 +234,18 @@ impl Layout {
         (0..self.bends.len()).filter(failed).collect()
     }
 
-    fn curve(self, path: &Waypoints) -> (Curve, Vec<Corner>) {
-        let (mut pieces, mut corners, mut at) = (Vec::new(), Vec::new(), 0.0);
+    fn part(self, path: &Waypoints) -> Part {
+        let mut part = Part::default();
         let mut bends = self.bends.into_iter();
         for (k, line) in self.lines.into_iter().enumerate() {
-            at += line.as_ref().map_or(0.0, |line| line.length);
-            pieces.extend(line);
+            part.pieces.extend(line);
             let Some(bend) = bends.next() else { break };
-            let length = bend.as_ref().map_or(0.0, |bend| bend.length);
-            corners.push(Corner {
-                waypoint: path.index[k + 1],
-                passing: self.passings[k],
-                deviation: self.deviations[k],
-                at: at + 0.5 * length,
-            });
-            at += length;
-            pieces.extend(bend);
+            let (waypoint, passing, deviation) = (path.index[k + 1], self.passings[k], self.deviations[k]);
+            let corner = Corner { waypoint, passing, deviation, at: 0.0, turn: false };
+            part.corners.push(PartCorner { corner, piece: part.pieces.len() });
+            part.pieces.extend(bend);
         }
-        (Curve::new(pieces), corners)
+        part
     }
 }
 

@@ -1,20 +1,23 @@
-//! The geometric curve that a trajectory follows: straight lines and bends, with continuous curvature.
+//! The geometric curve that a trajectory follows: straight lines and bends, with continuous curvature. On a line, the platform
+//! may turn as well.
 
-use crate::geometry::{Point, Vector};
+use super::attitude::Attitude;
+use crate::geometry::{Point, Rotation, Vector};
 
 /// Degree of a bend.
 const DEGREE: usize = 5;
 /// Number of control points of a bend.
 pub const CONTROL: usize = DEGREE + 1;
 
-/// A piece of a curve: a polynomial in a parameter from 0 to `length`, m. The parameter of a line is its arc length; that
-/// of a bend differs from it by a few per cent.
+/// A piece of a curve: a polynomial in a parameter from 0 to `length`, m. The parameter of a line is its arc length, on which
+/// the platform turns also a share of its turn; that of a bend differs from its arc length by a few per cent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
     /// Control points: two of a line, six of a bend.
     control: Vec<Point>,
     /// Coefficients of the powers of the parameter divided by `length`.
     powers: [Vector; CONTROL],
+    attitude: Attitude,
     /// The range of the parameter, m.
     pub length: f64,
     /// Upper bounds of the norms of the first five derivatives with respect to the parameter.
@@ -26,12 +29,25 @@ pub struct Piece {
 pub struct Jet {
     /// The position, m.
     pub position: Point,
-    /// First derivative; its norm is 1 on lines.
+    /// Orientation of the platform.
+    pub orientation: Rotation,
+    /// First derivative; its norm is 1 on lines on which the platform does not turn.
     pub first: Vector,
     /// Second derivative, 1/m.
     pub second: Vector,
     /// Third derivative, 1/m².
     pub third: Vector,
+    /// Derivative of the orientation: the axis of the turn, world axes, times its angle per parameter, rad/m. It does not change
+    /// on a piece.
+    pub spin: Vector,
+}
+
+impl Jet {
+    /// First and second derivative of a point of the platform at `arm` from its origin, world axes.
+    pub fn of_point(&self, arm: &Vector) -> [Vector; 2] {
+        let turning = self.spin.cross(arm);
+        [self.first + turning, self.second + self.spin.cross(&turning)]
+    }
 }
 
 impl Piece {
@@ -41,7 +57,33 @@ impl Piece {
         let length = step.norm();
         let mut powers = [Vector::zeros(); CONTROL];
         (powers[0], powers[1]) = (from.coords, step);
-        Piece { control: vec![from, to], powers, length, derivative_bounds: [1.0, 0.0, 0.0, 0.0, 0.0] }
+        let attitude = Attitude::held(Rotation::identity());
+        Piece { control: vec![from, to], powers, attitude, length, derivative_bounds: [1.0, 0.0, 0.0, 0.0, 0.0] }
+    }
+
+    /// A straight line on which the platform turns, both at constant rate; the ends may coincide. `length` is the range of the
+    /// parameter, m; it must be positive.
+    pub fn turning_line([from, to]: [Point; 2], attitude: Attitude, length: f64) -> Self {
+        let step = to - from;
+        let mut powers = [Vector::zeros(); CONTROL];
+        (powers[0], powers[1]) = (from.coords, step);
+        let derivative_bounds = [step.norm() / length, 0.0, 0.0, 0.0, 0.0];
+        Piece { control: vec![from, to], powers, attitude, length, derivative_bounds }
+    }
+
+    /// The same piece with the platform held at an orientation.
+    pub fn held_at(self, orientation: Rotation) -> Self {
+        Piece { attitude: Attitude::held(orientation), ..self }
+    }
+
+    /// The orientation of the platform.
+    pub fn attitude(&self) -> &Attitude {
+        &self.attitude
+    }
+
+    /// Angle of the turn per parameter, rad/m.
+    pub fn spin(&self) -> f64 {
+        self.attitude.angle() / self.length
     }
 
     /// A bend with these control points. Its parameter is chosen so that it continues a line in the direction of its first
@@ -62,7 +104,8 @@ impl Piece {
             let most = differences[..=DEGREE - k].iter().map(Vector::norm).fold(0.0, f64::max);
             derivative_bounds[k - 1] = falling * most;
         }
-        Piece { control: control.to_vec(), powers, length, derivative_bounds }
+        let attitude = Attitude::held(Rotation::identity());
+        Piece { control: control.to_vec(), powers, attitude, length, derivative_bounds }
     }
 
     /// Control points: two of a line, six of a bend.
@@ -79,9 +122,11 @@ impl Piece {
     pub fn at(&self, s: f64) -> Jet {
         let scale = 1.0 / self.length;
         let u = s * scale;
+        let (orientation, spin) = (self.attitude.at(u), self.attitude.axis() * self.spin());
         if self.is_line() {
             let position = Point::from(self.powers[0] + self.powers[1] * u);
-            return Jet { position, first: self.powers[1] * scale, second: Vector::zeros(), third: Vector::zeros() };
+            let first = self.powers[1] * scale;
+            return Jet { position, orientation, first, second: Vector::zeros(), third: Vector::zeros(), spin };
         }
         let [mut value, mut first, mut second, mut third] = [Vector::zeros(); 4];
         for power in self.powers.iter().rev() {
@@ -92,7 +137,7 @@ impl Piece {
         }
         // Horner's scheme leaves the derivatives divided by factorials.
         let (second, third) = (second * (2.0 * scale * scale), third * (6.0 * scale.powi(3)));
-        Jet { position: Point::from(value), first: first * scale, second, third }
+        Jet { position: Point::from(value), orientation, first: first * scale, second, third, spin }
     }
 }
 
@@ -114,6 +159,16 @@ impl Curve {
         Curve { pieces, starts }
     }
 
+    /// The same curve with the platform held at an orientation.
+    pub fn held_at(self, orientation: Rotation) -> Self {
+        Curve { pieces: self.pieces.into_iter().map(|piece| piece.held_at(orientation)).collect(), ..self }
+    }
+
+    /// Whether the platform turns somewhere.
+    pub fn turns(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.attitude().turns())
+    }
+
     /// Its pieces.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
@@ -132,6 +187,12 @@ impl Curve {
     /// The piece at a parameter; at a joint the later one.
     pub fn piece_at(&self, s: f64) -> usize {
         self.starts[1..self.pieces.len()].partition_point(|&start| start <= s)
+    }
+
+    /// The piece on which progress from one parameter arrives at another: at a joint the earlier one, unless it starts there.
+    pub fn piece_reached(&self, from: f64, s: f64) -> usize {
+        let piece = self.piece_at(s);
+        if piece > 0 && from < s && s <= self.starts[piece] { piece - 1 } else { piece }
     }
 
     /// Position and derivatives at a parameter, on this piece.
@@ -165,7 +226,7 @@ const PARTS: usize = 8;
 impl Piece {
     fn arc_length(&self) -> f64 {
         if self.is_line() {
-            return self.length;
+            return if self.attitude.turns() { (self.control[1] - self.control[0]).norm() } else { self.length };
         }
         let half = 0.5 * self.length / PARTS as f64;
         let part = |k: usize| {

@@ -4,7 +4,7 @@ use super::Trajectory;
 use super::limits::Limits;
 use crate::choices;
 use crate::error::{Error, ErrorClass};
-use crate::geometry::Point;
+use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::plan::{PlanOptions, PlanResult, Query, plan};
@@ -58,13 +58,13 @@ pub struct Kept {
 /// As [`Trajectory::new`], if there is no motion along any path.
 pub fn kept_plan(
     scene: &Scene,
-    ends: [Point; 2],
+    ends: [Pose; 2],
     first: PlanResult,
     (options, minimise): (&PlanOptions, Minimise),
     given: &MotionSpec,
     watch: &Watch,
 ) -> Result<Kept, Error> {
-    let timed = Trajectory::new(scene, &first.waypoints, given, watch);
+    let timed = motion_along(scene, &first, given, watch);
     let (duration, seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
     let mut best = timed.map(|trajectory| Kept {
         result: first,
@@ -83,7 +83,7 @@ pub fn kept_plan(
         let Some(result) = another(scene, ends, &PlanOptions { seed, ..options.clone() }, room, watch)? else {
             continue;
         };
-        match Trajectory::new(scene, &result.waypoints, given, watch) {
+        match motion_along(scene, &result, given, watch) {
             Ok(trajectory) => {
                 tried += 1;
                 if best.as_ref().map_or(true, |best| trajectory.duration() < FASTER * best.trajectory.duration()) {
@@ -97,6 +97,14 @@ pub fn kept_plan(
     best.map(|kept| Kept { tried, ..kept })
 }
 
+/// The motion along a planned path.
+fn motion_along(scene: &Scene, path: &PlanResult, given: &MotionSpec, watch: &Watch) -> Result<Trajectory, Error> {
+    match path.orientations.is_empty() {
+        true => Trajectory::new(scene, &path.waypoints, given, watch),
+        false => Trajectory::of_poses(scene, &path.poses(scene.orientation()), given, watch),
+    }
+}
+
 /// Additional clearances and seeds.
 fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)>, Error> {
     let room = Limits::of(scene, given)?.blend;
@@ -108,7 +116,7 @@ fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)
 /// The path of a seed with additional clearance, if there is one.
 fn another(
     scene: &Scene,
-    [start, goal]: [Point; 2],
+    [start, goal]: [Pose; 2],
     options: &PlanOptions,
     room: f64,
     watch: &Watch,
@@ -125,7 +133,9 @@ fn another(
         },
     };
     let options = PlanOptions { proof: false, ..options.clone() };
-    let found = plan(Query::of(scene).from(start).to(goal), &options, &|| (watch.interrupted)())?.result;
+    let query = Query::of(scene).from(start.position).to(goal.position);
+    let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
+    let found = plan(query, &options, &|| (watch.interrupted)())?.result;
     watch.check()?;
     Ok((found.status == Status::Solved).then_some(found))
 }
@@ -144,7 +154,7 @@ mod tests {
         let query = Query::of(&scene);
         let first = plan(query, &options, &()).unwrap().result;
         let kept = |minimise| {
-            let ends = query.ends().unwrap();
+            let ends = query.poses().unwrap();
             kept_plan(&scene, ends, first.clone(), (&options, minimise), &limits, &Watch::NONE).unwrap()
         };
         let (short, fast) = (kept(Minimise::Length), kept(Minimise::Time));

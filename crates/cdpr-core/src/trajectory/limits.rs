@@ -15,6 +15,12 @@ pub struct Limits {
     /// Acceleration of the platform, m/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<f64>,
+    /// Angular speed of the platform, rad/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_speed: Option<f64>,
+    /// Angular acceleration of the platform, rad/s².
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_acceleration: Option<f64>,
     /// Jerk of the platform, m/s³.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub jerk: Option<f64>,
@@ -58,6 +64,8 @@ impl Limits {
         Ok(Limits {
             speed: spec.speed,
             acceleration: spec.acceleration,
+            turn_speed: spec.turn_speed,
+            turn_acceleration: spec.turn_acceleration,
             jerk: spec.jerk,
             cable_speed: spec.cable_speed,
             cable_acceleration: spec.cable_acceleration,

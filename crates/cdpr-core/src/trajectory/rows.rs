@@ -1,8 +1,8 @@
 //! Limits on the motion along a curve, as limits on two numbers.
 //!
 //! With q(s) the curve and s(t) the progress on it, velocity and acceleration are q' ṡ and q' s̈ + q'' ṡ². So at each
-//! parameter every limit but that of jerk is linear in (u, x) = (s̈, ṡ²), or an ellipse (the norm of the acceleration).
-//! Standing still, (0, 0), keeps all of them.
+//! parameter every limit but that of jerk is linear in (u, x) = (s̈, ṡ²), or an ellipse (the norm of the acceleration). The same
+//! holds where the platform turns, since its axis is fixed and its angle proportional to s. Standing still, (0, 0), keeps all of them.
 //!
 //! Source: J. E. Bobrow, S. Dubowsky and J. S. Gibson, "Time-optimal control of robotic manipulators along specified paths",
 //! International Journal of Robotics Research 4(3), 1985; tensions as facets of the available wrench set as in
@@ -73,6 +73,12 @@ impl Rows {
         }
     }
 
+    /// Whether they limit how fast the progress accelerates.
+    pub fn limits_acceleration(&self) -> bool {
+        let linear = self.linear.iter().any(|row| row.a.abs() * LARGEST > row.c);
+        self.ellipse.as_ref().is_some_and(|ellipse| ellipse.first.norm() * LARGEST > ellipse.radius) || linear
+    }
+
     /// All limits at a place but those of tensions.
     fn kinematic(jet: &Jet, limits: &Limits, winches: &Winches) -> Self {
         let mut linear = Vec::new();
@@ -83,20 +89,28 @@ impl Rows {
             // At constant progress; the rest of the jerk is known only once the timing is.
             linear.push(Row { a: 0.0, b: 1.0, c: (jerk / jet.third.norm()).powf(2.0 / 3.0) });
         }
+        if jet.spin != Vector::zeros() {
+            linear.extend(turn_rows(jet.spin.norm(), limits));
+        }
         for cable in winches.cables() {
-            let line = jet.position + cable.arm - cable.outlet;
+            let arm = cable.arm(&jet.orientation);
+            let [first, second] = jet.of_point(&arm);
+            let line = jet.position + arm - cable.outlet;
             let length = line.norm();
-            let rate = line.dot(&jet.first) / length;
+            let rate = line.dot(&first) / length;
             if let Some(speed) = limits.cable_speed {
                 linear.push(Row { a: 0.0, b: rate * rate, c: speed * speed });
             }
             if let Some(most) = limits.cable_acceleration {
-                let bend = (jet.first.norm_squared() + line.dot(&jet.second) - rate * rate) / length;
+                let bend = (first.norm_squared() + line.dot(&second) - rate * rate) / length;
                 linear.push(Row { a: rate, b: bend, c: most });
                 linear.push(Row { a: -rate, b: -bend, c: most });
             }
         }
-        let ellipse = limits.acceleration.map(|radius| Ellipse { first: jet.first, second: jet.second, radius });
+        // A turn on the spot does not accelerate the platform's origin.
+        let moves = jet.first.norm_squared() > 0.0;
+        let ellipse = limits.acceleration.filter(|_| moves);
+        let ellipse = ellipse.map(|radius| Ellipse { first: jet.first, second: jet.second, radius });
         Rows { linear, ellipse }
     }
 
@@ -106,6 +120,13 @@ impl Rows {
         self.linear.iter_mut().for_each(|row| row.c /= factor);
         self.ellipse.iter_mut().for_each(|ellipse| ellipse.radius /= factor);
     }
+}
+
+/// The limits of angular speed and acceleration where the platform turns by this angle per parameter, rad/m.
+fn turn_rows(spin: f64, limits: &Limits) -> impl Iterator<Item = Row> {
+    let speed = limits.turn_speed.map(|speed| Row { a: 0.0, b: spin * spin, c: speed * speed });
+    let acceleration = limits.turn_acceleration.map(|most| [spin, -spin].map(|a| Row { a, b: 0.0, c: most }));
+    speed.into_iter().chain(acceleration.into_iter().flatten())
 }
 
 /// Coefficients of u below this share of those of x count as zero: the row limits x alone.
@@ -234,7 +255,7 @@ impl Interval {
     }
 }
 
-/// Largest squared speed, m²/s², if nothing limits it.
+/// Largest squared speed, m²/s², if nothing limits it; also an acceleration, m/s², that is none.
 const LARGEST: f64 = 1e12;
 /// Relative difference of the two ends of a range that counts as one point.
 const ROOT: f64 = 1e-13;

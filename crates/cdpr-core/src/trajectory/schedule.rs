@@ -47,6 +47,9 @@ impl Stretch {
             watch.check()?;
             rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
         }
+        if !rows.iter().any(Rows::limits_acceleration) {
+            return Err(unlimited(&jets[0].position));
+        }
         Ok(Stretch { grid: places.into_iter().map(|(_, s)| s).collect(), rows })
     }
 }
@@ -174,6 +177,14 @@ fn smoothed(stretches: &[Timing], window: f64) -> Timing {
 /// The largest share, at least 1.
 fn worst(shares: &[f64]) -> f64 {
     shares.iter().copied().fold(1.0, f64::max)
+}
+
+fn unlimited(position: &Point) -> Error {
+    let at = [position.x, position.y, position.z];
+    let problem = format!(
+        "found no limit on how fast the platform begins to turn at {at:?} m, where no cable changes its length; expected one"
+    );
+    Error::invalid("turn_acceleration", problem)
 }
 
 fn not_moved(position: &Point) -> Error {

@@ -60,9 +60,18 @@ impl Timing {
 
     /// The state of progress at an instant; before the start or after the end, at rest there.
     pub fn at(&self, time: f64) -> Phase {
+        self.phase_at(time)[1]
+    }
+
+    /// The start of the phase at an instant, and the state of progress then. Rounding takes no phase beyond its end, where the curve
+    /// may turn another way.
+    pub fn phase_at(&self, time: f64) -> [Phase; 2] {
         let time = time.clamp(0.0, self.duration);
-        let phase = self.phases.partition_point(|phase| phase.time <= time).saturating_sub(1);
-        self.phases[phase].after(time - self.phases[phase].time)
+        let next = self.phases.partition_point(|phase| phase.time <= time).max(1);
+        let start = self.phases[next - 1];
+        let state = start.after(time - start.time);
+        let end = self.phases.get(next).map_or(f64::INFINITY, |next| next.s.max(start.s));
+        [start, Phase { s: state.s.min(end), ..state }]
     }
 
     /// The instant at which the progress reaches a parameter of the curve, s.

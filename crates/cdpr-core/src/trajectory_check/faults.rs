@@ -12,6 +12,10 @@ pub enum FaultKind {
     Speed,
     /// The acceleration of the platform exceeds its limit.
     Acceleration,
+    /// The platform turns faster than its limit.
+    TurnSpeed,
+    /// The angular acceleration of the platform exceeds its limit.
+    TurnAcceleration,
     /// The jerk of the platform exceeds its limit.
     Jerk,
     /// A cable is wound or unwound faster than its limit.
@@ -22,7 +26,9 @@ pub enum FaultKind {
     Condition,
     /// The velocities do not fit the positions.
     Velocity,
-    /// The accelerations do not fit the velocities.
+    /// The angular velocities do not fit the orientations.
+    AngularVelocity,
+    /// The accelerations, or angular accelerations, do not fit the velocities.
     Inconsistent,
     /// The samples differ from the exact form of the motion.
     NotExact,

@@ -1,13 +1,16 @@
 //! The tensions of a moving platform, computed without the code that plans trajectories.
 
-use nalgebra::{DVector, Matrix6xX, Vector6};
+use std::borrow::Cow;
+
+use nalgebra::{DVector, Matrix3, Matrix6xX, Vector6};
 
 use super::faults::{FaultKind, Faults, Instant, number};
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
-use crate::model::Scene;
+use crate::geometry::Rotation;
+use crate::model::{Robot, Scene};
 use crate::numerics::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_TENSION};
-use crate::wrench::{Balance, Statics, TensionQp};
+use crate::trajectory::Motion;
+use crate::wrench::{Balance, Loads, Statics, TensionQp};
 
 /// The platform at an instant.
 #[derive(Clone, Copy)]
@@ -16,12 +19,10 @@ pub struct State<'a> {
     pub step: usize,
     /// s.
     pub time: f64,
-    /// m.
-    pub position: &'a Point,
-    /// m/s².
-    pub acceleration: &'a Vector,
-    /// How far the acceleration may be from the true one, m/s².
-    pub uncertain: f64,
+    /// The motion.
+    pub motion: &'a Motion,
+    /// How far acceleration and angular acceleration may be from the true ones, m/s² and rad/s².
+    pub uncertain: [f64; 2],
 }
 
 impl<'a> State<'a> {
@@ -36,34 +37,76 @@ pub struct Forces<'a> {
     names: Vec<&'a str>,
     /// Minimum and maximum tension of each cable, N, where they are known.
     limits: Vec<Option<[f64; 2]>>,
-    /// With mass, kg, and centre of mass, world axes, divided by the characteristic length; or why they are unknown.
-    statics: Result<(Statics, f64, Vector), String>,
+    /// What the platform weighs, or why that is unknown.
+    platform: Result<Platform<'a>, String>,
+}
+
+/// A platform with mass.
+struct Platform<'a> {
+    robot: &'a Robot,
+    loads: Loads,
+    /// At the orientation of the scene.
+    statics: Statics,
+    /// kg.
+    mass: f64,
+    /// About the centre of mass, platform axes, kg·m².
+    inertia: Matrix3<f64>,
+}
+
+impl Platform<'_> {
+    fn statics_at(&self, orientation: &Rotation) -> Result<Cow<'_, Statics>, Error> {
+        if *orientation == self.loads.orientation {
+            return Ok(Cow::Borrowed(&self.statics));
+        }
+        Statics::new(self.robot, &self.loads.at(orientation)).map(Cow::Owned)
+    }
+
+    /// The wrench of inertia, as [force; moment / ℓ], N.
+    fn inertia(&self, motion: &Motion) -> Vector6<f64> {
+        let Motion { orientation, angular_velocity: turn, angular_acceleration: gain, .. } = motion;
+        let center = orientation * self.robot.center_of_mass().coords;
+        let [_, acceleration] = motion.of_point(&center);
+        let axes = orientation.to_rotation_matrix();
+        let tensor = axes * self.inertia * axes.transpose();
+        let (force, length) = (acceleration * self.mass, self.loads.characteristic_length);
+        let moment = (center.cross(&force) + tensor * gain + turn.cross(&(tensor * turn))) / length;
+        Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
+    }
+
+    /// How far the wrench may be from the true one if the accelerations are.
+    fn uncertain(&self, [acceleration, turn]: [f64; 2]) -> f64 {
+        let (length, arm) = (self.loads.characteristic_length, self.robot.center_of_mass().coords.norm());
+        let heaviness = self.mass * (arm / length).hypot(1.0);
+        heaviness * (acceleration + arm * turn) + self.inertia.norm() / length * turn
+    }
 }
 
 impl<'a> Forces<'a> {
     /// Those of a scene.
     pub fn of(scene: &'a Scene) -> Self {
         let robot = scene.robot();
-        let known = Statics::of(scene).map_err(|e| e.to_string()).map(|statics| {
-            let center = scene.orientation() * robot.center_of_mass().coords / statics.characteristic_length();
-            (statics, robot.mass().unwrap_or_default(), center)
+        let platform = Statics::of(scene).map_err(|e| e.to_string()).map(|statics| Platform {
+            robot,
+            loads: Loads::of(scene),
+            statics,
+            mass: robot.mass().unwrap_or_default(),
+            inertia: robot.inertia().unwrap_or_default(),
         });
         let limits = robot.cables().iter().map(|cable| cable.tension).collect();
-        Forces { names: robot.cable_names(), limits, statics: known }
+        Forces { names: robot.cable_names(), limits, platform }
     }
 
     /// Why the balance cannot be checked, if it cannot.
     pub fn unknown(&self) -> Option<&str> {
-        self.statics.as_ref().err().map(String::as_str)
+        self.platform.as_ref().err().map(String::as_str)
     }
 
     /// The wrench that the cables must exert, as [force; moment / ℓ], and its columns; `None` if it is unknown.
-    fn needed(&self, position: &Point, acceleration: &Vector) -> Option<(Vector6<f64>, Matrix6xX<f64>)> {
-        let (statics, mass, center) = self.statics.as_ref().ok()?;
-        let force = acceleration * *mass;
-        let moment = center.cross(&force);
-        let inertia = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
-        Some((statics.balance() + inertia, Matrix6xX::from_columns(&statics.columns(position)?)))
+    fn needed(&self, motion: &Motion) -> Option<(Vector6<f64>, Matrix6xX<f64>)> {
+        let platform = self.platform.as_ref().ok()?;
+        let statics = platform.statics_at(&motion.orientation).ok()?;
+        let columns = Matrix6xX::from_columns(&statics.columns(&motion.position)?);
+        Some((statics.balance() + platform.inertia(motion), columns))
     }
 
     /// Checks tensions at an instant.
@@ -79,10 +122,10 @@ impl<'a> Forces<'a> {
                 faults.add(&fault, || format!("{name}: tension {tension} N, limits {least} N and {most} N"));
             }
         }
-        let Some((wrench, columns)) = self.needed(state.position, state.acceleration) else { return };
+        let Some((wrench, columns)) = self.needed(state.motion) else { return };
         let missing = (columns * DVector::from_column_slice(tensions) - wrench).norm();
-        let mass = self.statics.as_ref().map_or(0.0, |(_, mass, center)| mass * center.norm().hypot(1.0));
-        let allowed = RECORDED_BALANCE * (1.0 + wrench.norm()) + mass * state.uncertain;
+        let uncertain = self.platform.as_ref().map_or(0.0, |platform| platform.uncertain(state.uncertain));
+        let allowed = RECORDED_BALANCE * (1.0 + wrench.norm()) + uncertain;
         if !(missing <= allowed) {
             let fault = state.fault(FaultKind::Balance, &[], [Some(missing), Some(allowed)]);
             faults.add(&fault, || {
@@ -99,11 +142,12 @@ impl<'a> Forces<'a> {
     /// # Errors
     /// Numbers that are not finite.
     pub fn exist(&self, state: &State, solver: &mut TensionQp, faults: &mut Faults) -> Result<(), Error> {
-        let Ok((statics, ..)) = &self.statics else { return Ok(()) };
-        let share = if state.uncertain > 0.0 { RECORDED_RESERVE } else { RECORDED_TENSION };
+        let Ok(Platform { statics, .. }) = &self.platform else { return Ok(()) };
+        let share =
+            if state.uncertain.iter().any(|uncertain| *uncertain > 0.0) { RECORDED_RESERVE } else { RECORDED_TENSION };
         let wider = |[least, most]: [f64; 2]| [least - share * (most - least), most + share * (most - least)];
         let limits: Vec<[f64; 2]> = statics.limits().into_iter().map(wider).collect();
-        let found = match self.needed(state.position, state.acceleration) {
+        let found = match self.needed(state.motion) {
             Some((wrench, columns)) => matches!(solver.solve(&columns, &limits, &wrench, None)?, Balance::Feasible(_)),
             None => false,
         };

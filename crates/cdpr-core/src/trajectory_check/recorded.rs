@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
-use crate::trajectory::{Curve, Timing};
+use crate::geometry::{Point, Pose, Rotation, Vector};
+use crate::trajectory::{Curve, Motion, Timing};
 use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 
 /// The samples of a timed motion from any source. All lists have one entry for each time, and those by cable are in the order of
@@ -24,10 +24,16 @@ pub struct Recorded {
     pub times: Vec<f64>,
     /// Positions of the platform's origin, m.
     pub positions: Vec<Point>,
+    /// World-from-platform orientations, if the platform turns.
+    pub orientations: Option<Vec<Rotation>>,
     /// Its velocities, m/s, if they are known.
     pub velocities: Option<Vec<Vector>>,
     /// Its accelerations, m/s², if they are known.
     pub accelerations: Option<Vec<Vector>>,
+    /// Angular velocities, world axes, rad/s, if they are known.
+    pub angular_velocities: Option<Vec<Vector>>,
+    /// Angular accelerations, world axes, rad/s², if they are known.
+    pub angular_accelerations: Option<Vec<Vector>>,
     /// Lengths of the cables, m, if they are known.
     pub cable_lengths: Option<Vec<Vec<f64>>>,
     /// Their rates, m/s, if they are known.
@@ -49,8 +55,11 @@ impl Recorded {
         Ok(Recorded {
             times: file.times.clone(),
             positions: file.points(),
+            orientations: file.poses().map(|poses| poses.iter().map(|pose| pose.orientation).collect()),
             velocities: vectors(&file.velocities),
             accelerations: vectors(&file.accelerations),
+            angular_velocities: file.angular_velocities.as_deref().and_then(vectors),
+            angular_accelerations: file.angular_accelerations.as_deref().and_then(vectors),
             cable_lengths: Some(file.cable_lengths.clone()),
             cable_speeds: Some(file.cable_speeds.clone()),
             tensions: file.tensions.clone(),
@@ -61,7 +70,7 @@ impl Recorded {
     /// The velocities; if they are not known, the slopes of parabolas through three samples each. Such a slope is a weighted
     /// mean of the velocities between these samples, so it never exceeds the largest one.
     pub fn velocities(&self) -> Cow<'_, [Vector]> {
-        let derived = || derivative(&self.times, &self.positions.iter().map(|p| p.coords).collect::<Vec<_>>());
+        let derived = || slopes(&self.times, &|k| self.mean_velocity(k));
         self.velocities.as_deref().map_or_else(|| Cow::Owned(derived()), Cow::Borrowed)
     }
 
@@ -70,9 +79,46 @@ impl Recorded {
     pub fn accelerations(&self) -> Cow<'_, [Vector]> {
         match (&self.accelerations, &self.velocities) {
             (Some(accelerations), _) => Cow::Borrowed(accelerations),
-            (None, Some(velocities)) => Cow::Owned(derivative(&self.times, velocities)),
-            (None, None) => Cow::Owned(self.bending()),
+            (None, Some(velocities)) => Cow::Owned(slopes(&self.times, &|k| self.mean_rate(velocities, k))),
+            (None, None) => Cow::Owned(self.bending(&|k| self.mean_velocity(k))),
         }
+    }
+
+    /// The angular velocities, derived from the orientations as velocities are from positions; zero without orientations.
+    pub fn angular_velocities(&self) -> Cow<'_, [Vector]> {
+        let derived = || slopes(&self.times, &|k| self.mean_turn(k));
+        self.angular_velocities.as_deref().map_or_else(|| Cow::Owned(derived()), Cow::Borrowed)
+    }
+
+    /// The angular accelerations, derived as accelerations are; zero without orientations.
+    pub fn angular_accelerations(&self) -> Cow<'_, [Vector]> {
+        match (&self.angular_accelerations, &self.angular_velocities) {
+            (Some(accelerations), _) => Cow::Borrowed(accelerations),
+            (None, Some(velocities)) => Cow::Owned(slopes(&self.times, &|k| self.mean_rate(velocities, k))),
+            (None, None) => Cow::Owned(self.bending(&|k| self.mean_turn(k))),
+        }
+    }
+
+    /// The motion at each sample of a platform that has the orientation `held` if it does not turn; the jerk is left out.
+    pub fn motions(&self, held: &Rotation) -> Vec<Motion> {
+        let (velocities, accelerations) = (self.velocities(), self.accelerations());
+        let (turns, gains) = (self.angular_velocities(), self.angular_accelerations());
+        let motion = |k: usize| Motion {
+            position: self.positions[k],
+            orientation: self.orientations.as_ref().map_or(*held, |orientations| orientations[k]),
+            velocity: velocities[k],
+            acceleration: accelerations[k],
+            jerk: Vector::zeros(),
+            angular_velocity: turns[k],
+            angular_acceleration: gains[k],
+        };
+        (0..self.times.len()).map(motion).collect()
+    }
+
+    /// The poses of the samples, if the platform turns.
+    pub fn poses(&self) -> Option<Vec<Pose>> {
+        let pose = |(position, orientation): (&Point, &Rotation)| Pose::new(*position, *orientation);
+        Some(self.positions.iter().zip(self.orientations.as_ref()?).map(pose).collect())
     }
 
     /// The time after a sample until the next one, s.
@@ -85,37 +131,80 @@ impl Recorded {
         (self.positions[k + 1] - self.positions[k]) / self.step(k)
     }
 
+    /// The mean angular velocity between a sample and the next one, rad/s; zero without orientations.
+    pub fn mean_turn(&self, k: usize) -> Vector {
+        let Some(orientations) = &self.orientations else { return Vector::zeros() };
+        let [from, to] = [k, k + 1].map(|k| Pose::new(Point::origin(), orientations[k]));
+        let turn = from.toward(&to);
+        turn.axis * (turn.angle / self.step(k))
+    }
+
+    /// The mean rate of some values between a sample and the next one.
+    pub fn mean_rate(&self, values: &[Vector], k: usize) -> Vector {
+        (values[k + 1] - values[k]) / self.step(k)
+    }
+
     /// How much the velocity turns between a sample and the next one, m/s.
     pub fn turn(&self, k: usize) -> f64 {
-        match &self.velocities {
-            Some(velocities) => (velocities[k + 1] - velocities[k]).norm(),
+        self.change(&self.velocities, &|k| self.mean_velocity(k), k)
+    }
+
+    /// How much the angular velocity changes between a sample and the next one, rad/s.
+    pub fn change_of_turn(&self, k: usize) -> f64 {
+        self.change(&self.angular_velocities, &|k| self.mean_turn(k), k)
+    }
+
+    fn change(&self, known: &Option<Vec<Vector>>, mean: &dyn Fn(usize) -> Vector, k: usize) -> f64 {
+        match known {
+            Some(rates) => (rates[k + 1] - rates[k]).norm(),
             None => {
                 let last = self.times.len() - 2;
-                (self.mean_velocity((k + 1).min(last)) - self.mean_velocity(k.saturating_sub(1))).norm()
+                (mean((k + 1).min(last)) - mean(k.saturating_sub(1))).norm()
             }
         }
     }
 
-    /// How far the motion may deviate from the straight line between a sample and the next one, m.
-    pub fn sag(&self, k: usize, accelerations: &[Vector]) -> f64 {
-        let acceleration = accelerations[k].norm().max(accelerations[k + 1].norm());
-        chord_deviation(self.turn(k), acceleration, self.step(k))
+    /// How much the mean velocities around those between a sample and the next one change, m/s, with rest before the start and after
+    /// the end. Where positions hardly bend, no velocity can be far from them.
+    pub fn bend_of_positions(&self, k: usize) -> f64 {
+        self.bend(&|k| self.mean_velocity(k), k)
     }
 
-    /// Second derivatives of parabolas through three positions; at the ends those beside them.
-    fn bending(&self) -> Vec<Vector> {
+    /// The same for angular velocities, rad/s.
+    pub fn bend_of_orientations(&self, k: usize) -> f64 {
+        self.bend(&|k| self.mean_turn(k), k)
+    }
+
+    fn bend(&self, mean: &dyn Fn(usize) -> Vector, k: usize) -> f64 {
+        // Counted from two steps before the start.
+        let steps = 2..self.times.len() + 1;
+        let around: [Vector; 5] =
+            std::array::from_fn(|j| if steps.contains(&(k + j)) { mean(k + j - 2) } else { Vector::zeros() });
+        around.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+    }
+
+    /// How far points of the platform within `reach`, m, of its origin may deviate from their motion at constant rates between a
+    /// sample and the next one, m.
+    pub fn sag(&self, k: usize, motions: &[Motion], reach: f64) -> f64 {
+        let largest = |norm: fn(&Motion) -> f64| norm(&motions[k]).max(norm(&motions[k + 1]));
+        let straight = chord_deviation(self.turn(k), largest(|m| m.acceleration.norm()), self.step(k));
+        if self.orientations.is_none() {
+            return straight;
+        }
+        let gain = largest(|m| m.angular_acceleration.norm());
+        straight + reach * chord_deviation(self.change_of_turn(k), gain, self.step(k))
+    }
+
+    /// Second derivatives of parabolas through three values, given the slopes between them; at the ends those beside them.
+    fn bending(&self, slope: &dyn Fn(usize) -> Vector) -> Vec<Vector> {
         let count = self.times.len();
-        let inner = |k: usize| {
-            let slopes = [self.mean_velocity(k - 1), self.mean_velocity(k)];
-            (slopes[1] - slopes[0]) * (2.0 / (self.times[k + 1] - self.times[k - 1]))
-        };
+        let inner = |k: usize| (slope(k) - slope(k - 1)) * (2.0 / (self.times[k + 1] - self.times[k - 1]));
         (0..count).map(|k| if count < 3 { Vector::zeros() } else { inner(k.clamp(1, count - 2)) }).collect()
     }
 }
 
-/// Slopes of parabolas through three values each; at both ends the slopes of lines.
-fn derivative(times: &[f64], values: &[Vector]) -> Vec<Vector> {
-    let slope = |k: usize| (values[k + 1] - values[k]) / (times[k + 1] - times[k]);
+/// Slopes of parabolas through three values each, given the slopes between them; at both ends the slopes of lines.
+fn slopes(times: &[f64], slope: &dyn Fn(usize) -> Vector) -> Vec<Vector> {
     let last = times.len() - 1;
     let at = |k: usize| match k {
         0 => slope(0),

@@ -2,9 +2,9 @@
 
 use super::faults::{FaultKind, Faults, Instant, number};
 use super::recorded::Recorded;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Rotation, Vector};
 use crate::numerics::{
-    RECORDED_ACCELERATION, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
+    RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
 use crate::trajectory::{Limits, Motion, Winches};
 
@@ -29,6 +29,12 @@ pub struct Largest {
     pub cable_speed: f64,
     /// Acceleration of a cable, m/s².
     pub cable_acceleration: f64,
+    /// Angular speed, rad/s, if the platform turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turn_speed: Option<f64>,
+    /// Angular acceleration, rad/s², if the platform turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turn_acceleration: Option<f64>,
 }
 
 /// A limited quantity at an instant.
@@ -47,6 +53,8 @@ impl Quantity<'_> {
             FaultKind::Speed => ("speed", "m/s"),
             FaultKind::Acceleration => ("acceleration", "m/s²"),
             FaultKind::Jerk => ("jerk", "m/s³"),
+            FaultKind::TurnSpeed => ("angular speed", "rad/s"),
+            FaultKind::TurnAcceleration => ("angular acceleration", "rad/s²"),
             FaultKind::CableSpeed => ("speed", "m/s"),
             _ => ("acceleration", "m/s²"),
         }
@@ -67,81 +75,98 @@ impl Quantity<'_> {
     }
 }
 
-/// Velocity, acceleration and, if it is known, jerk of the platform at an instant.
+/// The motion of the platform at an instant.
 pub struct Rates<'a> {
     /// Index of the sample.
     pub step: usize,
     /// s.
     pub time: f64,
-    /// m.
-    pub position: &'a Point,
-    /// m/s.
-    pub velocity: &'a Vector,
-    /// m/s².
-    pub acceleration: &'a Vector,
-    /// m/s³.
-    pub jerk: Option<&'a Vector>,
+    /// The motion.
+    pub motion: &'a Motion,
+    /// Whether its jerk is known.
+    pub has_jerk: bool,
     /// What rounding of positions may add to velocity and acceleration.
     pub rounding: [f64; 2],
+    /// What rounding of orientations may add to angular velocity and acceleration; `None` if the platform does not turn.
+    pub turn_rounding: Option<[f64; 2]>,
 }
 
 impl Rules<'_> {
     /// Checks all limits at an instant.
     pub fn at(&self, rates: &Rates, largest: &mut Largest, faults: &mut Faults) {
-        let Rates { step, time, position, velocity, acceleration, jerk, rounding: [slow, late] } = *rates;
+        let Rates { step, time, motion, has_jerk, rounding: [slow, late], turn_rounding } = *rates;
         let check = |kind, cable, value: f64, limit, rounding, faults: &mut Faults| {
             Quantity { kind, cable, value, limit, rounding }.check(step, time, faults);
             value
         };
         let limits = self.limits;
-        let speed = check(FaultKind::Speed, None, velocity.norm(), limits.speed, slow, faults);
-        let a = check(FaultKind::Acceleration, None, acceleration.norm(), limits.acceleration, late, faults);
-        if let Some(jerk) = jerk {
-            check(FaultKind::Jerk, None, jerk.norm(), limits.jerk, 0.0, faults);
+        let speed = check(FaultKind::Speed, None, motion.velocity.norm(), limits.speed, slow, faults);
+        let a = check(FaultKind::Acceleration, None, motion.acceleration.norm(), limits.acceleration, late, faults);
+        if has_jerk {
+            check(FaultKind::Jerk, None, motion.jerk.norm(), limits.jerk, 0.0, faults);
         }
+        let [turn, gain] = [motion.angular_velocity.norm(), motion.angular_acceleration.norm()];
+        if let Some([slow, late]) = turn_rounding {
+            check(FaultKind::TurnSpeed, None, turn, limits.turn_speed, slow, faults);
+            check(FaultKind::TurnAcceleration, None, gain, limits.turn_acceleration, late, faults);
+        }
+        let of_arms = turn_rounding.map_or([0.0; 2], |rounding| rounding.map(|of| self.reach() * of));
+        let [slow, late] = [slow + of_arms[0], late + of_arms[1]];
         let mut fastest = [speed, a, largest.cable_speed, largest.cable_acceleration];
-        for (name, winding) in self.names.iter().zip(self.winches.windings(position, velocity, acceleration)) {
+        for (name, winding) in self.names.iter().zip(self.winches.windings(motion)) {
             let (speed, a, name) = (winding.speed.abs(), winding.acceleration.abs(), Some(*name));
             fastest[2] = check(FaultKind::CableSpeed, name, speed, limits.cable_speed, slow, faults).max(fastest[2]);
             let a = check(FaultKind::CableAcceleration, name, a, limits.cable_acceleration, late, faults);
             fastest[3] = a.max(fastest[3]);
         }
+        let larger = |known: Option<f64>, value: f64| turn_rounding.map(|_| known.unwrap_or(0.0).max(value));
         *largest = Largest {
             speed: largest.speed.max(fastest[0]),
             acceleration: largest.acceleration.max(fastest[1]),
             cable_speed: fastest[2],
             cable_acceleration: fastest[3],
+            turn_speed: larger(largest.turn_speed, turn),
+            turn_acceleration: larger(largest.turn_acceleration, gain),
         };
     }
 
+    /// The largest distance of an attachment from the platform's origin, m.
+    fn reach(&self) -> f64 {
+        self.winches.cables().iter().map(|cable| cable.attachment.coords.norm()).fold(0.0, f64::max)
+    }
+
     /// Checks the mean rates between a sample and the next one: the motion really reaches at least these.
-    pub fn means(&self, motion: &Recorded, k: usize, faults: &mut Faults) {
+    pub fn means(&self, motion: &Recorded, motions: &[Motion], k: usize, faults: &mut Faults) {
         let (step, time, limits) = (motion.step(k), motion.times[k], self.limits);
         let rounding = RECORDED_ROUNDING / step;
-        let rate = |list: &Option<Vec<Vector>>| list.as_ref().map(|list| (list[k + 1] - list[k]).norm() / step);
+        let rate = |list: &Option<Vec<Vector>>| list.as_ref().map(|list| motion.mean_rate(list, k).norm());
+        let turn = motion.orientations.is_some().then(|| motion.mean_turn(k).norm());
         let given = [
             (FaultKind::Speed, Some(motion.mean_velocity(k).norm()), limits.speed, rounding),
             (FaultKind::Acceleration, rate(&motion.velocities), limits.acceleration, rounding),
             (FaultKind::Jerk, rate(&motion.accelerations), limits.jerk, rounding),
+            (FaultKind::TurnSpeed, turn, limits.turn_speed, rounding),
+            (FaultKind::TurnAcceleration, rate(&motion.angular_velocities), limits.turn_acceleration, rounding),
         ];
         for (kind, value, limit, rounding) in given {
             let Some(value) = value else { continue };
             Quantity { kind, cable: None, value, limit, rounding }.check(k, time, faults);
         }
-        let [before, after] = [k, k + 1].map(|k| self.lengths(&motion.positions[k]));
+        let rounding = if turn.is_some() { rounding * (1.0 + self.reach()) } else { rounding };
+        let [before, after] = [k, k + 1].map(|k| self.lengths(&motions[k]));
         for (name, (before, after)) in self.names.iter().zip(before.zip(after)) {
             let (kind, value) = (FaultKind::CableSpeed, (after - before).abs() / step);
             Quantity { kind, cable: Some(name), value, limit: limits.cable_speed, rounding }.check(k, time, faults);
         }
     }
 
-    fn lengths(&self, position: &Point) -> impl Iterator<Item = f64> {
-        self.winches.cables().iter().map(move |cable| (position + cable.arm - cable.outlet).norm())
+    fn lengths(&self, motion: &Motion) -> impl Iterator<Item = f64> {
+        self.winches.cables().iter().map(move |cable| cable.vector(&motion.position, &motion.orientation).norm())
     }
 
     /// Checks that velocities and accelerations fit the positions between a sample and the next one; `most` is the largest
-    /// acceleration of all samples.
-    pub fn fits(&self, motion: &Recorded, velocities: &[Vector], k: usize, most: f64, faults: &mut Faults) {
+    /// acceleration of all samples, and the largest angular one.
+    pub fn fits(&self, motion: &Recorded, motions: &[Motion], k: usize, most: [f64; 2], faults: &mut Faults) {
         let (step, time) = (motion.step(k), motion.times[k]);
         let rounding = RECORDED_ROUNDING / step;
         let mut add = |kind, found: f64, allowed: f64, what: [&str; 3]| {
@@ -159,25 +184,44 @@ impl Rules<'_> {
                 )
             });
         };
+        let near = k.saturating_sub(1)..(k + 3).min(motion.times.len());
+        let nearby = |norm: fn(&Motion) -> f64| motions[near.clone()].iter().map(norm).fold(0.0, f64::max);
         let middle = |list: &[Vector]| 0.5 * (list[k] + list[k + 1]);
-        if motion.velocities.is_some() {
-            let near = k.saturating_sub(1)..(k + 3).min(motion.times.len());
-            let nearby =
-                motion.accelerations.as_ref().map_or(0.0, |a| a[near].iter().map(Vector::norm).fold(0.0, f64::max));
+        let apart = |list: &[Vector], mean: Vector| (list[k] - mean).norm().max((list[k + 1] - mean).norm());
+        if let Some(velocities) = &motion.velocities {
             let found = (motion.mean_velocity(k) - middle(velocities)).norm();
-            let allowed = motion.turn(k) + 0.5 * step * nearby + rounding;
-            add(FaultKind::Velocity, found, allowed, ["velocities", "the change of the position", "m/s"]);
+            let allowed = motion.turn(k) + 0.5 * step * nearby(|m| m.acceleration.norm()) + rounding;
+            let words = ["velocities", "the change of the position", "m/s"];
+            add(FaultKind::Velocity, found, allowed, words);
+            let (found, bend) = (apart(velocities, motion.mean_velocity(k)), motion.bend_of_positions(k));
+            add(FaultKind::Velocity, found, RECORDED_BEND * bend + 2.0 * rounding, words);
         }
+        if let Some(velocities) = &motion.angular_velocities {
+            let found = (motion.mean_turn(k) - middle(velocities)).norm();
+            let allowed = motion.change_of_turn(k) + 0.5 * step * nearby(|m| m.angular_acceleration.norm()) + rounding;
+            let (kind, words) =
+                (FaultKind::AngularVelocity, ["angular velocities", "the change of the orientation", "rad/s"]);
+            add(kind, found, allowed, words);
+            let (found, bend) = (apart(velocities, motion.mean_turn(k)), motion.bend_of_orientations(k));
+            add(kind, found, RECORDED_BEND * bend + 2.0 * rounding, words);
+        }
+        let change = |rate: fn(&Motion) -> Vector| (rate(&motions[k + 1]) - rate(&motions[k])) / step;
+        let allowed = |most: f64| RECORDED_ACCELERATION * most + 4.0 * rounding / step;
         if let Some(accelerations) = &motion.accelerations {
-            let found = ((velocities[k + 1] - velocities[k]) / step - middle(accelerations)).norm();
-            let allowed = RECORDED_ACCELERATION * most + 4.0 * rounding / step;
-            add(FaultKind::Inconsistent, found, allowed, ["accelerations", "the change of the velocity", "m/s²"]);
+            let found = (change(|motion| motion.velocity) - middle(accelerations)).norm();
+            let words = ["accelerations", "the change of the velocity", "m/s²"];
+            add(FaultKind::Inconsistent, found, allowed(most[0]), words);
+        }
+        if let Some(accelerations) = &motion.angular_accelerations {
+            let found = (change(|motion| motion.angular_velocity) - middle(accelerations)).norm();
+            let words = ["angular accelerations", "the change of the angular velocity", "rad/s²"];
+            add(FaultKind::Inconsistent, found, allowed(most[1]), words);
         }
     }
 
     /// Checks the columns of cables at a sample.
-    pub fn cables(&self, motion: &Recorded, k: usize, faults: &mut Faults) {
-        let (step, time, position) = (k, motion.times[k], &motion.positions[k]);
+    pub fn cables(&self, motion: &Recorded, motions: &[Motion], k: usize, faults: &mut Faults) {
+        let (step, time) = (k, motion.times[k]);
         let mut add = |kind, name: &str, found: f64, expected: f64, allowed: f64, words: [&str; 2]| {
             let excess = (found - expected).abs();
             if excess <= allowed {
@@ -190,13 +234,15 @@ impl Rules<'_> {
             });
         };
         if let Some(lengths) = &motion.cable_lengths {
-            for ((name, expected), found) in self.names.iter().zip(self.lengths(position)).zip(&lengths[k]) {
+            for ((name, expected), found) in self.names.iter().zip(self.lengths(&motions[k])).zip(&lengths[k]) {
                 add(FaultKind::CableLength, name, *found, expected, RECORDED_LENGTH, ["length", "m"]);
             }
         }
-        if let (Some(speeds), Some(velocities)) = (&motion.cable_speeds, &motion.velocities) {
-            let windings = self.winches.windings(position, &velocities[k], &velocities[k]);
-            let allowed = RECORDED_RATE * (1.0 + velocities[k].norm());
+        let turns_known = motion.orientations.is_none() || motion.angular_velocities.is_some();
+        if let (Some(speeds), Some(velocities), true) = (&motion.cable_speeds, &motion.velocities, turns_known) {
+            let windings = self.winches.windings(&motions[k]);
+            let of_turn = self.reach() * motions[k].angular_velocity.norm();
+            let allowed = RECORDED_RATE * (1.0 + velocities[k].norm() + of_turn);
             for ((name, winding), found) in self.names.iter().zip(windings).zip(&speeds[k]) {
                 add(FaultKind::CableRate, name, *found, winding.speed, allowed, ["speed", "m/s"]);
             }
@@ -214,6 +260,9 @@ impl Rules<'_> {
             ("position", "m", nearest(&|m| (motion.positions[k] - m.position).norm())),
             ("velocity", "m/s", rate(&motion.velocities, |m| m.velocity)),
             ("acceleration", "m/s²", rate(&motion.accelerations, |m| m.acceleration)),
+            ("orientation", "rad", motion.orientations.as_ref().map_or(0.0, |list| nearest(&|m| angle(&list[k], m)))),
+            ("angular velocity", "rad/s", rate(&motion.angular_velocities, |m| m.angular_velocity)),
+            ("angular acceleration", "rad/s²", rate(&motion.angular_accelerations, |m| m.angular_acceleration)),
         ];
         for (what, unit, excess) in found {
             if excess <= RECORDED_LENGTH {
@@ -226,6 +275,10 @@ impl Rules<'_> {
             );
         }
     }
+}
+
+fn angle(orientation: &Rotation, motion: &Motion) -> f64 {
+    orientation.angle_to(&motion.orientation)
 }
 
 /// Times just before, at, and just after a time, s: the acceleration may jump there.

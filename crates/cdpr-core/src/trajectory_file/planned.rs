@@ -4,12 +4,12 @@ use serde_json::{Value, json};
 
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::error::Error;
-use crate::geometry::{Point, Vector, wxyz};
+use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz};
 use crate::model::{Scene, body};
 use crate::numerics::MOST_SAMPLES;
 use crate::path_file::SceneId;
 use crate::trajectory::timing::{Phase, Timing};
-use crate::trajectory::{Bound, Curve, Motion, Passing, Sample, Trajectory, curve};
+use crate::trajectory::{Attitude, Bound, Curve, Motion, Passing, Sample, Trajectory, curve};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
@@ -33,8 +33,12 @@ impl TrajectoryFile {
             samples.push(trajectory.sample(&mut solver, time)?);
         }
         let turn = scene.orientation();
+        let turns =
+            trajectory.curve().pieces().iter().flat_map(|piece| piece.attitude().ends()).any(|end| end != *turn);
         let cables = scene.robot().cable_names();
-        let platform = |of: fn(&Motion) -> [f64; 3]| samples.iter().map(|sample| of(&sample.motion)).collect();
+        let platform = |of: fn(&Motion) -> [f64; 3]| -> Vec<[f64; 3]> {
+            samples.iter().map(|sample| of(&sample.motion)).collect()
+        };
         let each = |of: fn(&crate::trajectory::Winding) -> f64| {
             samples.iter().map(|sample| sample.windings.iter().map(of).collect()).collect()
         };
@@ -50,21 +54,53 @@ impl TrajectoryFile {
             limits: *trajectory.limits(),
             tension_limits: trajectory.winches().tension_limits().map(<[_]>::to_vec),
             waypoints: waypoints.iter().map(|point| (*point).into()).collect(),
+            waypoint_orientations: None,
             corners: corners(trajectory),
             limiting: limiting(trajectory, &cables),
             cables: cables.iter().map(ToString::to_string).collect(),
             positions: platform(|motion| motion.position.into()),
             velocities: platform(|motion| motion.velocity.into()),
             accelerations: platform(|motion| motion.acceleration.into()),
+            orientations: turns.then(|| continuous(samples.iter().map(|sample| sample.motion.orientation))),
+            angular_velocities: turns.then(|| platform(|motion| motion.angular_velocity.into())),
+            angular_accelerations: turns.then(|| platform(|motion| motion.angular_acceleration.into())),
             cable_lengths: each(|winding| winding.length),
             cable_speeds: each(|winding| winding.speed),
             tensions: samples.iter().map(|Sample { tensions, .. }| tensions.clone()).collect(),
             cable_accelerations: Some(each(|winding| winding.acceleration)),
-            curve: Some(exact_curve(trajectory.curve())),
+            curve: Some(exact_curve(trajectory.curve(), turns)),
             timing: Some(exact_timing(trajectory.timing())),
             times,
         })
     }
+
+    /// The same along a path of poses.
+    ///
+    /// # Errors
+    /// As [`TrajectoryFile::of`].
+    pub fn of_poses(
+        scene: &Scene,
+        poses: &[Pose],
+        trajectory: &Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+        let file = Self::of(scene, &positions, trajectory, rate, watch)?;
+        let orientations = poses.iter().map(|pose| wxyz(&pose.orientation)).collect();
+        Ok(TrajectoryFile { waypoint_orientations: file.orientations.is_some().then_some(orientations), ..file })
+    }
+}
+
+/// Quaternions w x y z with the signs between which their digits change least.
+fn continuous(orientations: impl Iterator<Item = Rotation>) -> Vec<[f64; 4]> {
+    let mut found: Vec<[f64; 4]> = Vec::new();
+    for orientation in orientations {
+        let digits = wxyz(&orientation);
+        let jumps = found.last().is_some_and(|last| last.iter().zip(digits).map(|(a, b)| a * b).sum::<f64>() < 0.0);
+        found.push(if jumps { digits.map(|x| -x) } else { digits });
+    }
+    found
 }
 
 /// Instants at a rate, and the end.
@@ -96,6 +132,7 @@ fn corners(trajectory: &Trajectory) -> Vec<TrajectoryCorner> {
         },
         deviation: corner.deviation,
         time: trajectory.timing().when(corner.at),
+        turn: corner.turn,
     };
     trajectory.corners().iter().map(corner).collect()
 }
@@ -104,6 +141,8 @@ fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
     let kind = |bound: Bound| match bound {
         Bound::Speed => (LimitKind::Speed, None),
         Bound::Acceleration => (LimitKind::Acceleration, None),
+        Bound::TurnSpeed => (LimitKind::TurnSpeed, None),
+        Bound::TurnAcceleration => (LimitKind::TurnAcceleration, None),
         Bound::Jerk => (LimitKind::Jerk, None),
         Bound::CableSpeed(cable) => (LimitKind::CableSpeed, Some(cable)),
         Bound::CableAcceleration(cable) => (LimitKind::CableAcceleration, Some(cable)),
@@ -116,11 +155,19 @@ fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
     trajectory.limiting().into_iter().map(named).collect()
 }
 
-/// Lines as `{"line": [from, to]}`, bends as `{"bend": [six control points]}`, m.
-fn exact_curve(curve: &Curve) -> Value {
+/// Lines as `{"line": [from, to]}`, bends as `{"bend": [six control points]}`, m; if the platform turns somewhere, with the
+/// `orientations` at both ends and, where it does, the `length` of the parameter, m.
+fn exact_curve(curve: &Curve, turns: bool) -> Value {
     let piece = |piece: &curve::Piece| {
         let control: Vec<[f64; 3]> = piece.control().iter().map(|point| (*point).into()).collect();
-        if piece.is_line() { json!({ "line": control }) } else { json!({ "bend": control }) }
+        let mut json = if piece.is_line() { json!({ "line": control }) } else { json!({ "bend": control }) };
+        if turns {
+            json["orientations"] = json!(piece.attitude().ends().map(|end| wxyz(&end)));
+        }
+        if piece.attitude().turns() {
+            json["length"] = json!(piece.length);
+        }
+        json
     };
     curve.pieces().iter().map(piece).collect()
 }
@@ -139,9 +186,10 @@ impl TrajectoryFile {
     /// A file without `curve` and `timing`, or with others than planning writes.
     pub fn exact(&self) -> Result<(Curve, Timing), Error> {
         let missing = |key: &str| Error::invalid(key, "found none, expected the exact form that planning writes");
+        let held = rotation_as_written(self.orientation);
         let pieces = self.curve.as_ref().and_then(Value::as_array).ok_or_else(|| missing("curve"))?;
         let pieces: Vec<curve::Piece> = (pieces.iter().enumerate())
-            .map(|(k, piece)| read_piece(piece).ok_or_else(|| strange(&format!("curve[{k}]"))))
+            .map(|(k, piece)| read_piece(piece, &held).ok_or_else(|| strange(&format!("curve[{k}]"))))
             .collect::<Result<_, _>>()?;
         let rows: Vec<[f64; 5]> = (self.timing.clone())
             .map(serde_json::from_value)
@@ -159,12 +207,27 @@ fn strange(place: &str) -> Error {
     Error::invalid(place, "found something else than planning writes")
 }
 
-fn read_piece(piece: &Value) -> Option<curve::Piece> {
+/// A piece; where it has no orientations, the platform is held at this one.
+fn read_piece(piece: &Value, held: &Rotation) -> Option<curve::Piece> {
     let points = |key: &str| serde_json::from_value::<Vec<[f64; 3]>>(piece.get(key)?.clone()).ok();
+    let attitude = match piece.get("orientations") {
+        Some(ends) => {
+            let ends = serde_json::from_value::<[[f64; 4]; 2]>(ends.clone()).ok()?;
+            let [from, to] = ends.map(|end| body::unit_quaternion("", end).is_ok().then(|| rotation_as_written(end)));
+            Attitude::between(from?, to?)
+        }
+        None => Attitude::held(*held),
+    };
     if let Some([from, to]) = points("line").as_deref() {
         let (from, to): (Point, Point) = ((*from).into(), (*to).into());
-        return (Vector::norm(&(to - from)) > 0.0).then(|| curve::Piece::line(from, to));
+        if attitude.turns() {
+            let length = piece.get("length")?.as_f64().filter(|length| *length > 0.0 && length.is_finite())?;
+            return Some(curve::Piece::turning_line([from, to], attitude, length));
+        }
+        let line = || curve::Piece::line(from, to).held_at(attitude.ends()[0]);
+        return (Vector::norm(&(to - from)) > 0.0).then(line);
     }
     let control: [[f64; 3]; curve::CONTROL] = points("bend")?.try_into().ok()?;
-    (control[0] != control[1]).then(|| curve::Piece::bend(control.map(Point::from)))
+    let bend = || curve::Piece::bend(control.map(Point::from)).held_at(attitude.ends()[0]);
+    (control[0] != control[1] && !attitude.turns()).then(bend)
 }

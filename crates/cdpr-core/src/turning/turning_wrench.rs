@@ -194,6 +194,11 @@ impl TurningWrench {
         }
     }
 
+    /// What limits the wrenches at a pose most.
+    pub fn least_at(&self, pose: &Pose) -> Option<WrenchLimit> {
+        self.limits_at(pose).into_iter().min_by(|a, b| a.order().total_cmp(&b.order()))
+    }
+
     /// Whether the slack at both ends of a piece proves that it suffices between them.
     fn proved(&self, motion: &PoseMotion, [from, to]: &[Known; 2]) -> bool {
         let angle = motion.angle * (to.at - from.at);

@@ -1,11 +1,13 @@
 //! The facets of the available wrenches at a position, as limits of further wrenches.
 
+use std::borrow::Cow;
+
 use nalgebra::{SVector, Vector6};
 
 use super::kernel::{AllFacets, KernelRobot};
 use super::statics::Statics;
 use super::zonotope::{Span, for_each_normal};
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point};
 use crate::numerics::BALANCE_RELATIVE;
 use crate::numerics::simd::{Kernel, WIDTH};
 
@@ -22,6 +24,9 @@ pub struct FacetPair {
 
 /// A position and two wrenches [force; moment / ℓ], N.
 pub type Demand = (Point, [Vector6<f64>; 2]);
+
+/// A turn of the platform from the orientation of the statics, and the wrench to balance there, [force; moment / ℓ], N.
+pub type Turned = (Placed, Vector6<f64>);
 
 /// The facets of the wrenches that a robot's cables can exert.
 #[derive(Debug, Clone)]
@@ -52,7 +57,26 @@ impl DemandFacets {
 
     /// Calls `visit` with the index of each demand and the facets at its position. Returns the index of the first demand at
     /// whose position the cables cannot hold the platform.
-    pub fn for_each(&self, demands: &[Demand], mut visit: impl FnMut(usize, &FacetPair)) -> Option<usize> {
+    pub fn for_each(&self, demands: &[Demand], visit: impl FnMut(usize, &FacetPair)) -> Option<usize> {
+        self.visit(demands, None, visit)
+    }
+
+    /// As [`DemandFacets::for_each`] with another orientation at each position.
+    pub fn for_each_turned(
+        &self,
+        demands: &[Demand],
+        turned: &[Turned],
+        visit: impl FnMut(usize, &FacetPair),
+    ) -> Option<usize> {
+        self.visit(demands, Some(turned), visit)
+    }
+
+    fn visit(
+        &self,
+        demands: &[Demand],
+        turned: Option<&[Turned]>,
+        mut visit: impl FnMut(usize, &FacetPair),
+    ) -> Option<usize> {
         let mut lacking: Option<usize> = None;
         let mut see = |k: usize, facets: FacetPair| {
             let slack = facets.slack.map(|slack| slack - self.margin * facets.norm);
@@ -63,14 +87,26 @@ impl DemandFacets {
         };
         for (group, four) in demands.chunks(WIDTH).enumerate() {
             let first = group * WIDTH;
-            let sure = self.robot.as_ref().map_or([-1.0; WIDTH], |robot| self.by_kernel(robot, first, four, &mut see));
+            let turns = turned.map(|turned| &turned[first..first + four.len()]);
+            let robot = self.robot.as_ref().map(|robot| self.at_turns(robot, turns));
+            let sure = robot.map_or([-1.0; WIDTH], |robot| self.by_kernel(&robot, first, four, &mut see));
             for (lane, (position, wrenches)) in four.iter().enumerate().filter(|(lane, _)| !(sure[*lane] >= 0.0)) {
-                if !self.defined(position, wrenches, &mut |facets| see(first + lane, facets)) {
+                let statics = turns.map(|turns| self.statics.turned(&turns[lane].0, turns[lane].1));
+                let statics = statics.as_ref().unwrap_or(&self.statics);
+                if !self.defined(statics, position, wrenches, &mut |facets| see(first + lane, facets)) {
                     see(first + lane, FacetPair { heights: [0.0; 2], slack: [f64::NAN; 2], norm: 0.0 });
                 }
             }
         }
         lacking
+    }
+
+    /// The robot at up to four turns.
+    fn at_turns<'a>(&self, robot: &'a KernelRobot, turns: Option<&[Turned]>) -> Cow<'a, KernelRobot> {
+        let Some(turns) = turns else { return Cow::Borrowed(robot) };
+        let at = |lane: usize| &turns[lane.min(turns.len() - 1)];
+        let (poses, balances) = (std::array::from_fn(|lane| at(lane).0), std::array::from_fn(|lane| at(lane).1.into()));
+        Cow::Owned(robot.at_orientations(&self.statics, &poses, &balances))
     }
 
     /// The facets of up to four demands by the kernel, where it is sure.
@@ -95,14 +131,20 @@ impl DemandFacets {
     }
 
     /// The facets at a position by definition; false if a cable has no direction.
-    fn defined(&self, position: &Point, wrenches: &[Vector6<f64>; 2], see: &mut impl FnMut(FacetPair)) -> bool {
-        let Some(columns) = self.statics.columns(position) else { return false };
-        if self.statics.point_mass() {
+    fn defined(
+        &self,
+        statics: &Statics,
+        position: &Point,
+        wrenches: &[Vector6<f64>; 2],
+        see: &mut impl FnMut(FacetPair),
+    ) -> bool {
+        let Some(columns) = statics.columns(position) else { return false };
+        if statics.point_mass() {
             let force = |w: &Vector6<f64>| -> SVector<f64, 3> { w.fixed_rows::<3>(0).into() };
             let forces: Vec<SVector<f64, 3>> = columns.iter().map(force).collect();
-            self.facets(&forces, &force(self.statics.balance()), wrenches.each_ref().map(force), see);
+            self.facets(&forces, &force(statics.balance()), wrenches.each_ref().map(force), see);
         } else {
-            self.facets(&columns, self.statics.balance(), *wrenches, see);
+            self.facets(&columns, statics.balance(), *wrenches, see);
         }
         true
     }

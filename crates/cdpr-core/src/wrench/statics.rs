@@ -4,7 +4,7 @@ use nalgebra::Vector6;
 
 use super::hold::{Hold, meet_in_one_point};
 use crate::error::Error;
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Placed, Point, Rotation, Vector};
 use crate::model::{Robot, Scene, body};
 use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
 
@@ -54,11 +54,16 @@ impl Loads {
 
     /// The wrench that the cables of a robot must exert for balance, [force; moment / ℓ], N; `None` without its mass.
     pub fn balance(&self, robot: &Robot) -> Option<Vector6<f64>> {
-        let weight = self.gravity * robot.mass()?;
-        let moment = (self.orientation * robot.center_of_mass().coords).cross(&weight);
+        Some(self.balance_of(robot.mass()?, &robot.center_of_mass().coords))
+    }
+
+    /// The same for a platform of this mass, kg, with this centre of mass, platform frame, m.
+    pub fn balance_of(&self, mass: f64, center: &Vector) -> Vector6<f64> {
+        let weight = self.gravity * mass;
+        let moment = (self.orientation * center).cross(&weight);
         let force = weight + self.load.fixed_rows::<3>(0);
         let moment = (moment + self.load.fixed_rows::<3>(3)) / self.characteristic_length;
-        Some(-Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z))
+        -Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
     }
 }
 
@@ -165,6 +170,12 @@ impl Statics {
             (*least, *most) = (*least + reserve, *most - reserve);
         }
         self
+    }
+
+    /// The same cables on the platform after a turn, with the wrench to balance there, as [force; moment / ℓ], N.
+    pub fn turned(&self, turn: &Placed, balance: Vector6<f64>) -> Self {
+        let cable = |cable: &StaticCable| StaticCable { arm: turn.turned(&cable.arm), ..cable.clone() };
+        Statics { cables: self.cables.iter().map(cable).collect(), balance, ..self.clone() }
     }
 
     /// Cables in the order of the robot.

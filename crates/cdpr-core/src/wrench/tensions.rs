@@ -386,7 +386,7 @@ pub struct TensionPlace {
 }
 
 /// Number of steps into which a path is divided to find the range of tensions.
-const RANGE_STEPS: f64 = 1000.0;
+pub const RANGE_STEPS: f64 = 1000.0;
 
 /// The wrenches of a whole path, by the measures of its scene; `None` if it has no measures. Margins are minima to
 /// within [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are evaluated at a thousand equal steps and at the
@@ -427,18 +427,26 @@ fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Resul
             statics.tensions(solver, &place.position, None)
         })
         .collect();
-    let mut all = Vec::new();
-    for (place, tensions) in places.iter().zip(found?) {
-        let Some(tensions) = tensions else { return Ok(None) };
-        all.extend(tensions.into_iter().enumerate().map(|(cable, value)| (place, cable, value)));
+    let at = |place: &Place| (place.segment, place.at);
+    Ok(TensionRange::of(statics, places.iter().map(at).zip(found?)))
+}
+
+impl TensionRange {
+    /// The range of tensions at some places, given by segment and fraction; `None` if they are unknown at one of them.
+    pub fn of(statics: &Statics, places: impl IntoIterator<Item = ((usize, f64), Option<Vec<f64>>)>) -> Option<Self> {
+        let mut all = Vec::new();
+        for ((segment, at), tensions) in places {
+            let told = |(cable, value): (usize, f64)| (segment, at, cable, value);
+            all.extend(tensions?.into_iter().enumerate().map(told));
+        }
+        let told = |&(segment, at, cable, value): &(usize, f64, usize, f64)| TensionPlace {
+            value,
+            cable: statics.cables()[cable].name.clone(),
+            segment,
+            at,
+        };
+        let min = all.iter().min_by(|a, b| a.3.total_cmp(&b.3)).map(told)?;
+        let max = all.iter().max_by(|a, b| a.3.total_cmp(&b.3)).map(told)?;
+        Some(TensionRange { min, max })
     }
-    let told = |(place, cable, value): &(&Place, usize, f64)| TensionPlace {
-        value: *value,
-        cable: statics.cables()[*cable].name.clone(),
-        segment: place.segment,
-        at: place.at,
-    };
-    let min = all.iter().min_by(|a, b| a.2.total_cmp(&b.2)).map(told);
-    let max = all.iter().max_by(|a, b| a.2.total_cmp(&b.2)).map(told);
-    Ok(min.zip(max).map(|(min, max)| TensionRange { min, max }))
 }

@@ -1,11 +1,12 @@
 //! Trajectories as CSV: `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`, then `length:`, `speed:` and `tension:` with the name of a
-//! cable; s, m, m/s, m/s², N. Only t, x, y and z must be present when a file is read. Headers begin with letters and
+//! cable; s, m, m/s, m/s², N. If the platform turns, its angular velocity `wx,wy,wz`, rad/s, and acceleration
+//! `alphax,alphay,alphaz`, rad/s², world axes, follow those of its origin. Only t, x, y and z must be present when a file is read. Headers begin with letters and
 //! numbers are no text, so no cell begins like a formula of a spreadsheet.
 
 use std::collections::HashMap;
 
 use cdpr_core::error::{Error, printable};
-use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::geometry::{Point, Rotation, Vector, rotation_as_written};
 use cdpr_core::model::body;
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::TrajectoryFile;
@@ -13,9 +14,17 @@ use csv::StringRecord;
 
 /// Columns other than those of cables.
 const PLATFORM: [&str; 14] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "ax", "ay", "az"];
+/// Columns of a platform that turns.
+const TURNING: [&str; 6] = ["wx", "wy", "wz", "alphax", "alphay", "alphaz"];
 /// Columns that are present together or not at all; the first one must be present.
-const TOGETHER: [&[&str]; 4] =
-    [&["t", "x", "y", "z"], &["qw", "qx", "qy", "qz"], &["vx", "vy", "vz"], &["ax", "ay", "az"]];
+const TOGETHER: [&[&str]; 6] = [
+    &["t", "x", "y", "z"],
+    &["qw", "qx", "qy", "qz"],
+    &["vx", "vy", "vz"],
+    &["ax", "ay", "az"],
+    &["wx", "wy", "wz"],
+    &["alphax", "alphay", "alphaz"],
+];
 /// Beginnings of the columns of cables.
 const BY_CABLE: [&str; 3] = ["length:", "speed:", "tension:"];
 /// Largest difference of the components of unit quaternions that are the same orientation.
@@ -26,10 +35,13 @@ pub fn table(file: &TrajectoryFile) -> String {
     let rows_by_cable = [Some(&file.cable_lengths), Some(&file.cable_speeds), file.tensions.as_ref()];
     let named = BY_CABLE.iter().zip(&rows_by_cable).filter(|(_, rows)| rows.is_some());
     let names = named.flat_map(|(what, _)| file.cables.iter().map(move |cable| format!("{what}{cable}")));
-    let header: Vec<String> = PLATFORM.iter().map(ToString::to_string).chain(names).collect();
+    let turning = if file.orientations.is_some() { &TURNING[..] } else { &[] };
+    let header: Vec<String> = PLATFORM.iter().chain(turning).map(ToString::to_string).chain(names).collect();
+    let turns = [&file.angular_velocities, &file.angular_accelerations];
     let record = |k: usize| {
-        let platform =
-            [&file.positions[k][..], &file.orientation, &file.velocities[k], &file.accelerations[k]].concat();
+        let orientation = file.orientations.as_ref().map_or(&file.orientation, |orientations| &orientations[k]);
+        let mut platform = [&file.positions[k][..], orientation, &file.velocities[k], &file.accelerations[k]].concat();
+        turns.into_iter().flatten().for_each(|rows| platform.extend(rows[k]));
         let cables = rows_by_cable.iter().flatten().flat_map(|rows| rows[k].iter().copied());
         [file.times[k]].into_iter().chain(platform).chain(cables).map(|x| (x + 0.0).to_string()).collect::<Vec<_>>() // no -0
     };
@@ -45,7 +57,7 @@ pub fn table(file: &TrajectoryFile) -> String {
 pub struct Table {
     /// The samples; cables in the order of `cables`.
     pub motion: Recorded,
-    /// The orientation of all rows, if it is given.
+    /// The orientation of all rows, if it is given and the same.
     pub orientation: Option<[f64; 4]>,
     /// Names of the cables that have columns.
     pub cables: Vec<String>,
@@ -92,9 +104,10 @@ impl Columns {
         let names: Vec<String> = header.iter().map(str::to_string).collect();
         let mut index = HashMap::new();
         let problem = |problem: String| Err(Error::invalid("header", problem));
+        let known = [&PLATFORM[..], &TURNING].concat();
         for (k, name) in names.iter().enumerate() {
-            if !PLATFORM.contains(&name.as_str()) && cable_of(name).is_none() {
-                let expected = format!("expected {}, or length:, speed: or tension: and a cable", PLATFORM.join(", "));
+            if !known.contains(&name.as_str()) && cable_of(name).is_none() {
+                let expected = format!("expected {}, or length:, speed: or tension: and a cable", known.join(", "));
                 return problem(format!("found the column \"{}\", {expected}", printable(name)));
             }
             if index.insert(name.clone(), k).is_some() {
@@ -175,33 +188,61 @@ impl Columns {
         let points = self.group(["x", "y", "z"], rows).unwrap_or_default();
         let positions: Vec<Point> = rows.iter().zip(points).map(position).collect::<Result<_, _>>()?;
         let vectors = |names| Some(self.group(names, rows)?.into_iter().map(Vector::from).collect());
+        let angular_velocities = vectors(TURN_RATES[0]);
+        let angular_accelerations = vectors(TURN_RATES[1]);
+        let given = angular_velocities.is_some() || angular_accelerations.is_some();
+        let orientation = self.orientation(rows, given)?;
+        let orientations = match &orientation {
+            Orientation::Each(orientations) => Some(orientations.clone()),
+            Orientation::None | Orientation::One(_) => None,
+        };
         let motion = Recorded {
             times,
             positions,
+            orientations,
             velocities: vectors(["vx", "vy", "vz"]),
             accelerations: vectors(["ax", "ay", "az"]),
             cable_lengths: self.by_cable("length:", rows),
             cable_speeds: self.by_cable("speed:", rows),
             tensions: self.by_cable("tension:", rows),
             exact: None,
+            angular_velocities,
+            angular_accelerations,
         };
-        Ok(Table { motion, orientation: self.orientation(rows)?, cables: self.cables.clone() })
+        let one = if let Orientation::One(quaternion) = orientation { Some(quaternion) } else { None };
+        Ok(Table { motion, orientation: one, cables: self.cables.clone() })
     }
 
-    /// The orientation of all rows; a quaternion and its negative are the same.
-    fn orientation(&self, rows: &[Row]) -> Result<Option<[f64; 4]>, Error> {
-        let Some(turns) = self.group(["qw", "qx", "qy", "qz"], rows) else { return Ok(None) };
+    /// The orientations; a quaternion and its negative are the same. If they hardly differ, they are one, unless rates of a turn
+    /// are given.
+    fn orientation(&self, rows: &[Row], rates: bool) -> Result<Orientation, Error> {
+        let Some(turns) = self.group(["qw", "qx", "qy", "qz"], rows) else {
+            let problem = "found columns of angular rates but none of an orientation, expected qw, qx, qy, qz as well";
+            return if rates { Err(Error::invalid("header", problem)) } else { Ok(Orientation::None) };
+        };
         let far =
             |a: &[f64; 4], sign: f64| a.iter().zip(&turns[0]).any(|(a, b)| !((a - sign * b).abs() <= SAME_ORIENTATION));
-        match turns.iter().position(|turn| far(turn, 1.0) && far(turn, -1.0)) {
-            None => Ok(Some(turns[0])),
-            Some(k) => {
-                let problem =
-                    format!("found {:?} after {:?}, expected one orientation in all rows", turns[k], turns[0]);
-                Err(Error::invalid(format!("line {}, columns qw to qz", rows[k].0), problem))
-            }
+        if !rates && !turns.iter().any(|turn| far(turn, 1.0) && far(turn, -1.0)) {
+            return Ok(Orientation::One(turns[0]));
         }
+        let rotation = |((line, _), turn): (&Row, &[f64; 4])| {
+            body::unit_quaternion(&format!("line {line}, columns qw to qz"), *turn)?;
+            Ok(rotation_as_written(*turn))
+        };
+        rows.iter().zip(&turns).map(rotation).collect::<Result<_, _>>().map(Orientation::Each)
     }
+}
+
+/// The columns of angular velocity and acceleration.
+const TURN_RATES: [[&str; 3]; 2] = [["wx", "wy", "wz"], ["alphax", "alphay", "alphaz"]];
+
+/// The orientations of a table.
+enum Orientation {
+    None,
+    /// The same in all rows.
+    One([f64; 4]),
+    /// Another one in some rows.
+    Each(Vec<Rotation>),
 }
 
 fn at(line: u64, column: &str) -> String {
@@ -278,9 +319,11 @@ mod tests {
             ),
             ("t,x,y,z\n0,0,0,0\n0,0,0,0\n", "line 3, column t: found 0 s after 0 s, expected times that increase"),
             (
-                "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,1,0,0\n",
-                "line 3, columns qw to qz: found [0.0, 1.0, 0.0, 0.0] after [1.0, 0.0, 0.0, 0.0], expected one orientation",
+                "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,2,0,0\n",
+                "line 3, columns qw to qz: found a quaternion of length 2, expected length 1",
             ),
+            ("t,x,y,z,wx,wy,wz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n", "header: found columns of angular rates but none of"),
+            ("t,x,y,z,wx\n", "header: found no column wy, wz, expected wx, wy, wz together"),
         ];
         for (text, expected) in wrong {
             let said = read_table(text).unwrap_err().to_string();

@@ -1,0 +1,389 @@
+//! The tensions that a moving platform needs: they balance weight, load and inertia.
+//!
+//! The platform's origin has the acceleration a, the centre of mass is at c from it, and the platform turns with the angular
+//! velocity ω and acceleration α about an axis e of the world. Then the cables must exert, besides the balance at rest, the force
+//! m (a + α × c + ω × (ω × c)) and the moment about the origin c × force + I α + ω × (I ω), with I the inertia about the centre of
+//! mass in world axes (Newton and Euler).
+//!
+//! **Between two instants** each of these is bounded by derivatives ([`Rates`]). The angular momentum is I ω = ψ̇ h with ψ the angle
+//! and h = I e; the axis is fixed in the platform as in the world, so h turns as a vector of the platform does. So the
+//! second derivative of its rate is that of the fourth order of such a vector, at the distance of h from the axis, in kg·m².
+//! A product such as c × force has the second derivative c″ × f + 2 c′ × f′ + c × f″.
+
+use std::borrow::Cow;
+
+use nalgebra::{Matrix3, Matrix6, Matrix6xX, Vector6};
+
+use super::curve::Jet;
+use super::limits::Limits;
+use super::motion::{Motion, Rates};
+use crate::error::Error;
+use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
+use crate::model::Scene;
+use crate::numerics::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVE, TURNING};
+use crate::wrench::{
+    Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, Turned,
+};
+
+/// What a motion needs of the available wrenches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TensionShare {
+    /// The largest share of the slack at rest.
+    pub share: f64,
+    /// The least slack that is left, N.
+    pub slack: f64,
+}
+
+impl TensionShare {
+    /// Of a motion that needs nothing.
+    pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
+}
+
+/// The time between two instants.
+#[derive(Debug, Clone, Copy)]
+pub struct Span<'a> {
+    /// The motion at both.
+    pub ends: &'a [Motion; 2],
+    /// Bounds of its derivatives in between.
+    pub rates: &'a Rates,
+    /// s.
+    pub time: f64,
+}
+
+/// A platform with mass on cables with limits of tension.
+#[derive(Debug, Clone)]
+pub struct MovingMass {
+    statics: Statics,
+    loads: Loads,
+    mass: f64,
+    /// Centre of mass, platform frame, m.
+    center: Vector,
+    /// About the centre of mass, platform axes, kg·m².
+    inertia: Matrix3<f64>,
+    /// Whether the inertia is that of the parts at uniform density, and matters.
+    assumed: bool,
+    /// Tension limits, N.
+    limits: Vec<[f64; 2]>,
+    /// The facets of the wrenches that are available with a reserve of tension.
+    facets: DemandFacets,
+}
+
+/// Bounds for a cable and its column of the wrench matrix between two instants.
+struct CableBounds {
+    /// Of the first and second derivative of the attachment, m/s and m/s².
+    attachment: [f64; 2],
+    /// Of those of the arm divided by the characteristic length.
+    arm: [f64; 2],
+    /// Norm of the column for a unit of the cable's vector.
+    lever: f64,
+}
+
+impl MovingMass {
+    /// The platform of a scene at its orientation, or why tensions cannot be limited.
+    ///
+    /// # Errors
+    /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
+    pub fn of(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
+        let robot = scene.robot();
+        if robot.mass().is_none() {
+            return Ok(Err("the mass of the platform is unknown".to_string()));
+        }
+        if robot.cables().iter().all(|cable| cable.tension.is_none()) {
+            return Ok(Err("the cables have no tension limits".to_string()));
+        }
+        let statics = Statics::of(scene)?;
+        if let Some(moment) = statics.moment_on_point_mass() {
+            let problem =
+                format!("found a moment of {moment:.3} N·m about the point where all cables meet, expected none");
+            return Err(Error::invalid("robot.center_of_mass", problem));
+        }
+        let mass = MovingMass {
+            mass: robot.mass().unwrap_or_default(),
+            center: robot.center_of_mass().coords,
+            inertia: robot.inertia().unwrap_or_default(),
+            assumed: false,
+            limits: statics.limits(),
+            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVE), limits.wrench_margin),
+            loads: Loads::of(scene),
+            statics,
+        };
+        let hold = mass.statics_at(&start.orientation).hold(&start.position);
+        if let Some(hold) = hold.filter(|hold| hold.holding == Holding::Underconstrained) {
+            return Ok(Err(hold.sentence()));
+        }
+        Ok(Ok(mass))
+    }
+
+    /// The same for motions on which the platform turns.
+    ///
+    /// # Errors
+    /// As [`MovingMass::of`].
+    pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
+        let assumed = scene.robot().spec().inertia.is_none();
+        let able = |mass: MovingMass| match mass.statics.point_mass() {
+            true => Err("all cables meet in one point of the platform, so they cannot turn it".to_string()),
+            false => Ok(MovingMass { assumed, ..mass }),
+        };
+        Ok(Self::of(scene, limits, start)?.and_then(able))
+    }
+
+    /// Tension limits of the cables, N.
+    pub fn limits(&self) -> &[[f64; 2]] {
+        &self.limits
+    }
+
+    /// What was assumed about the platform, if that matters.
+    pub fn assumption(&self) -> Option<&'static str> {
+        self.assumed.then_some("the robot gives no inertia: that of its parts at uniform density is assumed")
+    }
+
+    /// Whether an orientation is that of the statics.
+    fn is_level(&self, orientation: &Rotation) -> bool {
+        *orientation == self.loads.orientation || orientation.angle_to(&self.loads.orientation) <= SAME_TURN
+    }
+
+    /// The turn to an orientation, and the wrench that must be balanced there.
+    fn turned(&self, orientation: &Rotation) -> Turned {
+        let balance = self.loads.at(orientation).balance_of(self.mass, &self.center);
+        (Placed::new(&Pose::new(Point::origin(), *orientation), &self.loads.orientation), balance)
+    }
+
+    fn statics_at(&self, orientation: &Rotation) -> Cow<'_, Statics> {
+        if self.is_level(orientation) {
+            return Cow::Borrowed(&self.statics);
+        }
+        let (turn, balance) = self.turned(orientation);
+        Cow::Owned(self.statics.turned(&turn, balance))
+    }
+
+    /// The wrench that an acceleration, an angular acceleration and an angular velocity need at an orientation, as
+    /// [force; moment / ℓ], N.
+    fn wrench(&self, orientation: &Rotation, acceleration: &Vector, turn: [&Vector; 2]) -> Vector6<f64> {
+        let (length, [faster, spin]) = (self.statics.characteristic_length(), turn);
+        let center = orientation * self.center;
+        let force = (acceleration + faster.cross(&center) + spin.cross(&spin.cross(&center))) * self.mass;
+        let [gain, momentum] = turn.map(|v| self.inertia_times(orientation, v));
+        let moment = (center / length).cross(&force) + (gain + spin.cross(&momentum)) / length;
+        Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
+    }
+
+    /// The inertia, in world axes, times a vector.
+    fn inertia_times(&self, orientation: &Rotation, v: &Vector) -> Vector {
+        orientation * (self.inertia * orientation.inverse_transform_vector(v))
+    }
+
+    fn wrench_of(&self, motion: &Motion) -> Vector6<f64> {
+        let turn = [&motion.angular_acceleration, &motion.angular_velocity];
+        self.wrench(&motion.orientation, &motion.acceleration, turn)
+    }
+
+    /// Visits the facets at each demand, at these orientations.
+    fn visit(
+        &self,
+        demands: &[Demand],
+        orientations: &[Rotation],
+        visit: impl FnMut(usize, &FacetPair),
+    ) -> Result<(), usize> {
+        let lacking = match orientations.iter().all(|orientation| self.is_level(orientation)) {
+            true => self.facets.for_each(demands, visit),
+            false => {
+                let turned: Vec<Turned> = orientations.iter().map(|orientation| self.turned(orientation)).collect();
+                self.facets.for_each_turned(demands, &turned, visit)
+            }
+        };
+        lacking.map_or(Ok(()), Err)
+    }
+
+    /// See [`super::Winches::for_each_tension_limit`].
+    pub fn for_each_limit(&self, jets: &[Jet], mut visit: impl FnMut(usize, [f64; 3])) -> Result<(), usize> {
+        let nothing = Vector::zeros();
+        let demand = |jet: &Jet| {
+            let by_u = self.wrench(&jet.orientation, &jet.first, [&jet.spin, &nothing]);
+            (jet.position, [by_u, self.wrench(&jet.orientation, &jet.second, [&nothing, &jet.spin])])
+        };
+        let demands: Vec<Demand> = jets.iter().map(demand).collect();
+        let orientations: Vec<Rotation> = jets.iter().map(|jet| jet.orientation).collect();
+        self.visit(&demands, &orientations, |k, FacetPair { heights: [a, b], slack, .. }| {
+            visit(k, [*a, *b, slack[0]]);
+            visit(k, [-a, -b, slack[1]]);
+        })
+    }
+
+    /// See [`super::Winches::tension_shares`].
+    pub fn shares(&self, motions: &[Motion]) -> Result<Vec<TensionShare>, usize> {
+        let mut shares = vec![TensionShare::NOTHING; motions.len()];
+        let nothing = Vector6::zeros();
+        let demands: Vec<Demand> =
+            motions.iter().map(|motion| (motion.position, [self.wrench_of(motion), nothing])).collect();
+        let orientations: Vec<Rotation> = motions.iter().map(|motion| motion.orientation).collect();
+        self.visit(&demands, &orientations, |k, facets| {
+            for (needed, slack) in [facets.heights[0], -facets.heights[0]].into_iter().zip(facets.slack) {
+                let found = &mut shares[k];
+                if needed > 0.0 {
+                    found.share = found.share.max(needed / slack);
+                }
+                found.slack = found.slack.min((slack - needed) / facets.norm);
+            }
+        })?;
+        Ok(shares)
+    }
+
+    /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N;
+    /// compare [`crate::wrench::Measure::sag`]. A column u, r × u/ℓ of the wrench matrix, with r the arm of the cable, has the
+    /// second derivative u″, (r″ × u + 2 r′ × u′ + r × u″)/ℓ.
+    pub fn sag(&self, Span { ends, rates, time }: &Span) -> f64 {
+        let (bounds, lengths) = (self.bounds(ends, rates), ends.each_ref().map(|motion| self.lengths(motion)));
+        let cable = |(k, line): (usize, &StaticCable)| {
+            let (bounds, [before, after]) = (&bounds[k], lengths.each_ref().map(|lengths| lengths[k]));
+            let [speed, acceleration] = bounds.attachment;
+            let shortest = 0.5 * (before + after - speed * time);
+            if !(shortest > 0.0) {
+                return f64::INFINITY;
+            }
+            let turn = (speed / shortest * time).min(2.0);
+            let bend = time * time * (acceleration / shortest + TURNING[1] * (speed / shortest).powi(2));
+            let [least, largest] = line.tension;
+            let straight = bounds.lever * (0.25 * (largest - least) * turn + 0.125 * largest * bend);
+            let [swing, jolt] = bounds.arm;
+            let turned = 0.25 * (largest - least) * swing * time
+                + 0.125 * largest * time * time * (jolt + 2.0 * swing * speed / shortest);
+            straight + turned
+        };
+        let cables: f64 = self.statics.cables().iter().enumerate().map(cable).sum();
+        cables + time * time / 8.0 * self.second_derivative(&ends[0], rates)
+    }
+
+    /// Whether tensions within the limits exist everywhere on a motion between two instants.
+    ///
+    /// The forces per length τ of the cables at both ends are interpolated linearly. What then misses in balance is zero at
+    /// both ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular
+    /// value of the matrix of cable vectors l and their moments r × l/ℓ.
+    ///
+    /// # Errors
+    /// A solver that reached no answer.
+    pub fn hold_between(&self, solver: &mut TensionQp, Span { ends, rates, time }: &Span) -> Result<bool, Error> {
+        let time = *time;
+        let reserved = self.facets.statics().limits();
+        let mut densities: [Vec<f64>; 2] = Default::default();
+        let lengths = ends.each_ref().map(|motion| self.lengths(motion));
+        for (k, motion) in ends.iter().enumerate() {
+            // At a limit the solver may not be able to decide; then nothing is proved.
+            let Some(Balance::Feasible(tensions)) = self.balance(solver, motion, &reserved)? else {
+                return Ok(false);
+            };
+            densities[k] = tensions.iter().zip(&lengths[k]).map(|(t, l)| t / l).collect();
+        }
+        let eighth = time * time / 8.0;
+        let cables = self.bounds(ends, rates);
+        // What the turn of the arms adds to the first and second derivative of a cable's vector and moment.
+        let turned = |k: usize| {
+            let CableBounds { attachment: [speed, _], arm: [swing, jolt], .. } = &cables[k];
+            let longest = lengths[0][k].max(lengths[1][k]) + speed * time;
+            [swing * longest, jolt * longest + 2.0 * swing * speed]
+        };
+        let share = |k: usize| {
+            let CableBounds { attachment: [speed, acceleration], lever, .. } = &cables[k];
+            let change = (densities[1][k] - densities[0][k]).abs() / time;
+            let ([swing, jolt], density) = (turned(k), densities[0][k].max(densities[1][k]));
+            lever * (density * acceleration + 2.0 * change * speed) + density * jolt + 2.0 * change * swing
+        };
+        let missing = self.second_derivative(&ends[0], rates) + (0..cables.len()).map(share).sum::<f64>();
+        let moved = |k: usize| cables[k].lever * cables[k].attachment[0] + turned(k)[0];
+        let drift = (0..cables.len()).map(|k| moved(k).powi(2)).sum::<f64>().sqrt() * time;
+        let correction = eighth * missing / (self.least_singular_value(&ends[0], rates.turns()) - drift);
+        let holds = |k: usize| {
+            let [speed, acceleration] = cables[k].attachment;
+            let (l, tau) = (lengths[0][k].max(lengths[1][k]), densities[0][k].max(densities[1][k]));
+            let shortest = lengths[0][k].min(lengths[1][k]) - speed * time;
+            let change = (densities[1][k] - densities[0][k]).abs() / time;
+            let bend = (acceleration + speed * speed / shortest) * tau + 2.0 * speed * change;
+            let reserve = reserved[k][0] - self.limits[k][0];
+            shortest > 0.0 && (l + speed * time) * correction + eighth * bend <= reserve
+        };
+        Ok(correction >= 0.0 && (0..cables.len()).all(holds))
+    }
+
+    /// The bounds for each cable; those of a platform that turns do not depend on the instant.
+    fn bounds(&self, ends: &[Motion; 2], rates: &Rates) -> Vec<CableBounds> {
+        let (length, statics) = (self.statics.characteristic_length(), self.statics_at(&ends[0].orientation));
+        let cable = |cable: &StaticCable| {
+            let ([speed, acceleration, ..], [swing, jolt, ..]) = (rates.of_point(&cable.arm), rates.turned(&cable.arm));
+            let lever = (cable.arm / length).norm().hypot(1.0);
+            CableBounds { attachment: [speed, acceleration], arm: [swing / length, jolt / length], lever }
+        };
+        statics.cables().iter().map(cable).collect()
+    }
+
+    /// A bound of the second time derivative of what must be balanced, as [force; moment / ℓ], N/s².
+    fn second_derivative(&self, motion: &Motion, rates: &Rates) -> f64 {
+        let length = self.statics.characteristic_length();
+        let center = motion.orientation * self.center;
+        let heaviness = self.mass * (center / length).norm().hypot(1.0);
+        let [_, second, third, fourth, _] = rates.of_point(&center);
+        if !rates.turns() {
+            return heaviness * fourth;
+        }
+        let [swing, jolt, ..] = rates.turned(&center);
+        let momentum = self.inertia_times(&motion.orientation, rates.axis());
+        let [.., turned, _] = rates.turned(&momentum);
+        let weight = self.loads.gravity.norm() * self.mass;
+        let moment = jolt * (self.mass * second + weight) + 2.0 * swing * self.mass * third + turned;
+        heaviness * fourth + moment / length
+    }
+
+    /// Lengths of the cables, m.
+    fn lengths(&self, motion: &Motion) -> Vec<f64> {
+        let turn = (!self.is_level(&motion.orientation)).then(|| self.turned(&motion.orientation).0);
+        let arm = |cable: &StaticCable| turn.as_ref().map_or(cable.arm, |turn| turn.turned(&cable.arm));
+        let length = |cable: &StaticCable| (cable.outlet - (motion.position + arm(cable))).norm();
+        self.statics.cables().iter().map(length).collect()
+    }
+
+    /// The tensions within these limits that balance loads and inertia and are nearest to the middle; `None` if there are
+    /// none.
+    ///
+    /// # Errors
+    /// A solver that reached no answer.
+    pub fn solve(
+        &self,
+        solver: &mut TensionQp,
+        motion: &Motion,
+        limits: &[[f64; 2]],
+    ) -> Result<Option<Vec<f64>>, Error> {
+        match self.balance(solver, motion, limits)? {
+            Some(Balance::Feasible(tensions)) => Ok(Some(tensions.as_slice().to_vec())),
+            Some(Balance::Infeasible) | None => Ok(None),
+            Some(Balance::Undecided) => {
+                Err(Error::internal(format!("the solver could not decide at {:?}", motion.position)))
+            }
+        }
+    }
+
+    /// The same as far as the solver can tell; `None` if a cable has no direction.
+    fn balance(&self, solver: &mut TensionQp, motion: &Motion, limits: &[[f64; 2]]) -> Result<Option<Balance>, Error> {
+        let statics = self.statics_at(&motion.orientation);
+        let Some(columns) = statics.columns(&motion.position) else { return Ok(None) };
+        let wrench = statics.balance() + self.wrench_of(motion);
+        solver.solve(&Matrix6xX::from_columns(&columns), limits, &wrench, None).map(Some)
+    }
+
+    /// The smallest singular value, other than zero, of the matrix of cable vectors and their moments, m. If the platform turns,
+    /// zero counts as well, since what misses in balance may then have any direction.
+    fn least_singular_value(&self, motion: &Motion, turns: bool) -> f64 {
+        let (length, statics) = (self.statics.characteristic_length(), self.statics_at(&motion.orientation));
+        let mut gram = Matrix6::zeros();
+        for StaticCable { outlet, arm, .. } in statics.cables() {
+            let line = outlet - (motion.position + arm);
+            let moment = arm.cross(&line) / length;
+            let column = Vector6::new(line.x, line.y, line.z, moment.x, moment.y, moment.z);
+            gram += column * column.transpose();
+        }
+        let squares = gram.symmetric_eigenvalues();
+        let largest = squares.max();
+        let counts = |square: &&f64| **square > (RANK_RELATIVE * RANK_RELATIVE).max(1e-14) * largest;
+        if turns && !squares.iter().all(|square| counts(&square)) {
+            return 0.0;
+        }
+        squares.iter().filter(counts).fold(f64::INFINITY, |least, square| least.min(*square)).sqrt()
+    }
+}

@@ -1,0 +1,163 @@
+//! What bodies meet, or nearly meet, between the samples of a motion.
+
+use std::borrow::Cow;
+use std::f64::consts::PI;
+
+use super::faults::{FaultKind, Faults, Instant};
+use super::recorded::Recorded;
+use super::{NearestInTime, TrajectoryRules};
+use crate::collision::path_check::{PathClearance, nearest};
+use crate::collision::{Validity, Violation};
+use crate::error::Error;
+use crate::geometry::{Point, Pose};
+use crate::model::Scene;
+use crate::numerics::{INSTANTS_OF_STEP, MEASURED_SAMPLES, RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
+use crate::plan::engine_within;
+use crate::trajectory::Motion;
+use crate::turning::{TurningEngine, nearest_of_poses};
+use crate::watch::Watch;
+use crate::words::small_length;
+
+/// Finds broken conditions between the samples of `shown`, and the nearest approach. The nearest approach of a platform that turns
+/// is measured on about as many motions as `recorded` has samples, since it takes longer. Also notes on what could not be told.
+pub fn check(
+    scene: &Scene,
+    given: &TrajectoryRules,
+    [shown, recorded]: [&Recorded; 2],
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(Option<NearestInTime>, Vec<String>), Error> {
+    let bare = scene.without_clearance()?;
+    let engine = engine_within(&bare, given.engine, given.interference, watch)?;
+    let (motions, reach) = (shown.motions(scene.orientation()), reach(scene));
+    let mut notes: Vec<String> = half_turn(shown).into_iter().collect();
+    let nearest = match shown.poses() {
+        Some(poses) => {
+            let engine = TurningEngine::new(&bare, engine)?;
+            let close =
+                conditions(&engine, shown, (&poses, |a, b| divided(a, b, reach)), (&motions, reach), faults, watch)?;
+            notes.extend(close.map(|close| too_close(&close)));
+            let few = thinned(shown, recorded.times.len().max(MEASURED_SAMPLES));
+            let found = nearest_of_poses(&engine, &few.poses().unwrap_or_default(), watch)?.min_clearance;
+            found.map(|found| (found, Cow::Owned(few)))
+        }
+        _ => {
+            conditions(&*engine, shown, (&shown.positions, |a, b| vec![*a, *b]), (&motions, reach), faults, watch)?;
+            nearest(engine.conditions(), &shown.positions, watch)?
+                .min_clearance
+                .map(|found| (found, Cow::Borrowed(shown)))
+        }
+    };
+    notes.extend(too_coarse(shown, (&motions, reach), nearest.as_ref().map(|(found, _)| found)));
+    Ok((nearest.map(|(found, samples)| in_time(&samples, &found)), notes))
+}
+
+/// At most about this many poses of a motion, evenly chosen, with the last one.
+fn thinned(motion: &Recorded, most: usize) -> Recorded {
+    let (count, last) = (motion.times.len(), motion.times.len() - 1);
+    let kept = || (0..count).filter(|k| k % count.div_ceil(most) == 0 || *k == last);
+    Recorded {
+        times: kept().map(|k| motion.times[k]).collect(),
+        positions: kept().map(|k| motion.positions[k]).collect(),
+        orientations: motion.orientations.as_ref().map(|list| kept().map(|k| list[k]).collect()),
+        ..Recorded::default()
+    }
+}
+
+/// The largest distance of a corner or an attachment from the platform's origin, m.
+fn reach(scene: &Scene) -> f64 {
+    let corners = scene.robot().parts().iter().flat_map(|part| part.vertices());
+    let attachments = scene.robot().cables().iter().map(|cable| &cable.attachment);
+    corners.chain(attachments).map(|point: &Point| point.coords.norm()).fold(0.0, f64::max)
+}
+
+/// The motion between two poses in steps so short that samples of each find what is broken: where a motion begins in contact, no
+/// more than this contact may be found otherwise.
+fn divided(from: &Pose, to: &Pose, reach: f64) -> Vec<Pose> {
+    let travel = (to.position - from.position).norm() + reach * from.angle_to(to);
+    let (motion, count) = (from.toward(to), (travel / SAMPLED_TRAVEL).ceil().clamp(1.0, INSTANTS_OF_STEP));
+    (0..=count as usize).map(|k| motion.at(k as f64 / count)).collect()
+}
+
+/// Broken conditions on the straight lines between samples; a line that is not free is divided as told. Returns the first
+/// condition that is not broken as far as is known, but too close to be proved, with its time.
+fn conditions<S, V: Validity<S> + ?Sized>(
+    engine: &V,
+    motion: &Recorded,
+    (states, divided): (&[S], impl Fn(&S, &S) -> Vec<S>),
+    (motions, reach): (&[Motion], f64),
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<Option<(f64, Violation)>, Error> {
+    let mut close = None;
+    for (k, pair) in states.windows(2).enumerate() {
+        watch.check()?;
+        if engine.motion_valid(&pair[0], &pair[1]) {
+            continue; // many times faster than checking every condition separately
+        }
+        let sag = motion.sag(k, motions, reach).min(RECORDED_OVERLAP);
+        let parts = divided(&pair[0], &pair[1]);
+        let found = parts.windows(2).enumerate().flat_map(|(part, ends)| {
+            let found = engine.violations(&ends[0], &ends[1]).into_iter();
+            found.map(move |violation| (part, violation))
+        });
+        for (part, violation) in found {
+            let share = (part as f64 + violation.at) / (parts.len() - 1) as f64;
+            let time = motion.times[k] + share * motion.step(k);
+            if violation.unproved && motion.orientations.is_some() {
+                close.get_or_insert((time, violation));
+                continue;
+            }
+            if violation.margin.is_some_and(|margin| margin >= -sag) {
+                continue;
+            }
+            let culprits: Vec<&str> = violation.culprits.iter().map(String::as_str).collect();
+            let (found, limit) = (violation.gap, violation.required);
+            let excess = violation.margin.map_or(0.0, |margin| -margin);
+            let kind = FaultKind::Condition;
+            faults.add(&Instant { step: k, time, kind, culprits: &culprits, found, limit, excess }, || {
+                violation.sentence()
+            });
+        }
+    }
+    Ok(close)
+}
+
+fn too_close((time, violation): &(f64, Violation)) -> String {
+    format!("at {time:.3} s, {}", violation.sentence())
+}
+
+/// A note if the motion may deviate from the straight lines between samples by more than the nearest approach.
+fn too_coarse(
+    motion: &Recorded,
+    (motions, reach): (&[Motion], f64),
+    nearest: Option<&PathClearance>,
+) -> Option<String> {
+    let steps = 0..motion.positions.len() - 1;
+    let (deviation, k) = steps.map(|k| (motion.sag(k, motions, reach), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let untold = -deviation..deviation;
+    let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| untold.contains(&nearest.value));
+    counts.then(|| {
+        let (most, time) = (small_length(deviation), motion.times[k]);
+        format!(
+            "collisions are checked on straight lines between samples, from which the motion may deviate by {most} \
+                 after {time:.3} s: more samples tell more"
+        )
+    })
+}
+
+/// A note if the platform turns by half a turn between two samples: they do not tell which way.
+fn half_turn(motion: &Recorded) -> Option<String> {
+    let poses = motion.poses()?;
+    let k = poses.windows(2).position(|pair| pair[0].angle_to(&pair[1]) >= PI - SAME_TURN)?;
+    let [from, to] = [k, k + 1].map(|k| motion.times[k]);
+    Some(format!(
+        "between {from:.3} s and {to:.3} s the platform turns by half a turn, and only one of the two ways is checked: more \
+         samples tell more"
+    ))
+}
+
+fn in_time(motion: &Recorded, PathClearance { value, segment, at, culprits, .. }: &PathClearance) -> NearestInTime {
+    let time = motion.times[*segment] + at * motion.step(*segment);
+    NearestInTime { time, value: *value, culprits: culprits.clone() }
+}

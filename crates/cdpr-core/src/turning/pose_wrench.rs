@@ -1,0 +1,51 @@
+//! The wrench margins and tensions of a path of poses.
+
+use rayon::prelude::*;
+
+use super::pose_space::{pose_distance, turn_weight};
+use super::turning_wrench::TurningWrench;
+use crate::collision::WrenchLimit;
+use crate::error::Error;
+use crate::geometry::Pose;
+use crate::model::Scene;
+use crate::watch::Watch;
+use crate::wrench::tensions::{MarginPlace, Mark, RANGE_STEPS, TensionRange, even_marks};
+use crate::wrench::{Loads, PathWrench, Statics, TensionQp};
+
+/// The wrenches of a path along which the platform turns; `None` if its scene requires none. Margins and tensions are those at a
+/// thousand equal steps and at the waypoints; between them a margin may be smaller.
+///
+/// # Errors
+/// As [`TurningWrench::of`]; a solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
+pub fn wrench_of_poses(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<PathWrench>, Error> {
+    let Some(wrench) = TurningWrench::of(scene)? else { return Ok(None) };
+    let (loads, marks) = (Loads::of(scene), marks(scene, poses)?);
+    let of = |solver: &mut TensionQp, mark: &Mark| -> Result<(Option<WrenchLimit>, Option<Vec<f64>>), Error> {
+        watch.check()?;
+        let pose = poses[mark.segment].toward(&poses[(mark.segment + 1).min(poses.len() - 1)]).at(mark.at);
+        let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
+        Ok((wrench.least_at(&pose), statics.tensions(solver, &pose.position, None)?))
+    };
+    let found: Vec<_> = marks.par_iter().map_init(TensionQp::default, of).collect::<Result<_, _>>()?;
+    let (limits, tensions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let places = || marks.iter().map(|mark| (mark.segment, mark.at));
+    let known = places().zip(limits).filter_map(|(place, limit)| Some((place, limit?)));
+    let least = known.min_by(|(_, a), (_, b)| a.order().total_cmp(&b.order()));
+    let Some(((segment, at), limit)) = least else { return Ok(None) };
+    let min_wrench_margin = MarginPlace { value: limit.wrench_margin, segment, at, limit };
+    let tension_range = TensionRange::of(&Statics::of(scene)?, places().zip(tensions));
+    Ok(Some(PathWrench { min_wrench_margin, tension_range }))
+}
+
+/// Equal steps along a path, and its waypoints.
+fn marks(scene: &Scene, poses: &[Pose]) -> Result<Vec<Mark>, Error> {
+    let weight = turn_weight(scene);
+    let lengths: Vec<f64> = poses.windows(2).map(|pair| pose_distance(weight, &pair[0], &pair[1])).collect();
+    let length: f64 = lengths.iter().sum();
+    let mut marks = if length > 0.0 { even_marks(&lengths, length / RANGE_STEPS)? } else { Vec::new() };
+    marks.extend((0..poses.len()).map(|k| {
+        let segment = k.min(poses.len().saturating_sub(2));
+        Mark { s: 0.0, segment, at: (k - segment) as f64 }
+    }));
+    Ok(marks)
+}
