@@ -1,8 +1,10 @@
 //! Python bindings: numbers in, numbers out. The Python package around them is the interface.
 
 mod batch;
+mod bound;
 mod convert;
 mod drawing;
+mod engines;
 mod errors;
 mod files;
 mod forked;

@@ -1,18 +1,16 @@
 //! The class `Scene`: validity, clearance, checks, tensions and planning.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, path_length};
-use cdpr_core::lower_bound::{Certificate, Forbidden};
 use cdpr_core::model::MarginSpec;
-use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, check_turning, engine_within,
-    lower_bound, plan, shorten_path, trace_rewinding,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, check_turning, plan,
+    shorten_path, trace_rewinding,
 };
-use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, tensions_along_poses, turn_weight};
@@ -24,63 +22,31 @@ use cdpr_view::{Contents, Form, Planning, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
+use crate::bound::{Wanted, least_bound};
 use crate::convert::{
     answer_array, named, point, points, quaternion, row, serialized, serialized_as_in_files, triples,
 };
 use crate::drawing::drawn;
+use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
 use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
-pub struct Scene(pub cdpr_core::Scene, Engines<dyn Checker>, Engines<TurningEngine>);
-
-type Engines<E> = Mutex<Vec<((Engine, Interference), Arc<E>)>>;
+pub struct Scene(pub cdpr_core::Scene, Engines);
 
 impl Scene {
     fn of(scene: cdpr_core::Scene) -> Self {
-        Scene(scene, Mutex::default(), Mutex::default())
+        Scene(scene, Engines::default())
     }
-}
 
-/// The engine for a scene, compiled on first use and kept.
-fn engine_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
-    let wanted = (named(engine)?, named(interference)?);
-    match known(&scene.1, wanted) {
-        Some(engine) => Ok(engine),
-        None => interruptible(py, |stop| compiled(scene, wanted, &Watch::on(stop))),
+    fn engine(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
+        self.1.level(py, &self.0, (named(engine)?, named(interference)?))
     }
-}
 
-/// The engine for motions from pose to pose, compiled on first use and kept.
-fn turning_of(py: Python<'_>, scene: &Scene, engine: &str, interference: &str) -> PyResult<Arc<TurningEngine>> {
-    let wanted = (named(engine)?, named(interference)?);
-    if let Some(engine) = known(&scene.2, wanted) {
-        return Ok(engine);
-    }
-    let compile = |watch: &Watch| {
-        let level = compiled(scene, wanted, watch)?;
-        Ok(kept(&scene.2, wanted, TurningEngine::new(&scene.0, level)?.into()))
-    };
-    interruptible(py, |stop| compile(&Watch::on(stop)))
-}
-
-fn known<E: ?Sized>(engines: &Engines<E>, wanted: (Engine, Interference)) -> Option<Arc<E>> {
-    let known = engines.lock().unwrap_or_else(PoisonError::into_inner);
-    known.iter().find(|(key, _)| *key == wanted).map(|(_, engine)| engine.clone())
-}
-
-fn kept<E: ?Sized>(engines: &Engines<E>, wanted: (Engine, Interference), engine: Arc<E>) -> Arc<E> {
-    engines.lock().unwrap_or_else(PoisonError::into_inner).push((wanted, engine.clone()));
-    engine
-}
-
-/// The engine for a scene, compiled within a watch. Two threads may compile it at the same time; neither waits for the other.
-fn compiled(scene: &Scene, wanted: (Engine, Interference), watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
-    match known(&scene.1, wanted) {
-        Some(engine) => Ok(engine),
-        None => Ok(kept(&scene.1, wanted, engine_within(&scene.0, wanted.0, wanted.1, watch)?.into())),
+    fn turning_engine(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<TurningEngine>> {
+        self.1.turning(py, &self.0, (named(engine)?, named(interference)?))
     }
 }
 
@@ -160,13 +126,13 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let rows = positions.as_slice()?;
         if let Some(turns) = &orientations {
-            let engine = turning_of(py, self, engine, interference)?;
+            let engine = self.turning_engine(py, engine, interference)?;
             let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
             return answer_array(py, rows.len() / 3, threads, |answers, options| {
                 turning::motions_valid(&engine, [poses; 2], answers, options)
             });
         }
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         answer_array(py, rows.len() / 3, threads, |answers, options| {
             states_valid(&*engine, |k| row(rows, k), answers, options)
         })
@@ -188,14 +154,14 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
         if let Some((first, last)) = &orientations {
-            let engine = turning_of(py, self, engine, interference)?;
+            let engine = self.turning_engine(py, engine, interference)?;
             let starts = PoseRows { positions: starts, quaternions: first.as_slice()? };
             let ends = PoseRows { positions: ends, quaternions: last.as_slice()? };
             return answer_array(py, starts.positions.len() / 3, threads, |answers, options| {
                 turning::motions_valid(&engine, [starts, ends], answers, options)
             });
         }
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         answer_array(py, starts.len() / 3, threads, |answers, options| {
             motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), answers, options)
         })
@@ -213,10 +179,10 @@ impl Scene {
         orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<bool> {
         if let Some((first, last)) = orientations {
-            let engine = turning_of(py, self, engine, interference)?;
+            let engine = self.turning_engine(py, engine, interference)?;
             return answered(|| Ok(engine.motion_valid(&pose(start, first), &pose(end, last))));
         }
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
     }
 
@@ -258,13 +224,13 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let rows = positions.as_slice()?;
         if let Some(turns) = &orientations {
-            let engine = turning_of(py, self, Engine::default().name(), Interference::default().name())?;
+            let engine = self.turning_engine(py, Engine::default().name(), Interference::default().name())?;
             let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
             return answer_array(py, rows.len() / 3, threads, |answers, options| {
                 turning::clearances(&engine, poses, answers, options)
             });
         }
-        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
+        let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
         answer_array(py, rows.len() / 3, threads, |answers, options| {
             clearances(&*engine, |k| row(rows, k), answers, options)
         })
@@ -283,11 +249,11 @@ impl Scene {
         orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<String> {
         if let Some((first, last)) = orientations {
-            let engine = turning_of(py, self, engine, interference)?;
+            let engine = self.turning_engine(py, engine, interference)?;
             let (start, end) = (pose(start, first), pose(end, last));
             return abandonable(py, move || Ok(serialized(&engine.violations(&start, &end))));
         }
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
     }
 
@@ -302,12 +268,12 @@ impl Scene {
         orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
         if let Some(turns) = &orientations {
-            let engine = turning_of(py, self, engine, interference)?;
+            let engine = self.turning_engine(py, engine, interference)?;
             let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
             let report = interruptible(py, |stop| check_turning(&self.0, &engine, &poses, &Watch::on(stop)))?;
             return Ok(serialized(&report));
         }
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
         let report = interruptible(py, |stop| check(&self.0, &*engine, &waypoints, &Watch::on(stop)))?;
         Ok(serialized(&report))
@@ -397,7 +363,7 @@ impl Scene {
                 let appraisal = planned.appraise(&scene, false, &watch)?;
                 return Ok((scene, planned.result, appraisal));
             }
-            let engine = match compiled(self, (options.engine, options.interference), &watch) {
+            let engine = match self.1.compiled(&self.0, (options.engine, options.interference), &watch) {
                 Err(error) if error.class() == ErrorClass::OutOfTime => {
                     return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default()));
                 }
@@ -435,44 +401,7 @@ impl Scene {
             return Err(raised(Error::invalid("gap", problem)));
         }
         let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
-        let settings = PlannerSettings { gap: gap.or(budget.map(|_| BOUND_GAP)), ..PlannerSettings::default() };
-        let step = PlanOptions::default().step;
-        let planner = answered(|| PlannerOptions::new(Planner::Anytime, step, &settings))?;
-        let choices = self.0.choices();
-        let options = PlanOptions {
-            planner,
-            budget: budget.map(|budget| budget / choices.len() as u32),
-            ..PlanOptions::default()
-        };
-        let bounds = |stop: &Interrupt| {
-            let watch = Watch::on(stop);
-            let bound = |scene: &cdpr_core::Scene| {
-                let query = Query { start: Some(start), goal: Some(goal), ..Query::of(scene) };
-                if query.turns() {
-                    return Ok((pose_path_length(scene, &query.poses()?), None));
-                }
-                let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
-                let quick = lower_bound(&*engine, &start, &goal, &watch)?;
-                let mut best = quick;
-                if settings.gap.is_some() && quick.is_finite() {
-                    let found = plan(query.by(&*engine), &options, &|| stop())?.result;
-                    let nothing = if found.status == Status::NoPath { f64::INFINITY } else { quick };
-                    best = found.lower_bound.map_or(nothing, |bound| bound.max(quick));
-                }
-                if !certified || best.is_infinite() {
-                    return Ok((best, None));
-                }
-                let forbidden = Forbidden::new(&*engine, [&start, &goal], &watch)?;
-                let accepts =
-                    |certificate: &Certificate| cdpr_certify::check_bound(scene, &serialized(certificate)).is_ok();
-                let certificate = forbidden.accepted_certificate(scene, best, &accepts, &watch)?;
-                let proved = certificate.as_ref().map_or(best, |certificate| certificate.length);
-                Ok((proved, certificate.as_ref().map(serialized)))
-            };
-            choices.iter().map(bound).collect::<Result<Vec<_>, Error>>()
-        };
-        let least = interruptible(py, bounds)?.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(least.unwrap_or((f64::INFINITY, None)))
+        interruptible(py, |stop| least_bound(&self.0, [&start, &goal], Wanted { gap, budget, certified }, stop))
     }
 
     /// The shortened path, as JSON.
@@ -487,7 +416,7 @@ impl Scene {
         engine: &str,
         interference: &str,
     ) -> PyResult<String> {
-        let engine = engine_of(py, self, engine, interference)?;
+        let engine = self.engine(py, engine, interference)?;
         let waypoints = points(waypoints.as_slice()?);
         let post: Post = named(post)?;
         let processing = answered(|| post.processing(step, repeats))?;
@@ -504,7 +433,7 @@ impl Scene {
         step: f64,
         direction: &str,
     ) -> PyResult<Tries<'py>> {
-        let engine = engine_of(py, self, Engine::default().name(), Interference::default().name())?;
+        let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
         let (waypoints, direction) = (points(waypoints.as_slice()?), named(direction)?);
         let trace = interruptible(py, |interrupted| {
             trace_rewinding(&*engine, &waypoints, step, direction, &Watch::on(interrupted))
@@ -579,7 +508,7 @@ impl Scene {
         let planning = Planning::of_json(path);
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
         if let Some(poses) = answered(|| file.poses())? {
-            let engine = turning_of(py, self, Engine::default().name(), interference)?;
+            let engine = self.turning_engine(py, Engine::default().name(), interference)?;
             let file = PathFile { cost: Some(pose_path_length(&self.0, &poses)), tree, ..file };
             return interruptible(py, |stop| {
                 let watch = Watch::on(stop);
@@ -588,7 +517,7 @@ impl Scene {
                 page_within(&self.0, contents, form, &watch)
             });
         }
-        let (engine, waypoints) = (engine_of(py, self, Engine::default().name(), interference)?, file.points());
+        let (engine, waypoints) = (self.engine(py, Engine::default().name(), interference)?, file.points());
         let file = PathFile { cost: Some(path_length(&waypoints)), tree, ..file };
         let ends = answered(|| certificate.map(certificate_ends).transpose())?;
         let options = PlanOptions { interference: named(interference)?, ..PlanOptions::default() };
