@@ -25,12 +25,10 @@ use crate::error::Error;
 use crate::geometry::{Pose, Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, RECORDED_ROUNDING, RECORDED_SHARE};
+use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, RECORDED_ROUNDING};
 use crate::trajectory::{Curve, Limits, Motion, Timing, Winches};
 use crate::watch::Watch;
-use crate::wrench::TensionQp;
-use faults::{Faults, Instant};
-use forces::{Forces, State};
+use faults::Faults;
 use rules::{Rates, Rules, around};
 
 /// The result of checking a timed motion.
@@ -114,14 +112,14 @@ pub fn check_trajectory(
     let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());
     let motions = motion.motions(held);
     check_columns(&rules, motion, &motions, &mut faults, watch)?;
-    notes.extend(check_forces(scene, motion, &motions, &rules, &mut faults, watch)?);
+    notes.extend(forces::check(scene, motion, &motions, &rules, &mut faults, watch)?);
     let exact = motion.exact.as_ref().filter(|_| !faults.any(FaultKind::NotExact));
     let fine = exact.map(|exact| between(&rules, motion, exact, &mut largest, &mut faults, watch)).transpose()?;
     match &fine {
         Some(fine) => {
             let motions = fine.motions(held);
             check_fit(&rules, fine, &motions, &mut faults, watch)?;
-            check_forces_between(scene, fine, &motions, &rules, &mut faults, watch)?;
+            forces::check_between(scene, fine, &motions, &rules, &mut faults, watch)?;
         }
         None => {
             check_fit(&rules, motion, &motions, &mut faults, watch)?;
@@ -263,90 +261,6 @@ fn between(
         angular_accelerations: turns(|now| now.angular_acceleration),
         ..Recorded::default()
     })
-}
-
-/// Tensions at all samples, and notes on what could not be checked.
-fn check_forces(
-    scene: &Scene,
-    motion: &Recorded,
-    motions: &[Motion],
-    rules: &Rules,
-    faults: &mut Faults,
-    watch: &Watch,
-) -> Result<Vec<String>, Error> {
-    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
-    let limited = rules.winches.tension_limits().is_some();
-    for (k, now) in motions.iter().enumerate() {
-        watch.check()?;
-        let derived = |known: bool, rate: fn(&Motion) -> Vector| if known { 0.0 } else { spread(motions, k, rate) };
-        let turn_known = motion.orientations.is_none() || motion.angular_accelerations.is_some();
-        let uncertain = [
-            derived(motion.accelerations.is_some(), |now| now.acceleration),
-            derived(turn_known, |now| now.angular_acceleration),
-        ];
-        let state = State { step: k, time: motion.times[k], motion: now, uncertain };
-        match &motion.tensions {
-            Some(tensions) => forces.check(&state, &tensions[k], faults),
-            None if limited => forces.exist(&state, &mut solver, faults)?,
-            None => {}
-        }
-        if rules.limits.wrench_margin > 0.0 {
-            margin(rules, &state, faults);
-        }
-    }
-    let mut notes = match (&motion.tensions, forces.unknown()) {
-        (Some(_), Some(why)) => vec![format!("the balance of the tensions is not checked: {why}")],
-        (None, _) => rules.winches.note().map(str::to_string).into_iter().collect(),
-        _ => Vec::new(),
-    };
-    notes.extend(rules.winches.assumption().map(str::to_string));
-    Ok(notes)
-}
-
-/// Whether tensions exist, and the wrench margin is left, at the instants between the samples of a motion in exact form.
-fn check_forces_between(
-    scene: &Scene,
-    fine: &Recorded,
-    motions: &[Motion],
-    rules: &Rules,
-    faults: &mut Faults,
-    watch: &Watch,
-) -> Result<(), Error> {
-    if rules.winches.tension_limits().is_none() {
-        return Ok(());
-    }
-    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
-    for (k, now) in motions.iter().enumerate() {
-        watch.check()?;
-        let state = State { step: k, time: fine.times[k], motion: now, uncertain: [0.0; 2] };
-        forces.exist(&state, &mut solver, faults)?;
-        if rules.limits.wrench_margin > 0.0 {
-            margin(rules, &state, faults);
-        }
-    }
-    Ok(())
-}
-
-/// How far a derived acceleration may be from the true one: how much it differs from its neighbours, and a twentieth.
-fn spread(motions: &[Motion], k: usize, rate: fn(&Motion) -> Vector) -> f64 {
-    let (near, own) = (&motions[k.saturating_sub(1)..(k + 2).min(motions.len())], rate(&motions[k]));
-    let differs = near.iter().map(|other| (rate(other) - own).norm()).fold(0.0, f64::max);
-    differs + 0.05 * own.norm()
-}
-
-fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
-    let found = rules.winches.tension_shares(&[*state.motion]);
-    let share = found.ok().and_then(|shares| shares.first().map(|found| found.share));
-    if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
-        return;
-    }
-    let margin = rules.limits.wrench_margin;
-    let (step, time, limit) = (state.step, state.time, Some(margin));
-    let excess = share.unwrap_or(f64::INFINITY);
-    let kind = FaultKind::WrenchMargin;
-    faults.add(&Instant { step, time, kind, culprits: &[], found: None, limit, excess }, || {
-        format!("less than the wrench margin of {} N is left", faults::number(margin))
-    });
 }
 
 /// How much faster than at both samples the platform may be between them: what the sampled accelerations allow in half the time.

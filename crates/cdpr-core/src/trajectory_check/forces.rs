@@ -5,24 +5,111 @@ use std::borrow::Cow;
 use nalgebra::{DVector, Matrix3, Matrix6xX, Vector6};
 
 use super::faults::{FaultKind, Faults, Instant, number};
+use super::recorded::Recorded;
+use super::rules::Rules;
 use crate::error::Error;
-use crate::geometry::Rotation;
+use crate::geometry::{Rotation, Vector};
 use crate::model::{Robot, Scene};
-use crate::numerics::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_TENSION};
+use crate::numerics::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
 use crate::trajectory::Motion;
+use crate::watch::Watch;
 use crate::wrench::{Balance, Loads, Statics, TensionQp};
+
+/// Tensions at all samples, and notes on what could not be checked.
+pub fn check(
+    scene: &Scene,
+    motion: &Recorded,
+    motions: &[Motion],
+    rules: &Rules,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<Vec<String>, Error> {
+    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
+    let limited = rules.winches.tension_limits().is_some();
+    for (k, now) in motions.iter().enumerate() {
+        watch.check()?;
+        let derived = |known: bool, rate: fn(&Motion) -> Vector| if known { 0.0 } else { spread(motions, k, rate) };
+        let turn_known = motion.orientations.is_none() || motion.angular_accelerations.is_some();
+        let uncertain = [
+            derived(motion.accelerations.is_some(), |now| now.acceleration),
+            derived(turn_known, |now| now.angular_acceleration),
+        ];
+        let state = State { step: k, time: motion.times[k], motion: now, uncertain };
+        match &motion.tensions {
+            Some(tensions) => forces.check(&state, &tensions[k], faults),
+            None if limited => forces.exist(&state, &mut solver, faults)?,
+            None => {}
+        }
+        if rules.limits.wrench_margin > 0.0 {
+            margin(rules, &state, faults);
+        }
+    }
+    let mut notes = match (&motion.tensions, forces.unknown()) {
+        (Some(_), Some(why)) => vec![format!("the balance of the tensions is not checked: {why}")],
+        (None, _) => rules.winches.note().map(str::to_string).into_iter().collect(),
+        _ => Vec::new(),
+    };
+    notes.extend(rules.winches.assumption().map(str::to_string));
+    Ok(notes)
+}
+
+/// Whether tensions exist, and the wrench margin is left, at the instants between the samples of a motion in exact form.
+pub fn check_between(
+    scene: &Scene,
+    fine: &Recorded,
+    motions: &[Motion],
+    rules: &Rules,
+    faults: &mut Faults,
+    watch: &Watch,
+) -> Result<(), Error> {
+    if rules.winches.tension_limits().is_none() {
+        return Ok(());
+    }
+    let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
+    for (k, now) in motions.iter().enumerate() {
+        watch.check()?;
+        let state = State { step: k, time: fine.times[k], motion: now, uncertain: [0.0; 2] };
+        forces.exist(&state, &mut solver, faults)?;
+        if rules.limits.wrench_margin > 0.0 {
+            margin(rules, &state, faults);
+        }
+    }
+    Ok(())
+}
+
+/// How far a derived acceleration may be from the true one: how much it differs from its neighbours, and a twentieth.
+fn spread(motions: &[Motion], k: usize, rate: fn(&Motion) -> Vector) -> f64 {
+    let (near, own) = (&motions[k.saturating_sub(1)..(k + 2).min(motions.len())], rate(&motions[k]));
+    let differs = near.iter().map(|other| (rate(other) - own).norm()).fold(0.0, f64::max);
+    differs + 0.05 * own.norm()
+}
+
+fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
+    let found = rules.winches.tension_shares(&[*state.motion]);
+    let share = found.ok().and_then(|shares| shares.first().map(|found| found.share));
+    if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
+        return;
+    }
+    let margin = rules.limits.wrench_margin;
+    let (step, time, limit) = (state.step, state.time, Some(margin));
+    let excess = share.unwrap_or(f64::INFINITY);
+    let kind = FaultKind::WrenchMargin;
+    faults.add(&Instant { step, time, kind, culprits: &[], found: None, limit, excess }, || {
+        format!("less than the wrench margin of {} N is left", number(margin))
+    });
+}
 
 /// The platform at an instant.
 #[derive(Clone, Copy)]
-pub struct State<'a> {
+struct State<'a> {
     /// Index of the sample.
-    pub step: usize,
+    step: usize,
     /// s.
-    pub time: f64,
+    time: f64,
     /// The motion.
-    pub motion: &'a Motion,
+    motion: &'a Motion,
     /// How far acceleration and angular acceleration may be from the true ones, m/s² and rad/s².
-    pub uncertain: [f64; 2],
+    uncertain: [f64; 2],
 }
 
 impl<'a> State<'a> {
@@ -33,7 +120,7 @@ impl<'a> State<'a> {
 }
 
 /// What the cables of a robot must balance.
-pub struct Forces<'a> {
+struct Forces<'a> {
     names: Vec<&'a str>,
     /// Minimum and maximum tension of each cable, N, where they are known.
     limits: Vec<Option<[f64; 2]>>,
@@ -83,7 +170,7 @@ impl Platform<'_> {
 
 impl<'a> Forces<'a> {
     /// Those of a scene.
-    pub fn of(scene: &'a Scene) -> Self {
+    fn of(scene: &'a Scene) -> Self {
         let robot = scene.robot();
         let platform = Statics::of(scene).map_err(|e| e.to_string()).map(|statics| Platform {
             robot,
@@ -97,7 +184,7 @@ impl<'a> Forces<'a> {
     }
 
     /// Why the balance cannot be checked, if it cannot.
-    pub fn unknown(&self) -> Option<&str> {
+    fn unknown(&self) -> Option<&str> {
         self.platform.as_ref().err().map(String::as_str)
     }
 
@@ -110,7 +197,7 @@ impl<'a> Forces<'a> {
     }
 
     /// Checks tensions at an instant.
-    pub fn check(&self, state: &State, tensions: &[f64], faults: &mut Faults) {
+    fn check(&self, state: &State, tensions: &[f64], faults: &mut Faults) {
         for ((name, limits), tension) in self.names.iter().zip(&self.limits).zip(tensions) {
             let Some([least, most]) = limits else { continue };
             let slack = RECORDED_TENSION * most;
@@ -141,7 +228,7 @@ impl<'a> Forces<'a> {
     ///
     /// # Errors
     /// Numbers that are not finite.
-    pub fn exist(&self, state: &State, solver: &mut TensionQp, faults: &mut Faults) -> Result<(), Error> {
+    fn exist(&self, state: &State, solver: &mut TensionQp, faults: &mut Faults) -> Result<(), Error> {
         let Ok(Platform { statics, .. }) = &self.platform else { return Ok(()) };
         let share =
             if state.uncertain.iter().any(|uncertain| *uncertain > 0.0) { RECORDED_RESERVE } else { RECORDED_TENSION };
