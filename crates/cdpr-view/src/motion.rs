@@ -273,9 +273,8 @@ pub(super) fn timed_motion(
     position_at: impl Fn(f64) -> Point,
     watch: &Watch,
 ) -> Result<Option<Motion>, Error> {
-    let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
-    let positions: Vec<Point> = times.iter().map(|time| position_at(*time)).collect();
-    untensed(scene, times.iter().map(|time| *time as f32).collect(), &positions, watch).map(Some)
+    let (times, positions) = at_even_times(duration, position_at);
+    untensed(scene, times, &positions, watch).map(Some)
 }
 
 /// The same for a platform that turns.
@@ -288,9 +287,14 @@ pub(super) fn timed_turning_motion(
     pose_at: impl Fn(f64) -> Pose,
     watch: &Watch,
 ) -> Result<Option<Motion>, Error> {
-    let times: Vec<f64> = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS).collect();
-    let poses: Vec<Pose> = times.iter().map(|time| pose_at(*time)).collect();
-    untensed_turning(scene, times.iter().map(|time| *time as f32).collect(), &poses, watch).map(Some)
+    let (times, poses) = at_even_times(duration, pose_at);
+    untensed_turning(scene, times, &poses, watch).map(Some)
+}
+
+/// Even times from the begin of a motion to its end, and what it is there.
+fn at_even_times<Place>(duration: f64, place_at: impl Fn(f64) -> Place) -> (Vec<f32>, Vec<Place>) {
+    let times = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS);
+    times.map(|time| (time as f32, place_at(time))).unzip()
 }
 
 /// Everything but tensions at these poses.
