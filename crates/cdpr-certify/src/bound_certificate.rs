@@ -110,8 +110,8 @@ impl BoundCertificate {
             let place = format!("edges[{k}]");
             let count = self.regions.get(edge.region).map_or(0, |region| region.half_spaces.len());
             if edge.planes.iter().any(|plane| *plane >= count) {
-                let [region, [a, b]] = [[edge.region; 2], edge.planes];
-                let problem = format!("found half-spaces {a} and {b} of region {}, expected indices", region[0]);
+                let (region, [a, b]) = (edge.region, edge.planes);
+                let problem = format!("found half-spaces {a} and {b} of region {region}, expected indices");
                 return Err(Error::invalid(place, problem));
             }
             small(&place, edge.ends.as_flattened())?;

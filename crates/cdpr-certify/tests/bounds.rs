@@ -1,7 +1,11 @@
 //! Certificates of bounds are accepted; with any damage they are refused.
 
+mod support;
+
 use cdpr_certify::{BoundCertificate, check_bound};
-use cdpr_core::model::{Scene, SceneSpec};
+use cdpr_core::model::Scene;
+
+use support::{Random, scenes};
 
 struct Sample {
     scene: Scene,
@@ -16,10 +20,9 @@ struct Sample {
 macro_rules! sample {
     ($name:literal, $path:literal) => {{
         let text = include_str!(concat!("data/bound-", $name, ".json"));
-        let spec: SceneSpec = serde_json::from_str(include_str!(concat!("data/bound-", $name, ".scene.json"))).unwrap();
-        let unasked = Scene::new(SceneSpec { query: None, ..spec.clone() }).unwrap();
+        let [scene, unasked] = scenes(include_str!(concat!("data/bound-", $name, ".scene.json")));
         let certificate = BoundCertificate::parse(text).unwrap();
-        Sample { scene: Scene::new(spec).unwrap(), unasked, text, certificate, path: $path }
+        Sample { scene, unasked, text, certificate, path: $path }
     }};
 }
 
@@ -34,19 +37,6 @@ fn samples_are_accepted() {
         assert_eq!((summary.length, summary.margin), (sample.certificate.length, 1e-7));
         assert!(summary.length < sample.path && summary.length > sample.path / 1.011);
         assert_eq!(sample.certificate.check(&sample.unasked).unwrap(), summary);
-    }
-}
-
-/// Random numbers (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % count as u64) as usize
     }
 }
 
@@ -87,7 +77,7 @@ fn every_damage_is_refused() {
                     let (edge, share) = (&mut damaged.edges[k], 0.2 + 0.006 * random.below(100) as f64);
                     let length = (0..3).map(|k| (edge.ends[1][k] - edge.ends[0][k]).abs()).fold(0.0, f64::max);
                     if length < 1e-6 {
-                        // Short ones may be covered but for less than what counts: they go elsewhere.
+                        // Most of a short edge may be covered, so that a shorter one proves as much: it is moved instead.
                         edge.ends.iter_mut().for_each(|end| end[random.below(3)] += 0.1);
                     } else {
                         let side = random.below(2);

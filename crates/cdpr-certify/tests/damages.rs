@@ -1,7 +1,11 @@
 //! Certificates of three scenes are accepted; with any damage they are refused.
 
+mod support;
+
 use cdpr_certify::{Cell, Certificate, Status, check_certificate};
-use cdpr_core::model::{Scene, SceneSpec};
+use cdpr_core::model::Scene;
+
+use support::{Random, scenes};
 
 struct Sample {
     scene: Scene,
@@ -14,9 +18,8 @@ struct Sample {
 macro_rules! sample {
     ($name:literal) => {{
         let text = include_str!(concat!("data/", $name, ".json"));
-        let spec: SceneSpec = serde_json::from_str(include_str!(concat!("data/", $name, ".scene.json"))).unwrap();
-        let unasked = Scene::new(SceneSpec { query: None, ..spec.clone() }).unwrap();
-        Sample { scene: Scene::new(spec).unwrap(), unasked, text, certificate: Certificate::parse(text).unwrap() }
+        let [scene, unasked] = scenes(include_str!(concat!("data/", $name, ".scene.json")));
+        Sample { scene, unasked, text, certificate: Certificate::parse(text).unwrap() }
     }};
 }
 
@@ -31,19 +34,6 @@ fn samples_are_accepted() {
         assert_eq!((summary.boxes, summary.margin), (boxes, 1e-6));
         assert_eq!(summary.regions, sample.certificate.regions.len());
         assert_eq!(sample.certificate.check(&sample.unasked).unwrap(), summary);
-    }
-}
-
-/// Random numbers (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % count as u64) as usize
     }
 }
 
