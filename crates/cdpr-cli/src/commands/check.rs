@@ -84,61 +84,60 @@ pub fn turns(poses: &[Pose]) -> String {
 
 /// Checks a proof of either kind, without the code that made it.
 fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Error> {
-    let in_proof = |e: Error| e.in_file(&args.path);
     let scene = input::scene(&args.scene, out)?;
-    if cdpr_certify::is_bound(text) {
-        return check_bound(args, (&scene, text), out);
-    }
-    let certificate = cdpr_certify::Certificate::parse(text).map_err(in_proof)?;
     input::selects_orientation(&scene, &args.scene)?;
     input::never_turns(&scene, &args.scene)?;
-    let check = |_: &Interrupt| certificate.check(&scene);
-    let found = with_sign_of_life(out, "checking", check).map_err(in_proof)?;
-    let Summary { boxes, closed, regions, margin } = found;
+    let check = |_: &Interrupt| if cdpr_certify::is_bound(text) { bound(text, &scene) } else { no_path(text, &scene) };
+    let proved = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.path))?;
     match args.scene.format {
-        Format::Json => {
-            let answer = serde_json::json!({
-                "valid": true, "boxes": boxes, "closed": closed, "regions": regions, "margin": margin,
-            });
-            out.result(&format!("{answer:#}"));
-        }
+        Format::Json => out.result(&format!("{:#}", proved.answer)),
         Format::Text => {
             out.result(&scene_line(&scene));
-            let gap = small_length(margin);
-            out.verdict(&Verdict::yes("proved:", format!(" no path keeps a gap of more than {gap}")));
-            let closed = format!("{closed} of {boxes} boxes are closed, by {}", count(regions, "region"));
-            out.result(&format!("{closed}; checked exactly"));
+            out.verdict(&Verdict::yes("proved:", format!(" {}", proved.what)));
+            out.result(&proved.how);
         }
     }
     Ok(Answer::Yes)
 }
 
-/// Checks a proof that no path is shorter than a length.
-fn check_bound(args: &PathArgs, (scene, text): (&Scene, &str), out: &Console) -> Result<Answer, Error> {
-    let in_proof = |e: Error| e.in_file(&args.path);
-    let certificate = cdpr_certify::BoundCertificate::parse(text).map_err(in_proof)?;
-    input::selects_orientation(scene, &args.scene)?;
-    input::never_turns(scene, &args.scene)?;
-    let check = |_: &Interrupt| certificate.check(scene);
-    let BoundSummary { length, margin, regions, pieces } =
-        with_sign_of_life(out, "checking", check).map_err(in_proof)?;
-    match args.scene.format {
-        Format::Json => {
-            let answer = serde_json::json!({
-                "valid": true, "lower_bound": length, "pieces": pieces, "regions": regions, "margin": margin,
-            });
-            out.result(&format!("{answer:#}"));
-        }
-        Format::Text => {
-            out.result(&scene_line(scene));
-            let told = format!(" no path is shorter than {} m (gap margin {margin:e} m)", short(length));
-            out.verdict(&Verdict::yes("proved:", told));
-            let [pieces, regions] = [count(pieces, "piece"), count(regions, "region")];
-            let how = "regions and edges checked exactly, labels with reserves far above rounding errors";
-            out.result(&format!("{pieces} of edges of {regions}, with their labels; {how}"));
-        }
-    }
-    Ok(Answer::Yes)
+/// What an accepted proof says.
+struct Proved {
+    answer: serde_json::Value,
+    what: String,
+    how: String,
+}
+
+/// A proof that there is no path.
+fn no_path(text: &str, scene: &Scene) -> Result<Proved, Error> {
+    let Summary { boxes, closed, regions, margin } = cdpr_certify::check_certificate(scene, text)?;
+    Ok(Proved {
+        answer: serde_json::json!({
+            "valid": true, "boxes": boxes, "closed": closed, "regions": regions, "margin": margin,
+        }),
+        what: format!("no path keeps a gap of more than {}", small_length(margin)),
+        how: format!("{closed} of {boxes} boxes are closed, by {}; checked exactly", count(regions, "region")),
+    })
+}
+
+/// A proof that no path is shorter than a length.
+fn bound(text: &str, scene: &Scene) -> Result<Proved, Error> {
+    let BoundSummary { length, margin, regions, pieces } = cdpr_certify::check_bound(scene, text)?;
+    let counts = [count(pieces, "piece"), count(regions, "region")];
+    Ok(Proved {
+        answer: serde_json::json!({
+            "valid": true, "lower_bound": length, "pieces": pieces, "regions": regions, "margin": margin,
+        }),
+        what: format!(
+            "no path that keeps a gap of more than {} is shorter than {} m",
+            small_length(margin),
+            short(length)
+        ),
+        how: format!(
+            "{} of edges of {}, with their labels; regions and edges checked exactly, labels with reserves far above \
+             rounding errors",
+            counts[0], counts[1]
+        ),
+    })
 }
 
 fn verdict(report: &PathReport, waypoints: &str) -> Verdict {
