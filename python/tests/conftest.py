@@ -33,3 +33,8 @@ def hard1() -> cdpr.Scene:
 @pytest.fixture
 def empty() -> cdpr.Scene:
     return cdpr.Scene.load(TESTDATA / "scenes/empty.toml")
+
+
+@pytest.fixture(scope="module")
+def cogiro() -> cdpr.Scene:
+    return cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")

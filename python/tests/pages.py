@@ -30,6 +30,8 @@ DESK = (1280, 800)
 PHONE = (390, 800)
 # What the page itself has made: nothing is fetched.
 INSIDE = ("data:", "blob:")
+# A path through the pillar of hard1.
+THROUGH_THE_PILLAR = [[0.3, 1.0, 0.3], [1.7, 1.0, 1.7]]
 HOSTILE = [
     "</script><script>window.hacked = 1</script>",
     "<img src=x onerror='window.hacked = 1'>",
@@ -107,3 +109,8 @@ def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
 def picture(page: Page) -> str:
     """The 3D view with its labels as a base64 PNG."""
     return str(page.evaluate("cdprViewer.picture().toDataURL()"))
+
+
+def plain(text: str) -> str:
+    """A text of the page with ordinary spaces."""
+    return text.replace("\xa0", " ")

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from pages import HOSTILE, SCENES, Open, picture
+from pages import HOSTILE, SCENES, Open, picture, plain
 
 import cdpr
 
@@ -19,10 +19,6 @@ def closed() -> cdpr.Scene:
 def proof_of(result: cdpr.Result) -> cdpr.Proof:
     assert result.status == "no_path" and result.proof is not None
     return result.proof
-
-
-def plain(text: str) -> str:
-    return text.replace("\xa0", " ")
 
 
 def test_a_scene_without_a_path_says_why_and_shows_it(open_page: Open, closed: cdpr.Scene) -> None:

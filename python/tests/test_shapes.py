@@ -12,11 +12,6 @@ import cdpr
 SHAPES = [(), (1,), (4,), (2, 3), (0,), (2, 0, 5), (1, 1, 2)]
 
 
-@pytest.fixture
-def cogiro():
-    return cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
-
-
 def drawn(shape, low, high):
     return np.random.default_rng(4).uniform(low, high, (*shape, 3))
 
