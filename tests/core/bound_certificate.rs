@@ -24,7 +24,7 @@ fn certificate(scene: &Scene, enough: f64) -> Certificate {
 /// The length that the checker accepts as proved.
 fn checked(scene: &Scene, certificate: &Certificate) -> f64 {
     let text = serde_json::to_string(certificate).unwrap();
-    check_bound(scene, &text).unwrap_or_else(|error| panic!("{error}: {text:.400}")).length
+    check_bound(scene, &text, &Watch::NONE).unwrap_or_else(|error| panic!("{error}: {text:.400}")).length
 }
 
 fn shortest(scene: &Scene, seeds: u64) -> f64 {
@@ -56,7 +56,8 @@ fn what_a_checker_accepts_is_written_at_last_the_straight_line() {
     let ends: [Point; 2] = [scene.start().unwrap(), scene.goal().unwrap()];
     let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();
     let accepted = |watch: &Watch, most: f64| {
-        let accepts = |certificate: &Certificate| certificate.length <= most && checked(&scene, certificate) > 0.0;
+        let accepts =
+            |certificate: &Certificate, _: &Watch| certificate.length <= most && checked(&scene, certificate) > 0.0;
         forbidden.accepted_certificate(&scene, 2.41, &accepts, watch).unwrap().map(|certificate| certificate.length)
     };
     let straight = (ends[1] - ends[0]).norm();

@@ -36,7 +36,7 @@ fn proof(spec: SceneSpec) -> Proof {
 fn accepted(scene: &Scene, proof: &Proof) -> Result<Summary, Error> {
     let engine = engine_for(scene, Default::default(), Interference::Exact).unwrap();
     let certificate = Certificate::of(proof, scene, &*engine);
-    check_certificate(scene, &serde_json::to_string(&certificate).unwrap())
+    check_certificate(scene, &serde_json::to_string(&certificate).unwrap(), &Watch::NONE)
 }
 
 fn is_path(spec: SceneSpec) -> bool {
@@ -264,6 +264,6 @@ fn contact_at_one_end_closes_nothing_around_it() {
         "margin": 1e-6, "start": [start.x, start.y, start.z], "goal": [1.7, 1.0, 0.3],
         "box": [[low.x, low.y, low.z], [high.x, high.y, high.z]], "regions": [], "boxes": boxes,
     });
-    let refused = check_certificate(&scene, &file.to_string()).unwrap_err().to_string();
+    let refused = check_certificate(&scene, &file.to_string(), &Watch::NONE).unwrap_err().to_string();
     assert!(refused.contains("found contact there"), "{refused}");
 }

@@ -54,7 +54,7 @@ fn answer(scene: &Scene, engine: &dyn Checker) -> Answer {
 }
 
 fn check(scene: &Scene, certificate: &Certificate) -> Result<Summary, Error> {
-    check_certificate(scene, &serde_json::to_string(certificate).unwrap())
+    check_certificate(scene, &serde_json::to_string(certificate).unwrap(), &Watch::NONE)
 }
 
 fn refused(scene: &Scene, certificate: &Certificate) {

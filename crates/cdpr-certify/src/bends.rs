@@ -18,6 +18,7 @@ use std::collections::BTreeSet;
 
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
+use cdpr_core::watch::Watch;
 
 use crate::bound_certificate::{BoundCertificate, EdgeRow};
 use crate::exact::{Exact, cross, dot, exact, exact3, minus, plus, times};
@@ -45,13 +46,13 @@ pub struct Listed {
 }
 
 /// Checks that a certificate lists all places where a path shorter than its length may bend.
-pub fn listed(certificate: &BoundCertificate) -> Result<Listed, Error> {
+pub fn listed(certificate: &BoundCertificate, watch: &Watch) -> Result<Listed, Error> {
     let edges = vec![None; certificate.edges.len()];
     let mut listed = Listed { edges, corners: vec![false; certificate.corners.len()], bends: 0 };
     let regions: Vec<Vec<HalfSpace>> =
         certificate.regions.iter().map(|region| region.half_spaces.iter().map(HalfSpace::of).collect()).collect();
     for index in 0..regions.len() {
-        let mut finder = Finder { certificate, regions: &regions, index, listed: &mut listed };
+        let mut finder = Finder { certificate, regions: &regions, index, listed: &mut listed, watch };
         finder.region().map_err(|e| e.under(&format!("regions[{index}]")))?;
     }
     Ok(listed)
@@ -63,6 +64,7 @@ struct Finder<'a> {
     regions: &'a [Vec<HalfSpace>],
     index: usize,
     listed: &'a mut Listed,
+    watch: &'a Watch<'a>,
 }
 
 impl Finder<'_> {
@@ -122,6 +124,7 @@ impl Finder<'_> {
 
     /// Every part of an edge that nothing covers is listed, unless each way through it is too long.
     fn edge(&mut self, planes: &[usize], ends: [&Place; 2]) -> Result<(), Error> {
+        self.watch.check()?;
         let covers = (0..self.regions.len()).filter(|other| *other != self.index);
         let covers = covers.filter_map(|other| covered(&self.others_than(planes, other)?, ends)).collect();
         for gap in gaps(covers) {
@@ -151,6 +154,7 @@ impl Finder<'_> {
 
     /// A corner where a path may bend is listed.
     fn corner(&mut self, corner: &Corner, planes: &[usize], is_pointed: bool) -> Result<(), Error> {
+        self.watch.check()?;
         let height = |half: &HalfSpace| half.height(&corner.place).sign();
         let others = || (0..self.regions.len()).filter(|other| *other != self.index);
         let dominated =

@@ -8,6 +8,7 @@
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
+use cdpr_core::watch::Watch;
 
 use crate::Proofs;
 use crate::bends;
@@ -32,16 +33,17 @@ pub struct BoundSummary {
 /// Checks the text of a certificate of a bound for a scene at its orientation.
 ///
 /// # Errors
-/// What is wrong with the certificate, and where: then it proves nothing.
+/// What is wrong with the certificate, and where: then it proves nothing; [`Error::interrupted`], [`Error::out_of_time`].
 ///
 /// # Example
 /// ```
+/// use cdpr_core::watch::Watch;
 /// let scene = cdpr_core::testing::empty();
-/// let error = cdpr_certify::check_bound(&scene, r#"{"format": "cdpr-proof"}"#).unwrap_err();
+/// let error = cdpr_certify::check_bound(&scene, r#"{"format": "cdpr-proof"}"#, &Watch::NONE).unwrap_err();
 /// assert_eq!(error.to_string(), r#"format: found "cdpr-proof", expected "cdpr-bound""#);
 /// ```
-pub fn check_bound(scene: &Scene, text: &str) -> Result<BoundSummary, Error> {
-    BoundCertificate::parse(text)?.check(scene)
+pub fn check_bound(scene: &Scene, text: &str, watch: &Watch) -> Result<BoundSummary, Error> {
+    BoundCertificate::parse(text)?.check(scene, watch)
 }
 
 impl BoundCertificate {
@@ -49,7 +51,7 @@ impl BoundCertificate {
     ///
     /// # Errors
     /// As [`check_bound`].
-    pub fn check(&self, scene: &Scene) -> Result<BoundSummary, Error> {
+    pub fn check(&self, scene: &Scene, watch: &Watch) -> Result<BoundSummary, Error> {
         let question = Question {
             scene: &self.scene,
             orientation: &self.orientation,
@@ -62,9 +64,10 @@ impl BoundCertificate {
         question.is_of(scene)?;
         let mut proofs = Proofs::of(scene, [&self.start, &self.goal], self.margin, true);
         for (k, region) in self.regions.iter().enumerate() {
+            watch.check()?;
             proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
-        let listed = bends::listed(self)?;
+        let listed = bends::listed(self, watch)?;
         let planes: Vec<Vec<Plane>> = self.regions.iter().map(planes_of).collect();
         let mut pieces = Vec::new();
         for (edge, crossing) in self.edges.iter().zip(&listed.edges) {
@@ -83,7 +86,7 @@ impl BoundCertificate {
             let ends = [Vector::new(x, y, z); 2];
             pieces.push(labels::Piece { ends: Ends { ends, labels: [label; 2] }, crossed: None });
         }
-        labels::hold(&planes, [self.start.into(), self.goal.into()], &pieces, self.length, listed.bends)?;
+        labels::hold(&planes, [self.start.into(), self.goal.into()], &pieces, (self.length, listed.bends), watch)?;
         let count = self.edges.iter().map(|edge| edge.pieces.len()).sum();
         Ok(BoundSummary { length: self.length, margin: self.margin, regions: self.regions.len(), pieces: count })
     }

@@ -16,6 +16,7 @@
 
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
+use cdpr_core::watch::Watch;
 
 use crate::bends::{NEAR, NO_DIRECTION, unit};
 
@@ -69,8 +70,8 @@ pub fn hold(
     regions: &[Vec<Plane>],
     [start, goal]: [Vector; 2],
     pieces: &[Piece],
-    length: f64,
-    bends: usize,
+    (length, bends): (f64, usize),
+    watch: &Watch,
 ) -> Result<(), Error> {
     let enough = length + STEP * (bends + 2) as f64;
     let point = |at: Vector, label: f64| Piece { ends: Ends { ends: [at; 2], labels: [label; 2] }, crossed: None };
@@ -80,6 +81,7 @@ pub fn hold(
     let last = all.len() - 1;
     let derived: Vec<usize> = (1..=last).filter(|j| !grows_slowly(&start.ends, &all[*j].ends)).collect();
     for (i, from) in all[..last].iter().enumerate() {
+        watch.check()?;
         let mut recent = 0;
         for (j, to) in derived.iter().map(|j| (*j, all[*j])).filter(|(j, _)| *j != i) {
             let fine = grows_slowly(&from.ends, &to.ends)

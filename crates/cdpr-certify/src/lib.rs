@@ -1,5 +1,5 @@
-//! Checks certificates that a cable robot has no path, and that none is shorter than a length ([`check_bound`]). It shares no code with the program that writes them: what a
-//! scene forbids is derived again, and every decision is exact.
+//! Checks certificates that a cable robot has no path, and that none is shorter than a length ([`check_bound`]). It shares no
+//! code with the program that writes them: what a scene forbids is derived again, and every decision is exact.
 //!
 //! # What a certificate that there is no path proves
 //!
@@ -47,6 +47,7 @@ use std::collections::BTreeMap;
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::model::Member;
+use cdpr_core::watch::Watch;
 
 pub use bound::{BoundSummary, check_bound};
 pub use bound_certificate::{BoundCertificate, EdgeRow, is_bound};
@@ -74,16 +75,17 @@ pub struct Summary {
 /// Checks the text of a certificate for a scene at its orientation.
 ///
 /// # Errors
-/// What is wrong with the certificate, and where: then it proves nothing.
+/// What is wrong with the certificate, and where: then it proves nothing; [`Error::interrupted`], [`Error::out_of_time`].
 ///
 /// # Example
 /// ```
+/// use cdpr_core::watch::Watch;
 /// let scene = cdpr_core::testing::empty();
-/// let error = cdpr_certify::check_certificate(&scene, "{").unwrap_err();
+/// let error = cdpr_certify::check_certificate(&scene, "{", &Watch::NONE).unwrap_err();
 /// assert!(error.to_string().starts_with("found no certificate: EOF"));
 /// ```
-pub fn check_certificate(scene: &Scene, text: &str) -> Result<Summary, Error> {
-    Certificate::parse(text)?.check(scene)
+pub fn check_certificate(scene: &Scene, text: &str, watch: &Watch) -> Result<Summary, Error> {
+    Certificate::parse(text)?.check(scene, watch)
 }
 
 impl Certificate {
@@ -91,7 +93,7 @@ impl Certificate {
     ///
     /// # Errors
     /// As [`check_certificate`].
-    pub fn check(&self, scene: &Scene) -> Result<Summary, Error> {
+    pub fn check(&self, scene: &Scene, watch: &Watch) -> Result<Summary, Error> {
         self.numbers_are_sound()?;
         self.question().is_of(scene)?;
         let boxes: Vec<Bounds> = self.boxes.iter().map(|cell| cell.bounds).collect();
@@ -100,9 +102,11 @@ impl Certificate {
         let ends = [&self.start, &self.goal];
         let mut proofs = Proofs::of(scene, ends, self.margin, false);
         for (k, region) in self.regions.iter().enumerate() {
+            watch.check()?;
             proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
         for (k, cell) in self.boxes.iter().enumerate() {
+            watch.check()?;
             proofs.bound(cell).map_err(|e| e.under(&format!("boxes[{k}]")))?;
         }
         for (end, place) in [(0, "start"), (1, "goal")] {

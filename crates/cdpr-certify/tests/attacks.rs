@@ -2,6 +2,7 @@
 
 use cdpr_certify::check_bound;
 use cdpr_core::Scene;
+use cdpr_core::watch::Watch;
 use serde_json::{Value, json};
 
 /// A point in a workspace from (-1, -1, -1) to (3, 1, 1), and boxes that reach from the floor to the ceiling: x and y of each.
@@ -41,7 +42,9 @@ fn certificate(boxes: &[[f64; 4]], start: [f64; 3], length: f64, edges: &[(usize
 }
 
 fn check(boxes: &[[f64; 4]], certificate: &Value) -> Result<f64, String> {
-    check_bound(&scene(boxes), &certificate.to_string()).map(|found| found.length).map_err(|error| error.to_string())
+    check_bound(&scene(boxes), &certificate.to_string(), &Watch::NONE)
+        .map(|found| found.length)
+        .map_err(|error| error.to_string())
 }
 
 const WALL: [[f64; 4]; 1] = [[0.5, 1.0, -0.5, 0.5]];

@@ -2,8 +2,12 @@
 
 mod support;
 
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
 use cdpr_certify::{BoundCertificate, check_bound};
+use cdpr_core::ErrorClass;
 use cdpr_core::model::Scene;
+use cdpr_core::watch::Watch;
 
 use support::{Random, scenes};
 
@@ -33,10 +37,10 @@ fn samples() -> [Sample; 2] {
 #[test]
 fn samples_are_accepted() {
     for sample in samples() {
-        let summary = check_bound(&sample.scene, sample.text).unwrap();
+        let summary = check_bound(&sample.scene, sample.text, &Watch::NONE).unwrap();
         assert_eq!((summary.length, summary.margin), (sample.certificate.length, 1e-7));
         assert!(summary.length < sample.path && summary.length > sample.path / 1.011);
-        assert_eq!(sample.certificate.check(&sample.unasked).unwrap(), summary);
+        assert_eq!(sample.certificate.check(&sample.unasked, &Watch::NONE).unwrap(), summary);
     }
 }
 
@@ -45,7 +49,7 @@ fn needed(sample: &Sample) -> Vec<usize> {
     let without = |k: &usize| {
         let mut fewer = sample.certificate.clone();
         fewer.edges.remove(*k);
-        fewer.check(&sample.scene)
+        fewer.check(&sample.scene, &Watch::NONE)
     };
     (0..sample.certificate.edges.len()).filter(|k| without(k).is_err()).collect()
 }
@@ -118,7 +122,7 @@ fn every_damage_is_refused() {
                 9 => damaged.margin = [1e-9, 2e-6, -1.0, f64::NAN][random.below(4)],
                 _ => damaged.regions[region].half_spaces[row % 3][random.below(3)] += 0.1,
             }
-            let result = damaged.check(scene);
+            let result = damaged.check(scene, &Watch::NONE);
             assert!(result.is_err(), "accepted in round {round}, way {way}: {result:?}");
             counts[way] += 1;
         }
@@ -142,7 +146,7 @@ fn what_is_accepted_with_changed_labels_is_true() {
                 let piece = random.below(edge.pieces.len());
                 edge.pieces[piece][1 + random.below(2)] += 0.1 * random.below(10) as f64;
             }
-            match changed.check(&sample.scene) {
+            match changed.check(&sample.scene, &Watch::NONE) {
                 Ok(summary) => assert!(summary.length < sample.path, "{}", summary.length),
                 Err(_) => refused += 1,
             }
@@ -157,7 +161,7 @@ fn refusals_name_the_place() {
     let told = |change: &dyn Fn(&mut BoundCertificate)| {
         let mut damaged = sample.certificate.clone();
         change(&mut damaged);
-        damaged.check(&sample.scene).unwrap_err().to_string()
+        damaged.check(&sample.scene, &Watch::NONE).unwrap_err().to_string()
     };
     let is = |text: String, start: &str| assert!(text.starts_with(start), "{text}");
     is(told(&|c| c.scene = "0123456789abcdef".into()), "scene: found a proof for another scene");
@@ -192,7 +196,7 @@ fn refusals_name_the_place() {
 #[test]
 fn bad_text_is_an_error_in_bounded_time() {
     let [sample, _] = samples();
-    let told = |text: &str| check_bound(&sample.scene, text).unwrap_err().to_string();
+    let told = |text: &str| check_bound(&sample.scene, text, &Watch::NONE).unwrap_err().to_string();
     let is = |text: String, start: &str| assert!(text.starts_with(start), "{text}");
     is(told(&sample.text.replacen("\"version\":1", "\"version\":2", 1)), "version: found 2, expected 1");
     is(told(&sample.text.replacen("cdpr-bound", "cdpr-proof", 1)), "format: found \"cdpr-proof\", expected");
@@ -211,4 +215,15 @@ fn bad_text_is_an_error_in_bounded_time() {
     let corners = "[0,0,0,0],".repeat(100_000);
     let (head, _) = sample.text.split_once("\"corners\":[").unwrap();
     is(told(&format!("{head}\"corners\":[{corners}[0,0,0,0]]}}")), "corners: found 100001, expected at most 10000");
+}
+
+#[test]
+fn an_interrupted_check_stops_and_accepts_nothing() {
+    let [_, sample] = samples();
+    for polls in [0, 1, 5, 20] {
+        let left = AtomicUsize::new(polls);
+        let stop = || left.fetch_update(Relaxed, Relaxed, |left| left.checked_sub(1)).is_err();
+        let found = check_bound(&sample.scene, sample.text, &Watch::on(&stop));
+        assert_eq!(found.unwrap_err().class(), ErrorClass::Interrupted, "{polls}");
+    }
 }

@@ -4,6 +4,7 @@ mod support;
 
 use cdpr_certify::{Cell, Certificate, Status, check_certificate};
 use cdpr_core::model::Scene;
+use cdpr_core::watch::Watch;
 
 use support::{Random, scenes};
 
@@ -30,10 +31,10 @@ fn samples() -> [Sample; 3] {
 #[test]
 fn samples_are_accepted() {
     for (sample, boxes) in samples().iter().zip([330, 239, 239]) {
-        let summary = check_certificate(&sample.scene, sample.text).unwrap();
+        let summary = check_certificate(&sample.scene, sample.text, &Watch::NONE).unwrap();
         assert_eq!((summary.boxes, summary.margin), (boxes, 1e-6));
         assert_eq!(summary.regions, sample.certificate.regions.len());
-        assert_eq!(sample.certificate.check(&sample.unasked).unwrap(), summary);
+        assert_eq!(sample.certificate.check(&sample.unasked, &Watch::NONE).unwrap(), summary);
     }
 }
 
@@ -117,7 +118,7 @@ fn every_damage_is_refused() {
                     damaged.boxes[k].status = Status::Open;
                     if !touches(&by_start) || !touches(&by_goal) {
                         if harmless < 100 {
-                            damaged.check(scene).unwrap();
+                            damaged.check(scene, &Watch::NONE).unwrap();
                             harmless += 1;
                         }
                         continue;
@@ -163,7 +164,7 @@ fn every_damage_is_refused() {
                     *name = other;
                 }
             }
-            assert!(damaged.check(scene).is_err(), "accepted in round {round}: {}", WAYS[way]);
+            assert!(damaged.check(scene, &Watch::NONE).is_err(), "accepted in round {round}: {}", WAYS[way]);
             counts[way] += 1;
         }
     }
@@ -178,7 +179,7 @@ fn refusals_name_the_place() {
     let told = |change: &dyn Fn(&mut Certificate)| {
         let mut damaged = sample.certificate.clone();
         change(&mut damaged);
-        damaged.check(&sample.scene).unwrap_err().to_string()
+        damaged.check(&sample.scene, &Watch::NONE).unwrap_err().to_string()
     };
     let is = |text: String, start: &str| assert!(text.starts_with(start), "{text}");
     is(told(&|c| c.scene = "0123456789abcdef".into()), "scene: found a proof for another scene, 0123456789abcdef");
@@ -197,7 +198,7 @@ fn refusals_name_the_place() {
 #[test]
 fn bad_text_is_an_error_in_bounded_time() {
     let sample = sample!("10-28");
-    let told = |text: &str| check_certificate(&sample.scene, text).unwrap_err().to_string();
+    let told = |text: &str| check_certificate(&sample.scene, text, &Watch::NONE).unwrap_err().to_string();
     let with = |old: &str, new: &str| {
         assert!(sample.text.contains(old), "{old}");
         told(&sample.text.replacen(old, new, 1))
@@ -243,19 +244,19 @@ fn huge_and_tiny_numbers_are_refused_without_a_panic() {
             let mut damaged = sample.certificate.clone();
             damaged.regions.iter_mut().flat_map(|r| &mut r.half_spaces).for_each(|half| half[k] = number);
             // Boxes that the regions no longer hold are opened, so that the regions are reached.
-            let _ = damaged.check(&sample.scene);
+            let _ = damaged.check(&sample.scene, &Watch::NONE);
             let closed = |cell: &Cell| cell.status != Status::Open;
             damaged.boxes.iter_mut().filter(|cell| closed(cell)).for_each(|cell| cell.status = Status::Within(0));
-            assert!(damaged.check(&sample.scene).is_err(), "{number} at {k}");
+            assert!(damaged.check(&sample.scene, &Watch::NONE).is_err(), "{number} at {k}");
         }
         for k in 0..3 {
             let mut damaged = sample.certificate.clone();
             damaged.bounds[0][k] = -number.abs();
             damaged.bounds[1][k] = number.abs().max(3.0);
-            assert!(damaged.check(&sample.scene).is_err());
+            assert!(damaged.check(&sample.scene, &Watch::NONE).is_err());
             let mut damaged = sample.certificate.clone();
             damaged.boxes.iter_mut().for_each(|cell| cell.bounds[1][k] = number);
-            assert!(damaged.check(&sample.scene).is_err());
+            assert!(damaged.check(&sample.scene, &Watch::NONE).is_err());
         }
     }
 }
@@ -281,5 +282,11 @@ fn boxes_that_are_peeled_off_one_by_one_are_refused_in_bounded_time() {
         peeled.boxes.push(Cell { bounds: slab, status: Status::Open });
     }
     peeled.boxes.push(Cell { bounds: [low, high], status: Status::Open });
-    assert!(peeled.check(&sample.scene).unwrap_err().to_string().contains("expected boxes that come from halving"));
+    assert!(
+        peeled
+            .check(&sample.scene, &Watch::NONE)
+            .unwrap_err()
+            .to_string()
+            .contains("expected boxes that come from halving")
+    );
 }

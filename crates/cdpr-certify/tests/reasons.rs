@@ -3,6 +3,7 @@
 
 use cdpr_certify::check_certificate;
 use cdpr_core::Scene;
+use cdpr_core::watch::Watch;
 use serde_json::{Value, json};
 
 /// A scene of a small platform in a workspace from (-1, -1, -1) to (3, 1, 1), with the given keys changed.
@@ -49,14 +50,14 @@ fn certificate(scene: &Scene, cuts: [f64; 2], half_spaces: Option<Value>, reason
 
 fn slab(scene: &Scene, cuts: [f64; 2], reason: Value) -> Result<(), String> {
     let text = certificate(scene, cuts, None, &reason);
-    check_certificate(scene, &text).map(|_| ()).map_err(|error| error.to_string())
+    check_certificate(scene, &text, &Watch::NONE).map(|_| ()).map_err(|error| error.to_string())
 }
 
 /// A slab in the region from x = `from` to x = `to`.
 fn region(scene: &Scene, [from, to]: [f64; 2], who: Value) -> Result<(), String> {
     let half_spaces = json!([[-1.0, 0.0, 0.0, -from], [1.0, 0.0, 0.0, to]]);
     let text = certificate(scene, [from + 1e-9, to - 1e-9], Some(half_spaces), &who);
-    check_certificate(scene, &text).map(|_| ()).map_err(|error| error.to_string())
+    check_certificate(scene, &text, &Watch::NONE).map(|_| ()).map_err(|error| error.to_string())
 }
 
 /// What is accepted for x from 0.5 to 1, and refused if the slab is 2 µm or 0.1 m wider to one side.
@@ -136,7 +137,7 @@ fn the_margin_is_a_distance_of_positions() {
     let scene = scene(knife);
     let check = |moved: f64| {
         let text = certificate(&scene, [2.0, 2.5], Some(planes(moved)), &json!(["cable 0", "wall"]));
-        check_certificate(&scene, &text)
+        check_certificate(&scene, &text, &Watch::NONE)
     };
     assert!(check(0.99e-6).is_ok());
     assert!(check(1.5e-6).is_err()); // the gap is 0.75 µm

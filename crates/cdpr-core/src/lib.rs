@@ -6,9 +6,11 @@
 //! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`forbidden`],
-//! [`lower_bound`], [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`], [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`]; [`testing`] is
-//! for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and paths.
+//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`forbidden`], [`lower_bound`],
+//! [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`],
+//! [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`];
+//! [`testing`] is for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and
+//! paths.
 
 pub mod batch;
 pub mod choice;

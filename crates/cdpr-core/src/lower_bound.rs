@@ -228,9 +228,9 @@ impl<'c> Forbidden<'c> {
         Ok(Some(Certificate::of(&parts, network.labelled(), scene, self.checker)))
     }
 
-    /// A certificate that a checker `accepts`, at most about `enough`, m: the one of [`certificate`](Self::certificate) if it does, or
-    /// one of a smaller length, at last that of the straight line, which needs no regions. `None` if it refuses even that. The search
-    /// ends after [`CERTIFICATE_SECONDS`]; the straight line needs no time.
+    /// A certificate that a checker `accepts`, at most about `enough`, m: the one of [`certificate`](Self::certificate)
+    /// if it does, or one of a smaller length, at last that of the straight line, which needs no regions. `None` if it
+    /// refuses even that. The search ends after [`CERTIFICATE_SECONDS`]; the straight line needs no time.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -248,14 +248,16 @@ impl<'c> Forbidden<'c> {
         for share in SHARES.into_iter().filter(|share| share * more > STRAIGHT_SLACK) {
             let asked = straight.length + share * more;
             let found = self.certificate(scene, asked, BOUND_EFFORT, &limited)?;
-            if let Some(found) = found.filter(|found| found.length > straight.length && accepts(found)) {
+            if let Some(found) = found.filter(|found| found.length > straight.length && accepts(found, &limited)) {
                 return Ok(Some(found));
             }
             if limited.expired()? {
                 break;
             }
         }
-        Ok(Some(straight).filter(|straight| accepts(straight)))
+        let accepted = accepts(&straight, watch);
+        watch.expired()?;
+        Ok(Some(straight).filter(|_| accepted))
     }
 
     /// A certificate that no path is shorter than the straight line.
@@ -268,8 +270,8 @@ impl<'c> Forbidden<'c> {
     }
 }
 
-/// Whether a checker accepts a certificate.
-pub type Accepts<'a> = dyn Fn(&Certificate) -> bool + 'a;
+/// Whether a checker accepts a certificate, within a watch.
+pub type Accepts<'a> = dyn Fn(&Certificate, &Watch) -> bool + 'a;
 
 /// Shares of what a bound has beyond the straight line for which certificates are tried.
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];

@@ -121,7 +121,8 @@ pub struct PlannedKeys {
     /// The wrenches, if the scene requires wrench feasibility.
     #[serde(flatten)]
     pub wrench: Option<PathWrench>,
-    /// Lower bound on the length of every path, m: null if there was no time for it, left out if it was not requested.
+    /// Lower bound on the length of every path at this orientation, m: null if there was no time for it, left out if it
+    /// was not requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lower_bound: Option<Option<f64>>,
 }

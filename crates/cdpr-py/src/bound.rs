@@ -65,7 +65,9 @@ fn bound_at(
     if !wanted.certified || best.is_infinite() {
         return Ok((best, None));
     }
-    let accepts = |certificate: &Certificate| cdpr_certify::check_bound(scene, &serialized(certificate)).is_ok();
+    let accepts = |certificate: &Certificate, watch: &Watch| {
+        cdpr_certify::check_bound(scene, &serialized(certificate), watch).is_ok()
+    };
     let forbidden = Forbidden::new(&*engine, [start, goal], &watch)?;
     let certificate = forbidden.accepted_certificate(scene, best, &accepts, &watch)?;
     let proved = certificate.as_ref().map_or(best, |certificate| certificate.length);

@@ -87,7 +87,10 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     let scene = input::scene(&args.scene, out)?;
     input::selects_orientation(&scene, &args.scene)?;
     input::never_turns(&scene, &args.scene)?;
-    let check = |_: &Interrupt| if cdpr_certify::is_bound(text) { bound(text, &scene) } else { no_path(text, &scene) };
+    let check = |stop: &Interrupt| match cdpr_certify::is_bound(text) {
+        true => bound(text, &scene, &Watch::on(stop)),
+        false => no_path(text, &scene, &Watch::on(stop)),
+    };
     let proved = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.path))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", proved.answer)),
@@ -108,8 +111,8 @@ struct Proved {
 }
 
 /// A proof that there is no path.
-fn no_path(text: &str, scene: &Scene) -> Result<Proved, Error> {
-    let Summary { boxes, closed, regions, margin } = cdpr_certify::check_certificate(scene, text)?;
+fn no_path(text: &str, scene: &Scene, watch: &Watch) -> Result<Proved, Error> {
+    let Summary { boxes, closed, regions, margin } = cdpr_certify::check_certificate(scene, text, watch)?;
     Ok(Proved {
         answer: serde_json::json!({
             "valid": true, "boxes": boxes, "closed": closed, "regions": regions, "margin": margin,
@@ -120,8 +123,8 @@ fn no_path(text: &str, scene: &Scene) -> Result<Proved, Error> {
 }
 
 /// A proof that no path is shorter than a length.
-fn bound(text: &str, scene: &Scene) -> Result<Proved, Error> {
-    let BoundSummary { length, margin, regions, pieces } = cdpr_certify::check_bound(scene, text)?;
+fn bound(text: &str, scene: &Scene, watch: &Watch) -> Result<Proved, Error> {
+    let BoundSummary { length, margin, regions, pieces } = cdpr_certify::check_bound(scene, text, watch)?;
     let counts = [count(pieces, "piece"), count(regions, "region")];
     Ok(Proved {
         answer: serde_json::json!({

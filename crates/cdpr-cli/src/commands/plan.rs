@@ -62,6 +62,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let (planned, timed, appraisal, certificate) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     planned.checker().iter().for_each(|checker| out.notes(checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
+    let here = if turned.is_some() { " at this orientation" } else { "" };
     let scene = turned.unwrap_or(scene);
     let ends = args.query(&scene)?.poses().map_err(in_scene)?;
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
@@ -76,7 +77,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
-            bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound)));
+            bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound, here)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
             timed.iter().for_each(|timed| timed.print(out));
@@ -95,7 +96,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         match (&found.no_path, &certificate) {
             (Some(no_path), _) => out.write(path, json_line(&no_path.certificate).as_bytes(), "")?,
             (None, Some(certified)) => {
-                out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound))?;
+                out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
             }
             _ if found.status == Status::Solved => {
                 let reason = if found.orientations.is_empty() { "none was accepted" } else { "the platform turns" };
@@ -155,16 +156,16 @@ fn json_line(certificate: &impl serde::Serialize) -> String {
 }
 
 /// Whether the checker accepts a certificate of a bound, so that nothing is written that `cdpr check` refuses.
-fn accepted(scene: &Scene) -> impl Fn(&Certificate) -> bool + '_ {
-    |certificate| cdpr_certify::check_bound(scene, &json_line(certificate)).is_ok()
+fn accepted(scene: &Scene) -> impl Fn(&Certificate, &Watch) -> bool + '_ {
+    |certificate, watch| cdpr_certify::check_bound(scene, &json_line(certificate), watch).is_ok()
 }
 
 /// What a certificate proves; and the bound that was printed, if that is larger.
-fn certified_words(certificate: &Certificate, printed: Option<f64>) -> String {
+fn certified_words(certificate: &Certificate, printed: Option<f64>, here: &str) -> String {
     let [proved, printed] = [Some(certificate.length), printed].map(|length| length.map_or(String::new(), short));
     let less = !printed.is_empty() && printed != proved;
     let more = if less { format!("; the bound of {printed} m has no certificate") } else { String::new() };
-    format!("(proves that no path is shorter than {proved} m{more})")
+    format!("(proves that no path{here} is shorter than {proved} m{more})")
 }
 
 /// What removing obstacles gives, how far the platform gets, and what was proved.
@@ -180,9 +181,10 @@ fn no_path_lines(no_path: &NoPath) -> Vec<String> {
     remedies.into_iter().chain([reach, proved]).collect()
 }
 
-fn excess_line(cost: f64, bound: f64) -> String {
+/// How much too long a path is at most, compared with all paths `here`.
+fn excess_line(cost: f64, bound: f64, here: &str) -> String {
     let excess = if cost > bound { 100.0 * (cost / bound - 1.0) } else { 0.0 };
-    format!("no path is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
+    format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
 }
 
 /// The scene with the start and goal of the query.

@@ -53,7 +53,7 @@ pub struct PlanResult {
     pub no_path: Option<Arc<NoPath>>,
     /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
     pub opening_below: Option<f64>,
-    /// No path is shorter, m, if the planner computed such a bound.
+    /// No path at the orientation of this one is shorter, m, if the planner computed such a bound.
     pub lower_bound: Option<f64>,
     /// The final path, m; empty unless solved.
     pub waypoints: Vec<Point>,
