@@ -361,6 +361,42 @@ def test_plans_with_other_ends_are_shown(open_page: Open, hard1: cdpr.Scene) -> 
     assert page.evaluate("cdprViewer.length") == pytest.approx(found["cost"])
 
 
+def test_a_scene_without_start_and_goal_gets_them(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
+    page = open_page(hard1.replace(start=None, goal=None))
+    edit(page)
+    assert status(page) == "add a start and a goal to plan a path"
+    first, last = page.get_by_role("button", name="+ start"), page.get_by_role("button", name="+ goal")
+    first.click()
+    assert np.allclose(numbers(page), [1, 1, 1]) and first.is_hidden() and last.is_visible()
+    wait_until(page, f"{STATUS}.dataset.kind === 'bad'")
+    assert status(page).startswith("start not valid: platform meets pillar")
+    page.get_by_role("button", name="move to the nearest valid place").click()
+    wait_until(page, f"{STATUS}.dataset.kind === ''")
+    assert status(page) == "add a goal to plan a path"
+    last.click()
+    page.locator(".edit-thing input").nth(0).fill("1.7")
+    page.keyboard.press("Tab")
+    assert length_in(settled(page)) > 0
+    scene, path = tmp_path / "scene.toml", tmp_path / "path.json"
+    saved(page, "scene (TOML)").save_as(scene)
+    saved(page, "path (JSON)").save_as(path)
+    check(scene, path)
+    undo = page.get_by_role("button", name="undo (Ctrl+Z)")
+    for _ in range(4):
+        undo.click()
+    assert status(page) == "add a start and a goal to plan a path"
+    assert page.evaluate("[cdpr.where('start'), cdpr.where('goal')]") == [None, None]
+
+
+def test_without_webgl_the_scene_can_be_edited_by_scripts(browser: Browser, hard1: cdpr.Scene, tmp_path: Path) -> None:
+    no_webgl = "HTMLCanvasElement.prototype.getContext = () => null"
+    with phone(browser, hard1, tmp_path, no_webgl) as page:
+        assert "WebGL 2 is not available" in page.locator("body").inner_text()
+        page.locator("#edit-toggle").click()
+        found = page.evaluate("cdpr.move('pillar', [1, 1.3, 0.75])")
+        assert found["status"] == "solved" and f"{found['cost']:.3f} m" in settled(page)
+
+
 def test_the_last_of_many_moves_wins(live: Page) -> None:
     answers = live.evaluate("""() => Promise.all(
         Array.from({ length: 30 }, (_, k) => cdpr.move('pillar', [1, 0.85 + k / 100, 0.75])))""")

@@ -1,5 +1,7 @@
 // The edited scene: plain data in the format of scene files, and functions that return a changed one.
 
+import { Euler, Quaternion, Vector3 } from 'three';
+
 const TIDY = 1e9;
 
 // Without the last digits of sums such as 0.1 + 0.2.
@@ -10,6 +12,9 @@ const plus = (p, q) => tidy(p.map((x, i) => x + q[i]));
 const minus = (p, q) => p.map((x, i) => x - q[i]);
 
 const ORIGIN = Object.freeze([0, 0, 0]);
+
+/** Both ends of a path. */
+export const ENDS = ['start', 'goal'];
 
 const positionOf = (body) => body.position ?? ORIGIN;
 
@@ -115,9 +120,12 @@ export function resizeBox(scene, name, size) {
   return { ...scene, obstacles: obstaclesOf(scene).map(resized) };
 }
 
+/** The ends of a path that the scene does not have yet. */
+export const missingEnds = (scene) => ENDS.filter((end) => !scene.query?.[end]);
+
 /** What can be moved, each with `kind`, `id` (which end, a name or an index) and `name` for the reader. */
 export function thingsOf(scene, cables) {
-  const ends = ['start', 'goal'].filter((which) => scene.query?.[which]);
+  const ends = ENDS.filter((which) => scene.query?.[which]);
   return [
     ...ends.map((which) => ({ kind: 'end', id: which, name: which })),
     ...obstacleNames(scene).map((name) => ({ kind: 'obstacle', id: name, name })),
@@ -145,9 +153,18 @@ export function moveThing(scene, { kind, id }, to) {
 const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7];
 const FACES = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
-// A box that the page has added; its sides are along the axes.
-function boxPart({ box, position }) {
-  const vertices = CORNERS.map((i) => position.map((x, k) => x + (i & (1 << k) ? 0.5 : -0.5) * box[k]));
+// The rotation of a body, by its own keys; `rpy` turns about x, then y, then z, all fixed axes.
+function rotationOf({ rpy, rpy_degrees: degrees, quaternion }) {
+  if (quaternion) return new Quaternion(quaternion[1], quaternion[2], quaternion[3], quaternion[0]);
+  const [roll, pitch, yaw] = rpy ?? (degrees ?? ORIGIN).map((angle) => (angle * Math.PI) / 180);
+  return new Quaternion().setFromEuler(new Euler(roll, pitch, yaw, 'ZYX'));
+}
+
+// How a box looks until the planner says it.
+function boxPart(body) {
+  const [turn, position] = [rotationOf(body), positionOf(body)];
+  const corner = (i) => new Vector3(...body.box.map((side, k) => (i & (1 << k) ? 0.5 : -0.5) * side));
+  const vertices = CORNERS.map((i) => plus(position, corner(i).applyQuaternion(turn).toArray()));
   return { vertices, faces: FACES };
 }
 
@@ -158,8 +175,8 @@ function shownObstacle(scene, name, { shown, drawn }) {
   const [own] = entriesOf(scene, name);
   const [before] = entriesOf(shown, name);
   const look = drawn.get(name);
-  if (!look || !before) return { name, parts: own.box && !own.rpy ? [boxPart(own)] : [] };
-  if (String(before.box) !== String(own.box)) return { name, parts: [boxPart({ ...own, position: positionOf(own) })] };
+  if (!look || !before) return { name, parts: own.box ? [boxPart(own)] : [] };
+  if (String(before.box) !== String(own.box)) return { name, parts: [boxPart(own)] };
   const by = minus(positionOf(own), positionOf(before));
   return by.every((x) => x === 0) ? look : { name, parts: look.parts.map((part) => shifted(part, by)) };
 }
@@ -175,8 +192,8 @@ export function pageOf(scene, page, shown) {
     ...page,
     cables,
     obstacles: obstacleNames(scene).map((name) => shownObstacle(scene, name, before)),
-    start: scene.query?.start ?? page.start,
-    goal: scene.query?.goal ?? page.goal,
+    start: scene.query?.start ?? null,
+    goal: scene.query?.goal ?? null,
     path: null,
     no_path: null,
     motion: null,

@@ -18,7 +18,7 @@ const isTyping = (target) => target instanceof Element && target.closest('input,
 
 // The scene as the page shows it: a path may have other ends than the scene's own.
 function shownScene({ scene, options }, page) {
-  const ends = Object.fromEntries(['start', 'goal'].filter((end) => page[end]).map((end) => [end, page[end]]));
+  const ends = Object.fromEntries(edited.ENDS.filter((end) => page[end]).map((end) => [end, page[end]]));
   return { scene: { ...scene, query: { ...scene.query, ...ends } }, options };
 }
 
@@ -59,6 +59,7 @@ export function createEdit(app, live, page, fill) {
     toggle: () => setActive(!active),
     undo,
     redo,
+    addEnd,
     addBox,
     remove: removeSelected,
     setPlanner: (planner) => {
@@ -148,7 +149,7 @@ export function createEdit(app, live, page, fill) {
     const canSave = Boolean(planning.answer?.path);
     const canSavePath = planning.answer?.path?.waypoints.length > 0;
     const tools = { canUndo: history.canUndo, canRedo: history.canRedo, canRemove: isObstacle, canSave, canSavePath };
-    toolbar.showTools({ ...tools, clearance, orientation: query?.orientation });
+    toolbar.showTools({ ...tools, clearance, orientation: query?.orientation, missing: edited.missingEnds(scene) });
   }
 
   // Goes on with a scene; a promise of the plan's answer.
@@ -222,6 +223,16 @@ export function createEdit(app, live, page, fill) {
     handles?.select({ kind: 'obstacle', id: name, name });
   }
 
+  // The first end goes to the middle of the workspace, the other one opposite to it, or beside it if that is the middle.
+  function addEnd(end) {
+    const other = planning.scene.query?.[end === 'start' ? 'goal' : 'start'];
+    const middle = page.workspace.min.map((low, i) => round(low + size()[i] / 2));
+    const at = other ? [...[0, 1].map((i) => round(2 * middle[i] - other[i])), other[2]] : middle;
+    if (other && String(at) === String(other.map(round))) at[0] = round(at[0] + size()[0] / 10);
+    commit(edited.moveEnd(planning.scene, end, at));
+    handles?.select({ kind: 'end', id: end, name: end });
+  }
+
   function removeSelected() {
     const thing = handles?.selected;
     if (thing?.kind !== 'obstacle') return;
@@ -262,8 +273,7 @@ export function createEdit(app, live, page, fill) {
       return;
     }
     planning.check();
-    const { query } = planning.scene;
-    if (!planning.answer && query?.start && query?.goal) quietly(apply(planning.scene));
+    if (!planning.answer && edited.missingEnds(planning.scene).length === 0) quietly(apply(planning.scene));
   }
 
   // Moves the selected thing by a centimetre; while the key is held it is one step of the history.

@@ -1,13 +1,14 @@
 // Plans while the scene changes: quickly while something is dragged, fully afterwards. Only the newest scene counts.
 
-import { orientationNames, pageOf, placeOf, thingsOf } from './document.js';
+import { ENDS, missingEnds, orientationNames, pageOf, placeOf, thingsOf } from './document.js';
 
+const NOTHING = { cost: null, waypoints: [], milliseconds: 0 };
 /** The result of a request that a later change has overtaken. */
-export const SUPERSEDED = { status: 'superseded', cost: null, waypoints: [], milliseconds: 0 };
+export const SUPERSEDED = { status: 'superseded', ...NOTHING };
+// The result for a scene without a start or a goal.
+const UNASKED = { status: 'unasked', ...NOTHING };
 
 const SKETCH = { planner: 'rrt-connect', budget_ms: 40, proof: false };
-
-const ENDS = ['start', 'goal'];
 
 // A picture that takes longer to build than this, ms, waits until the thing is let go; so do those of so many obstacles.
 const LONGEST = 60;
@@ -49,11 +50,11 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   // How long the last picture took to build, ms.
   let building = (page.obstacles ?? []).length > MANY ? Infinity : 0;
   const initial = firstAnswer(page);
-  const state = { invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
+  const state = { missing: missingEnds(first), invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
   if (initial) answers.set(first, initial);
 
   function say(news) {
-    Object.assign(state, news);
+    Object.assign(state, news, { missing: missingEnds(scene) });
     // A path is the better witness.
     tell(state.answer?.status === 'solved' ? { ...state, invalid: [] } : state);
   }
@@ -209,6 +210,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     }
     if (resized || count(scene) !== count(shown.scene)) redraw();
     check();
+    if (missingEnds(scene).length > 0) return UNASKED;
     if (!dragging) return refine(budget);
     sketch();
     return SUPERSEDED;

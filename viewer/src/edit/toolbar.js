@@ -1,6 +1,6 @@
 // The bar above the picture: the Edit button and, while editing, its tools, the selected thing and the state.
 
-import { isSame } from './document.js';
+import { ENDS, isSame } from './document.js';
 import { describeCulprits, describeExcess, describeInvalid, formatLength } from '../wording.js';
 
 /** Lengths beyond this, m, are typing errors. */
@@ -132,6 +132,7 @@ const plannersWith = (own) => (PLANNERS.includes(own) ? PLANNERS : [own, ...PLAN
 function createTools(on, { planner, orientations }) {
   const undo = iconButton(UNDO, 'undo (Ctrl+Z)', on.undo);
   const redo = iconButton(REDO, 'redo (Ctrl+Shift+Z)', on.redo);
+  const ends = ENDS.map((end) => button(`+ ${end}`, `add a ${end}`, () => on.addEnd(end)));
   const add = button('+ box', 'add a box', on.addBox);
   const remove = button('remove', 'remove the selected obstacle (Delete)', on.remove);
   const planners = choice('planner', plannersWith(planner).map((name) => [name, name]), on.setPlanner);
@@ -145,8 +146,8 @@ function createTools(on, { planner, orientations }) {
   const help = menu('?', 'keys', [keyList()]);
   help.firstChild.setAttribute('aria-label', 'keys of the editor');
   const group = (...items) => make('div', { className: 'edit-group' }, ...items);
-  const box = make('div', { className: 'edit-tools' }, group(undo, redo), group(add, remove), group(planners, turned), group(label), group(save.fold, help));
-  return { box, undo, redo, remove, planners, turned, clearance, save };
+  const box = make('div', { className: 'edit-tools' }, group(undo, redo), group(...ends, add, remove), group(planners, turned), group(label), group(save.fold, help));
+  return { box, undo, redo, ends, remove, planners, turned, clearance, save };
 }
 
 const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
@@ -201,7 +202,7 @@ function distanceOf(waypoints) {
 }
 
 /** The state in one line, with a kind for its colour: "good", "bad", "busy" or "". */
-export function describeState({ invalid, busy, dragging, answer, best, error, stopped }) {
+export function describeState({ missing, invalid, busy, dragging, answer, best, error, stopped }) {
   if (error) return { kind: 'bad', text: error };
   if (invalid.length > 0) {
     return { kind: 'bad', text: invalid.map(({ end, violation }) => `${end} not valid: ${describeInvalid(violation)}`).join('; ') };
@@ -211,6 +212,7 @@ export function describeState({ invalid, busy, dragging, answer, best, error, st
     const good = answer.status === 'solved';
     return { kind: good ? 'good' : 'bad', text: stopped ? `${text} (stopped)` : text };
   }
+  if (missing.length > 0) return { kind: '', text: `add a ${missing.join(' and a ')} to plan a path` };
   const length = best ? lengthWith(best.cost, best.bound) : '';
   if (stopped) return { kind: '', text: 'stopped before a path was found' };
   if (busy) return { kind: 'busy', text: length ? `shorter? ${length}` : 'planning' };
@@ -242,7 +244,13 @@ function createStatus(on) {
 export function createToolbar(on, setup) {
   const toggle = button('Edit', 'edit the scene (key E)', on.toggle);
   toggle.id = 'edit-toggle';
-  document.getElementById('tools').prepend(make('div', { className: 'tool-group' }, toggle));
+  const bar = document.getElementById('tools');
+  if (!setup.isDrawn) {
+    // Of the tools above the picture only this one is left.
+    for (const group of bar.children) group.hidden = true;
+    bar.hidden = false;
+  }
+  bar.prepend(make('div', { className: 'tool-group' }, toggle));
   const done = button('Done', 'stop editing (key E)', on.toggle);
   done.className = 'edit-done';
   const tools = createTools(on, setup);
@@ -251,7 +259,7 @@ export function createToolbar(on, setup) {
   const head = make('div', { className: 'edit-head' }, done, tools.box);
   const section = make('section', { id: 'edit' }, head, thing.box, status.box);
   section.setAttribute('aria-label', 'edit');
-  document.getElementById('tools').after(section);
+  bar.after(section);
 
   function setActive(active) {
     section.hidden = !active;
@@ -268,7 +276,10 @@ export function createToolbar(on, setup) {
     /** Whether an element is a number field in which nothing is being typed. */
     isComplete: (element) => typed.get(element)?.typing === false,
     /** What can be done now, and the scene's own settings. */
-    showTools: ({ canUndo, canRedo, canRemove, canSave, canSavePath, clearance, orientation }) => {
+    showTools: ({ canUndo, canRedo, canRemove, canSave, canSavePath, clearance, orientation, missing }) => {
+      tools.ends.forEach((end, i) => {
+        end.hidden = !missing.includes(ENDS[i]);
+      });
       tools.undo.disabled = !canUndo;
       tools.redo.disabled = !canRedo;
       tools.remove.disabled = !canRemove;
