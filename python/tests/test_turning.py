@@ -363,18 +363,42 @@ def test_what_cannot_turn_refuses_paths_that_do(beside: cdpr.Scene) -> None:
     assert path.to_pandas()["qw"].tolist() == path.orientations[:, 0].tolist()
 
 
-def test_experiments_refuse_scenes_that_turn(hard1: cdpr.Scene) -> None:
-    scene = hard1.replace(turning={}).to_dict()
-    spec = {
-        "version": 1,
-        "name": "turning",
-        "seed": 1,
-        "trials": 1,
-        "scenarios": [{"name": "a", "scene": scene}],
-        "methods": [{"name": "b", "planner": "two-trees"}],
-    }
-    with pytest.raises(cdpr.InputError, match=r"scenarios\[0\]\.scene: found a platform that may turn"):
-        cdpr.run_batch(spec)
+def study(scene: cdpr.Scene | str, **method: Any) -> dict[str, Any]:
+    methods = [{"name": "two trees", "planner": "two-trees"}, {"name": "raw", "planner": "rrt-connect", "post": "none", **method}]
+    return {"version": 1, "seed": 3, "trials": 8, "scenarios": [{"name": "bar", "scene": scene}], "methods": methods}
+
+
+def test_trials_of_an_experiment_are_the_plans_of_their_seeds() -> None:
+    scene = cdpr.Scene.load(TESTDATA / "scenes/turn.toml")
+    batch = cdpr.run_batch(study(scene), threads=1)
+    assert batch.trials_csv == cdpr.run_batch(study(str(TESTDATA / "scenes/turn.toml")), threads=2).trials_csv
+    trials = batch.trials
+    assert list(trials["status"]) == ["solved"] * 16 and (trials["cost"] > 2**0.5).all()
+    for method, options in (("two trees", {"planner": "two-trees"}), ("raw", {"planner": "rrt-connect", "post": "none"})):
+        for _, row in trials[trials["method"] == method].iloc[:3].iterrows():
+            again = cdpr.plan(scene, seed=int(row["seed"]), proof=False, **options)
+            assert (again.cost, again.raw_cost, len(again.waypoints)) == (row["cost"], row["raw_cost"], row["waypoints"])
+            assert cdpr.check(scene, again).valid and again.cost == pytest.approx(cdpr.check(scene, again).length)
+        assert (trials[trials["method"] == method]["cost"] < trials[trials["method"] == method]["raw_cost"]).all() == (method != "raw")
+
+
+def test_an_experiment_prefers_paths_without_turns_if_they_are_shorter(hard1: cdpr.Scene) -> None:
+    may, never = (cdpr.run_batch(study(scene)) for scene in (hard1.replace(turning={}), hard1))
+    assert list(may.trials["status"]) == ["solved"] * 16
+    trees = [batch.trials[batch.trials["method"] == "two trees"]["cost"].to_numpy() for batch in (may, never)]
+    assert (trees[0] <= trees[1] + 1e-12).all() and (trees[0] == trees[1]).any()
+
+
+@pytest.mark.parametrize(
+    ("method", "problem"),
+    [
+        ({"sweep": {"repeats": [1, 2]}}, r"methods\[1\]\.sweep: found a sweep of rewinding, expected none, since .*scenarios\[0\]"),
+        ({"interference": "swept"}, r'methods\[1\]\.interference: found "swept", expected "exact", since .*may turn'),
+    ],
+)
+def test_what_an_experiment_cannot_do_where_the_platform_turns_is_refused(method: dict[str, Any], problem: str) -> None:
+    with pytest.raises(cdpr.InputError, match=problem):
+        cdpr.run_batch(study(str(TESTDATA / "scenes/turn.toml"), **method))
 
 
 def test_the_page_shows_what_a_turn_breaks(beside: cdpr.Scene) -> None:
