@@ -188,7 +188,7 @@ def calls(tmp_path, monkeypatch, batch):
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
-        "refine": (cdpr.refine, along | judges),
+        "refine": (cdpr.refine, along | judges | {"orientations": TURNED}),
         "check": (cdpr.check, along | judges | {"orientations": TURNED}),
         "lower_bound": (cdpr.lower_bound, {"scene": scene, "gap": 0.5, "budget": 5.0, "certificate": "bound.json"} | end),
         "load_path": (cdpr.load_path, {"path": "path.json", "scene": scene, "strict": False}),

@@ -354,13 +354,37 @@ def test_what_cannot_turn_refuses_paths_that_do(beside: cdpr.Scene) -> None:
     figures = pytest.importorskip("cdpr.figures")
     for name, call in [
         ("waypoints", lambda: cdpr.rewind(beside, path)),
-        ("waypoints", lambda: cdpr.refine(beside, path)),
         ("path", lambda: figures.scene(beside, path)),
         ("waypoints", lambda: figures.rewinding(beside, path)),
     ]:
-        with pytest.raises(cdpr.InputError, match=f"^{name}.orientations: .*turns, expected one on which it keeps"):
+        with pytest.raises(cdpr.InputError, match=rf"^{name}.orientations: .*turns, expected one .*keeps.*cdpr\.refine"):
             call()
     assert path.to_pandas()["qw"].tolist() == path.orientations[:, 0].tolist()
+
+
+def test_refining_shortens_positions_and_orientations_together(beside: cdpr.Scene, tmp_path: Path) -> None:
+    away, behind, half = [-0.1, 0.0, 1.0], [-0.5, 0.3, 1.0], yaw(np.pi / 2)
+    positions, turns = [PLACE, behind, away, PLACE], [LEVEL, yaw(-0.3), half, half]
+    weight = float(np.sqrt(2 * HALF**2 + 0.05**2))
+    by_arrays = cdpr.refine(beside, positions, turns)
+    by_path = cdpr.refine(beside, cdpr.Path(positions, 1.0, orientations=turns))
+    for path in (by_arrays, by_path):
+        assert path.orientations is not None and np.array_equal(path.waypoints, by_arrays.waypoints)
+        assert np.array_equal(path.waypoints[[0, -1]], [PLACE, PLACE])
+        assert np.abs(np.diag(path.orientations[[0, -1]] @ np.array([LEVEL, half]).T)) == pytest.approx([1.0, 1.0])
+        report = cdpr.check(beside, path)
+        assert report.valid and report.length == pytest.approx(path.cost)
+        # It must leave the wall by 0.0214 m to turn, and come back.
+        shortest = weight * np.pi / 2 + 2 * (HALF * np.sqrt(2) - 0.12)
+        assert shortest < path.cost < 1.2 * shortest < 0.5 * cdpr.check(beside, positions, turns).length
+    by_path.save(tmp_path / "path.json")
+    assert np.array_equal(cdpr.load_path(tmp_path / "path.json", beside).orientations, by_path.orientations)
+    with pytest.raises(cdpr.InputError, match=r"^waypoints\[0\]: the segment that starts here is not valid: .*wall"):
+        cdpr.refine(beside, [PLACE, PLACE], [LEVEL, half])
+    with pytest.raises(cdpr.InputError, match="^orientations: found some for a path that has its own"):
+        cdpr.refine(beside, by_path, half)
+    level = cdpr.refine(beside, [away, behind, [-0.9, 0.0, 1.0]])
+    assert level.orientations is None and len(level.waypoints) == 2
 
 
 def study(scene: cdpr.Scene | str, **method: Any) -> dict[str, Any]:
