@@ -204,8 +204,9 @@ def calls(tmp_path, monkeypatch, batch):
         "run_batch": (cdpr.run_batch, experiment),
         "figures.scene": (
             cdpr.figures.scene,
-            {"scene": scene, "path": path, "at": HERE, "shadows": "cable 1", "robot": True, "labels": True} | figure,
+            {"scene": scene, "path": path, "at": HERE, "poses": None, "shadows": "cable 1", "robot": True, "labels": True} | figure,
         ),
+        "figures.along": (cdpr.figures.along, {"scene": scene, "path": path, "ax": None}),
         "figures.paths": (cdpr.figures.paths, {"scene": scene, "paths": {"a": path}, "robot": False} | figure),
         "figures.model": (cdpr.figures.model, {"scene": scene, "cable": "cable 1", "at": HERE} | figure),
         "figures.rewinding": (
