@@ -369,6 +369,18 @@ def trajectory() -> Figure:
     return figure
 
 
+def turn() -> Figure:
+    """A bar that turns on its way, and what happens along the way."""
+    figure = pyplot.figure(figsize=(PAGE, 3.6))
+    space = figure.add_axes((0.0, 0.08, 0.52, 0.86), projection="3d")
+    above, below = (figure.add_axes((0.60, bottom, 0.38, 0.33)) for bottom in (0.57, 0.13))
+    result = cdpr.plan(scene("turn"), seed=2)
+    figures.scene(scene("turn"), result, poses=7, labels=False, view=(38, -62), ax=space)
+    figures.along(scene("turn"), result, ax=[above, below])
+    above.tick_params(labelbottom=False)
+    return figure
+
+
 def turning() -> Figure:
     """The arc of a corner of a turning platform and its chord; the deviation over the angle."""
     figure, (plan, chart) = charts(2, 2.4)
@@ -410,6 +422,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "fig7": fig7,
     "fig8": fig8,
     "fig9": fig9,
+    "turn": turn,
     "table2": table2,
     "rrt-star-convergence": rrt_star_convergence,
     "planners-scenes": functools.partial(planners, "hard1", "hard3", "forest"),

@@ -129,7 +129,14 @@ class Scene:
         self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
     ) -> tuple[float, str | None]: ...
     def shorten(
-        self, waypoints: _Floats, post: str, step: float, repeats: int, engine: str, interference: str
+        self,
+        waypoints: _Floats,
+        post: str,
+        step: float,
+        repeats: int,
+        engine: str,
+        interference: str,
+        orientations: _Floats | None = None,
     ) -> str: ...
     def regions(
         self, space: str | None, all: bool, cables: list[str], obstacles: list[str]

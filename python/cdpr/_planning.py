@@ -235,10 +235,10 @@ def _turned(scene: Scene, waypoints: ArrayLike | Path, strict: bool) -> tuple[_c
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
-    """The waypoints of a path on which the platform keeps its orientation."""
+    """The waypoints of a path that can be rewound: the platform keeps its orientation."""
     if isinstance(waypoints, Path) and waypoints.orientations is not None:
         found = "found a path on which the platform turns, expected one on which it keeps its orientation"
-        raise InputError(f"{name}.orientations: {found}")
+        raise InputError(f"{name}.orientations: {found}; rewinding is for such paths, cdpr.refine for both")
     return two_or_more(name, waypoints)
 
 
@@ -286,7 +286,8 @@ def rewind(
     Raises
     ------
     InputError
-        Wrong shape, a step that is not positive, or a segment that is not valid, named with the reason.
+        Wrong shape, a step that is not positive, or a segment that is not valid, named with the reason; a path on which the
+        platform turns, for which there is `refine`.
 
     Notes
     -----
@@ -298,24 +299,29 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    return _shortened(scene, waypoints, text("order", order), number("step", step), whole("repeats", repeats), engine, interference, strict)
+    how = (text("order", order), number("step", step), whole("repeats", repeats))
+    return _shortened(scene, waypoints, how, engine, interference, strict)
 
 
 def refine(
     scene: Scene,
     waypoints: ArrayLike | Path,
+    orientations: ArrayLike | None = None,
     *,
     engine: Engine = "cspace",
     interference: Interference = "exact",
     strict: bool = False,
 ) -> Path:
-    """Shorten a path from any source by string pulling; the result is locally shortest, valid and never longer.
+    """Shorten a path from any source by string pulling; the result is valid and never longer.
 
     Parameters
     ----------
     scene : Scene
     waypoints : array_like (k, 3), k >= 2
         Positions of the platform's origin, world, m; every segment must be valid.
+    orientations : array_like (k, 4) or (4,), optional
+        World-from-platform unit quaternions w x y z, as in `check`. Default those of the path; without any, the platform
+        keeps its orientation.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool
@@ -324,8 +330,9 @@ def refine(
     Returns
     -------
     Path
-        First and last waypoint as given. The path bends only at edges of the forbidden regions in the space of
-        positions.
+        First and last waypoint as given. The path is locally shortest: it bends only at edges of the forbidden regions in the
+        space of positions. If the platform turns, positions and orientations are shortened together, and the path is not
+        proved locally shortest.
 
     Raises
     ------
@@ -339,28 +346,32 @@ def refine(
     >>> print(f"{refine(scene, raw).cost:.6f}")
     2.435167
     """
-    return _shortened(scene, waypoints, "taut", 1.0, 1, engine, interference, strict)
+    turns = turns_along(waypoints, orientations)
+    return _shortened(scene, waypoints, ("taut", 1.0, 1), engine, interference, strict, turns)
 
 
 def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
     """A path from any source, checked."""
-    return _shortened(scene, waypoints, "none", 1.0, 1, engine, interference)
+    return _shortened(scene, waypoints, ("none", 1.0, 1), engine, interference)
 
 
 def _shortened(
     scene: Scene,
     waypoints: ArrayLike | Path,
-    post: str,
-    step: float,
-    repeats: int,
+    how: tuple[str, float, int],
     engine: Engine,
     interference: Interference,
     strict: bool = False,
+    turns: ArrayLike | None = None,
 ) -> Path:
+    """A path shortened by a kind of post-processing with its step and repeats."""
     core = core_for(scene, waypoints, strict=strict, level=4)
-    written = core.shorten(path_rows("waypoints", waypoints), post, step, repeats, *judges(engine, interference))
+    positions = path_rows("waypoints", waypoints) if turns is None else two_or_more("waypoints", waypoints)
+    along = None if turns is None else turns_of(positions, turns)
+    written = core.shorten(positions, *how, *judges(engine, interference), along)
     found = json.loads(written)
-    return Path(_array(found["waypoints"]), found["cost"], found["orientation"], _json=written)
+    turned = found.get("orientations")
+    return Path(_array(found["waypoints"]), found["cost"], found["orientation"], orientations=turned, _json=written)
 
 
 def lower_bound(
@@ -450,7 +461,7 @@ def check(
     Returns
     -------
     Report
-        Without wrenches and tensions if the platform turns; required wrenches are checked.
+        If the platform turns, margin and tensions are those at a thousand even steps; required wrenches are checked everywhere.
 
     Raises
     ------

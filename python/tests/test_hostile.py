@@ -188,7 +188,7 @@ def calls(tmp_path, monkeypatch, batch):
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
-        "refine": (cdpr.refine, along | judges),
+        "refine": (cdpr.refine, along | judges | {"orientations": TURNED}),
         "check": (cdpr.check, along | judges | {"orientations": TURNED}),
         "lower_bound": (cdpr.lower_bound, {"scene": scene, "gap": 0.5, "budget": 5.0, "certificate": "bound.json"} | end),
         "load_path": (cdpr.load_path, {"path": "path.json", "scene": scene, "strict": False}),
@@ -204,8 +204,9 @@ def calls(tmp_path, monkeypatch, batch):
         "run_batch": (cdpr.run_batch, experiment),
         "figures.scene": (
             cdpr.figures.scene,
-            {"scene": scene, "path": path, "at": HERE, "shadows": "cable 1", "robot": True, "labels": True} | figure,
+            {"scene": scene, "path": path, "at": HERE, "poses": None, "shadows": "cable 1", "robot": True, "labels": True} | figure,
         ),
+        "figures.along": (cdpr.figures.along, {"scene": scene, "path": path, "ax": None}),
         "figures.paths": (cdpr.figures.paths, {"scene": scene, "paths": {"a": path}, "robot": False} | figure),
         "figures.model": (cdpr.figures.model, {"scene": scene, "cable": "cable 1", "at": HERE} | figure),
         "figures.rewinding": (

@@ -352,29 +352,73 @@ def test_tensions_along_a_path_with_turns_are_those_at_each_orientation() -> Non
 def test_what_cannot_turn_refuses_paths_that_do(beside: cdpr.Scene) -> None:
     path = turning_path()
     figures = pytest.importorskip("cdpr.figures")
-    for name, call in [
-        ("waypoints", lambda: cdpr.rewind(beside, path)),
-        ("waypoints", lambda: cdpr.refine(beside, path)),
-        ("path", lambda: figures.scene(beside, path)),
-        ("waypoints", lambda: figures.rewinding(beside, path)),
-    ]:
-        with pytest.raises(cdpr.InputError, match=f"^{name}.orientations: .*turns, expected one on which it keeps"):
-            call()
+    for call in (cdpr.rewind, figures.rewinding):
+        with pytest.raises(cdpr.InputError, match=r"^waypoints.orientations: .*turns, expected one .*keeps.*cdpr\.refine"):
+            call(beside, path)
     assert path.to_pandas()["qw"].tolist() == path.orientations[:, 0].tolist()
 
 
-def test_experiments_refuse_scenes_that_turn(hard1: cdpr.Scene) -> None:
-    scene = hard1.replace(turning={}).to_dict()
-    spec = {
-        "version": 1,
-        "name": "turning",
-        "seed": 1,
-        "trials": 1,
-        "scenarios": [{"name": "a", "scene": scene}],
-        "methods": [{"name": "b", "planner": "two-trees"}],
-    }
-    with pytest.raises(cdpr.InputError, match=r"scenarios\[0\]\.scene: found a platform that may turn"):
-        cdpr.run_batch(spec)
+def test_refining_shortens_positions_and_orientations_together(beside: cdpr.Scene, tmp_path: Path) -> None:
+    away, behind, half = [-0.1, 0.0, 1.0], [-0.5, 0.3, 1.0], yaw(np.pi / 2)
+    positions, turns = [PLACE, behind, away, PLACE], [LEVEL, yaw(-0.3), half, half]
+    weight = float(np.sqrt(2 * HALF**2 + 0.05**2))
+    by_arrays = cdpr.refine(beside, positions, turns)
+    by_path = cdpr.refine(beside, cdpr.Path(positions, 1.0, orientations=turns))
+    for path in (by_arrays, by_path):
+        assert path.orientations is not None and np.array_equal(path.waypoints, by_arrays.waypoints)
+        assert np.array_equal(path.waypoints[[0, -1]], [PLACE, PLACE])
+        assert np.abs(np.diag(path.orientations[[0, -1]] @ np.array([LEVEL, half]).T)) == pytest.approx([1.0, 1.0])
+        report = cdpr.check(beside, path)
+        assert report.valid and report.length == pytest.approx(path.cost)
+        # It must leave the wall by 0.0214 m to turn, and come back.
+        shortest = weight * np.pi / 2 + 2 * (HALF * np.sqrt(2) - 0.12)
+        assert shortest < path.cost < 1.2 * shortest < 0.5 * cdpr.check(beside, positions, turns).length
+    by_path.save(tmp_path / "path.json")
+    assert np.array_equal(cdpr.load_path(tmp_path / "path.json", beside).orientations, by_path.orientations)
+    with pytest.raises(cdpr.InputError, match=r"^waypoints\[0\]: the segment that starts here is not valid: .*wall"):
+        cdpr.refine(beside, [PLACE, PLACE], [LEVEL, half])
+    with pytest.raises(cdpr.InputError, match="^orientations: found some for a path that has its own"):
+        cdpr.refine(beside, by_path, half)
+    level = cdpr.refine(beside, [away, behind, [-0.9, 0.0, 1.0]])
+    assert level.orientations is None and len(level.waypoints) == 2
+
+
+def study(scene: cdpr.Scene | str, **method: Any) -> dict[str, Any]:
+    methods = [{"name": "two trees", "planner": "two-trees"}, {"name": "raw", "planner": "rrt-connect", "post": "none", **method}]
+    return {"version": 1, "seed": 3, "trials": 8, "scenarios": [{"name": "bar", "scene": scene}], "methods": methods}
+
+
+def test_trials_of_an_experiment_are_the_plans_of_their_seeds() -> None:
+    scene = cdpr.Scene.load(TESTDATA / "scenes/turn.toml")
+    batch = cdpr.run_batch(study(scene), threads=1)
+    assert batch.trials_csv == cdpr.run_batch(study(str(TESTDATA / "scenes/turn.toml")), threads=2).trials_csv
+    trials = batch.trials
+    assert list(trials["status"]) == ["solved"] * 16 and (trials["cost"] > 2**0.5).all()
+    for method, options in (("two trees", {"planner": "two-trees"}), ("raw", {"planner": "rrt-connect", "post": "none"})):
+        for _, row in trials[trials["method"] == method].iloc[:3].iterrows():
+            again = cdpr.plan(scene, seed=int(row["seed"]), proof=False, **options)
+            assert (again.cost, again.raw_cost, len(again.waypoints)) == (row["cost"], row["raw_cost"], row["waypoints"])
+            assert cdpr.check(scene, again).valid and again.cost == pytest.approx(cdpr.check(scene, again).length)
+        assert (trials[trials["method"] == method]["cost"] < trials[trials["method"] == method]["raw_cost"]).all() == (method != "raw")
+
+
+def test_an_experiment_prefers_paths_without_turns_if_they_are_shorter(hard1: cdpr.Scene) -> None:
+    may, never = (cdpr.run_batch(study(scene)) for scene in (hard1.replace(turning={}), hard1))
+    assert list(may.trials["status"]) == ["solved"] * 16
+    trees = [batch.trials[batch.trials["method"] == "two trees"]["cost"].to_numpy() for batch in (may, never)]
+    assert (trees[0] <= trees[1] + 1e-12).all() and (trees[0] == trees[1]).any()
+
+
+@pytest.mark.parametrize(
+    ("method", "problem"),
+    [
+        ({"sweep": {"repeats": [1, 2]}}, r"methods\[1\]\.sweep: found a sweep of rewinding, expected none, since .*scenarios\[0\]"),
+        ({"interference": "swept"}, r'methods\[1\]\.interference: found "swept", expected "exact", since .*may turn'),
+    ],
+)
+def test_what_an_experiment_cannot_do_where_the_platform_turns_is_refused(method: dict[str, Any], problem: str) -> None:
+    with pytest.raises(cdpr.InputError, match=problem):
+        cdpr.run_batch(study(str(TESTDATA / "scenes/turn.toml"), **method))
 
 
 def test_the_page_shows_what_a_turn_breaks(beside: cdpr.Scene) -> None:

@@ -459,6 +459,10 @@ fn the_experiments_of_the_repository_load() {
         let groups = &experiment.layout.groups;
         assert_eq!((experiment.trials, groups.iter().map(|g| g.methods.len()).sum::<usize>()), (1000, rows));
     }
+    let turning = load_experiment(&repository().join("experiments/turning.toml")).unwrap();
+    assert!(
+        turning.layout.history && turning.layout.groups.len() == 9 && turning.layout.groups.iter().all(|g| g.turns)
+    );
 }
 
 #[test]

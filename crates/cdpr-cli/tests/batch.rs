@@ -16,6 +16,27 @@ fn bytes_of_rows(run: &Path) -> u64 {
     rows.map(|entry| entry.unwrap().metadata().unwrap().len()).sum()
 }
 
+/// Runs a batch into the folder `torn` with two threads, and kills it several times after it has written another few bytes, at
+/// most so many each time.
+fn run_and_kill(folder: &Path, arguments: &[&str], kills: usize, most: u64) {
+    let mut random = 12345u64;
+    for _ in 0..kills {
+        let written = bytes_of_rows(&folder.join("torn"));
+        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
+        command.current_dir(folder).args(arguments).args(["torn", "--resume", "--threads", "2"]);
+        let mut child =
+            command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
+        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        let wanted = written + 1 + (random >> 32) % most;
+        while bytes_of_rows(&folder.join("torn")) < wanted {
+            assert!(child.try_wait().unwrap().is_none(), "the run ended before it was killed");
+            std::thread::sleep(std::time::Duration::from_micros(200));
+        }
+        child.kill().unwrap();
+        assert_eq!(child.wait().unwrap().code(), KILLED, "the run ended before it was killed");
+    }
+}
+
 #[test]
 fn a_batch_that_is_killed_ten_times_ends_with_the_same_bytes() {
     let folder = folder();
@@ -26,22 +47,7 @@ fn a_batch_that_is_killed_ten_times_ends_with_the_same_bytes() {
     assert_eq!(json(&whole)["methods"].as_array().unwrap().len(), 8);
     let expected = fs::read(folder.path().join("whole/trials.csv")).unwrap();
     let most = bytes_of_rows(&folder.path().join("whole")) / 40; // at a time, so that ten kills leave much to be done
-    let mut random = 12345u64;
-    for _ in 0..10 {
-        let written = bytes_of_rows(&folder.path().join("torn"));
-        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
-        command.current_dir(folder.path()).args(arguments).args(["torn", "--resume", "--threads", "2"]);
-        let mut child =
-            command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
-        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        let wanted = written + 1 + (random >> 32) % most;
-        while bytes_of_rows(&folder.path().join("torn")) < wanted {
-            assert!(child.try_wait().unwrap().is_none(), "the run ended before it was killed");
-            std::thread::sleep(std::time::Duration::from_micros(200));
-        }
-        child.kill().unwrap();
-        assert_eq!(child.wait().unwrap().code(), KILLED, "the run ended before it was killed");
-    }
+    run_and_kill(folder.path(), &arguments, 10, most);
     let resumed = cdpr_in(folder.path(), &[&arguments[..], &["torn", "--resume"]].concat());
     assert_eq!(status(&resumed), 0, "{}", stderr(&resumed));
     assert!(
@@ -52,6 +58,103 @@ fn a_batch_that_is_killed_ten_times_ends_with_the_same_bytes() {
     let again = cdpr_in(folder.path(), &[&arguments[..], &["torn"]].concat());
     assert_eq!(status(&again), 2);
     assert!(stderr(&again).contains("found a folder that is not empty"));
+}
+
+/// An experiment on a platform that turns.
+fn turning(scene: &str, methods: serde_json::Value) -> serde_json::Value {
+    let scenarios = serde_json::json!([{"name": "bar", "scene": scene}]);
+    serde_json::json!({"version": 1, "name": "turning", "trials": 12, "scenarios": scenarios, "methods": methods})
+}
+
+#[test]
+fn trials_of_a_platform_that_turns_are_the_plans_of_their_seeds() {
+    let folder = folder();
+    let scene = testdata("scenes/turn.toml");
+    let methods = serde_json::json!([
+        {"name": "two trees", "planner": "two-trees"},
+        {"name": "as it grew", "planner": "rrt-connect", "post": "none"},
+    ]);
+    fs::write(folder.path().join("turning.json"), turning(&scene, methods).to_string()).unwrap();
+    let arguments = ["batch", "turning.json", "-o"];
+    let whole = cdpr_in(folder.path(), &[&arguments[..], &["whole", "--threads", "1"]].concat());
+    assert_eq!(status(&whole), 0, "{}", stderr(&whole));
+    let table = |run: &str| fs::read_to_string(folder.path().join(run).join("trials.csv")).unwrap();
+    run_and_kill(folder.path(), &arguments, 3, 300);
+    assert_eq!(status(&cdpr_in(folder.path(), &[&arguments[..], &["torn", "--resume"]].concat())), 0);
+    assert_eq!(table("torn"), table("whole"));
+    assert!(
+        table("whole").starts_with(
+            "scenario,method,trial,seed,status,raw_cost,cost,raw_waypoints,waypoints,nodes,motion_checks\n"
+        )
+    );
+
+    for (method, options) in [("two trees", &["two-trees"][..]), ("as it grew", &["rrt-connect", "--post", "none"])] {
+        let row = table("whole").lines().find(|line| line.contains(&format!("{method},5,"))).unwrap().to_string();
+        let cells: Vec<&str> = row.split(',').collect();
+        let plan = ["plan", &scene, "--seed", cells[3], "-o", "path.json", "--format", "json", "--planner"];
+        let planned = cdpr_in(folder.path(), &[&plan[..], options].concat());
+        assert_eq!((cells[4], status(&planned)), ("solved", 0), "{}", stderr(&planned));
+        let path = json(&planned);
+        assert_eq!([path["raw_cost"].to_string(), path["cost"].to_string()], cells[5..7]);
+        // The length counts the quarter turn, whose weight is the distance of the bar's corner.
+        let quarter = std::f64::consts::FRAC_PI_2 * (0.3f64.powi(2) + 2.0 * 0.04f64.powi(2)).sqrt();
+        assert!(path["cost"].as_f64().unwrap() > 2.0f64.sqrt() + quarter);
+        let checked = cdpr_in(folder.path(), &["check", &scene, "path.json", "--format", "json"]);
+        assert_eq!((status(&checked), &json(&checked)["length"]), (0, &path["cost"]));
+    }
+    let report = cdpr_in(folder.path(), &["report", "whole"]);
+    assert_eq!(status(&report), 0, "{}", stderr(&report));
+    let page = fs::read_to_string(folder.path().join("whole/report.html")).unwrap();
+    assert!(page.contains("The platform may turn in \u{201c}bar\u{201d}"), "{page}");
+}
+
+#[test]
+fn what_has_no_meaning_where_the_platform_turns_is_refused_before_any_trial() {
+    let folder = folder();
+    let scene = testdata("scenes/turn.toml");
+    let text = fs::read_to_string(&scene).unwrap();
+    fs::write(folder.path().join("rolled.toml"), text.replace("axis = [0.0, 0.0, 1.0]", "axis = [1.0, 0.0, 0.0]"))
+        .unwrap();
+    let no_goal = text.replace("goal = [1.5, 1.5, 0.15]", "");
+    fs::write(folder.path().join("aimless.toml"), no_goal).unwrap();
+    for (scene, method, problem) in [
+        (
+            &*scene,
+            serde_json::json!({"name": "a", "sweep": {"step": [0.1, 0.2]}}),
+            "a.json: methods[0].sweep: found a sweep of rewinding, expected none, since the platform of scenarios[0] may turn",
+        ),
+        (
+            &*scene,
+            serde_json::json!({"name": "a", "interference": "swept"}),
+            "a.json: methods[0].interference: found \"swept\", expected \"exact\", since the platform of scenarios[0] may turn",
+        ),
+        (
+            "rolled.toml",
+            serde_json::json!({"name": "a"}),
+            "a.json: scenarios[0].scene.turning.axis: found a goal that the platform cannot reach from its start",
+        ),
+        ("aimless.toml", serde_json::json!({"name": "a"}), "a.json: scenarios[0].scene.query.goal: found none"),
+    ] {
+        fs::write(folder.path().join("a.json"), turning(scene, serde_json::json!([method])).to_string()).unwrap();
+        let refused = cdpr_in(folder.path(), &["batch", "a.json", "-o", "run"]);
+        assert!(status(&refused) == 2 && stderr(&refused).contains(problem), "{}", stderr(&refused));
+        assert!(!folder.path().join("run").exists());
+    }
+}
+
+#[test]
+fn random_obstacles_leave_start_and_goal_free_at_their_orientations() {
+    let folder = folder();
+    let mut experiment =
+        turning(&testdata("scenes/turn.toml"), serde_json::json!([{"name": "a", "planner": "two-trees"}]));
+    experiment["scenarios"][0]["random"] = serde_json::json!({"count": 3, "height": [0.2, 0.6]});
+    fs::write(folder.path().join("random.json"), experiment.to_string()).unwrap();
+    let run = cdpr_in(folder.path(), &["batch", "random.json", "-o", "run"]);
+    assert_eq!(status(&run), 0, "{}", stderr(&run));
+    let table = fs::read_to_string(folder.path().join("run/trials.csv")).unwrap();
+    let rows: Vec<&str> = table.lines().skip(1).collect();
+    assert!(rows.len() == 12 && rows.iter().all(|row| !row.contains("invalid") && !row.contains("failed")), "{table}");
+    assert!(rows.iter().filter(|row| row.contains("solved")).count() > 6, "{table}");
 }
 
 #[test]

@@ -239,16 +239,3 @@ fn a_proof_for_one_orientation_says_nothing_about_a_platform_that_may_turn() {
         assert!(stderr(&refused).contains("turning.toml: turning: found a scene whose platform may turn"));
     }
 }
-
-#[test]
-fn an_experiment_needs_a_platform_that_keeps_its_orientation() {
-    let folder = folder();
-    let turn = testdata("scenes/turn.toml");
-    let text = format!(
-        "version = 1\ntrials = 1\n[[scenarios]]\nname = \"turn\"\nscene = {turn:?}\n[[methods]]\nname = \"m\"\n"
-    );
-    fs::write(folder.path().join("experiment.toml"), text).unwrap();
-    let refused = cdpr_in(folder.path(), &["batch", "experiment.toml", "-o", "run"]);
-    assert_eq!(status(&refused), 2, "{}", stdout(&refused));
-    assert!(stderr(&refused).contains("scene: found a platform that may turn on its way"), "{}", stderr(&refused));
-}

@@ -10,6 +10,7 @@ mod files;
 mod forked;
 mod scene;
 mod search;
+mod shortening;
 mod trajectory;
 mod turning;
 mod wrench;

@@ -7,8 +7,7 @@ use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, 
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, appraise, check, check_turning, plan,
-    shorten_path, trace_rewinding,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Query, appraise, check, check_turning, plan,
 };
 use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
@@ -30,6 +29,7 @@ use crate::drawing::drawn;
 use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
+use crate::shortening::{self, Tries};
 use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.
@@ -404,8 +404,10 @@ impl Scene {
         interruptible(py, |stop| least_bound(&self.0, [&start, &goal], Wanted { gap, budget, certified }, stop))
     }
 
-    /// The shortened path, as JSON.
+    /// The shortened path, as JSON; with the orientation at each waypoint if the platform turns, which only string pulling
+    /// shortens.
     #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.rewind
+    #[pyo3(signature = (waypoints, post, step, repeats, engine, interference, orientations=None))]
     fn shorten(
         &self,
         py: Python<'_>,
@@ -415,14 +417,15 @@ impl Scene {
         repeats: usize,
         engine: &str,
         interference: &str,
+        orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
+        if let Some(turns) = &orientations {
+            let engine = self.turning_engine(py, engine, interference)?;
+            let rows = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? };
+            return shortening::shortened_poses(py, &self.0, &engine, rows);
+        }
         let engine = self.engine(py, engine, interference)?;
-        let waypoints = points(waypoints.as_slice()?);
-        let post: Post = named(post)?;
-        let processing = answered(|| post.processing(step, repeats))?;
-        let shorter =
-            interruptible(py, |interrupted| shorten_path(&*engine, &waypoints, &processing, &Watch::on(interrupted)))?;
-        answered(|| Ok(serialized_as_in_files(&PathFile::of(&self.0, &shorter))))
+        shortening::shortened(py, &self.0, &*engine, waypoints.as_slice()?, (post, step, repeats))
     }
 
     /// The path after one rewinding, and every motion checked: starts, ends, results.
@@ -434,17 +437,7 @@ impl Scene {
         direction: &str,
     ) -> PyResult<Tries<'py>> {
         let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
-        let (waypoints, direction) = (points(waypoints.as_slice()?), named(direction)?);
-        let trace = interruptible(py, |interrupted| {
-            trace_rewinding(&*engine, &waypoints, step, direction, &Watch::on(interrupted))
-        })?;
-        let rows = |list: &mut dyn Iterator<Item = Point>| triples(py, list.flat_map(|p| [p.x, p.y, p.z]).collect());
-        Ok((
-            rows(&mut trace.path.iter().copied())?,
-            rows(&mut trace.tries.iter().map(|t| t.from))?,
-            rows(&mut trace.tries.iter().map(|t| t.to))?,
-            trace.tries.iter().map(|t| t.valid).collect(),
-        ))
+        shortening::tries(py, &*engine, waypoints.as_slice()?, step, direction)
     }
 
     /// Geometry for drawing, as JSON: obstacles by name, world; platform and attachments relative to the platform's
@@ -534,7 +527,6 @@ impl Scene {
     }
 }
 
-type Tries<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Vec<bool>);
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 
 fn region_options(

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::random_scene::RandomScenes;
+use super::turning;
 use crate::experiment_spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, SweepSpec, TTestSpec};
 use cdpr_core::choice::Choice;
 use cdpr_core::error::{Error, nearest_name};
@@ -56,9 +57,9 @@ pub struct Scenario {
 pub struct Method {
     /// Name; its random numbers derive from it.
     pub name: String,
-    /// The planner, without post-processing.
+    /// How it plans a path by itself. Its post-processing is used only where the platform may turn.
     pub options: PlanOptions,
-    /// Names used in tables, and the processing of the raw path.
+    /// Names used in tables, and the processing of the raw path where the platform keeps its orientation.
     pub variants: Vec<(String, Processing)>,
     /// The settings in which the variants of a sweep differ; empty without a sweep.
     pub sweep: Vec<Swept>,
@@ -88,6 +89,9 @@ pub struct Group {
     /// The place of each of them in its sweep; empty without a sweep.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sweep: Vec<Swept>,
+    /// Whether the platform may turn, so that lengths include its turns.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub turns: bool,
 }
 
 /// The place of a variant in its sweep.
@@ -161,6 +165,13 @@ impl Experiment {
         few_rows(&spec)?;
         let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
+        for (number, _) in scenarios.iter().enumerate().filter(|(_, scenario)| scenario.turns()) {
+            let check = |m: &Method| turning::check_method(&m.options, !m.sweep.is_empty(), number);
+            methods
+                .iter()
+                .enumerate()
+                .try_for_each(|(k, m)| check(m).map_err(|e| e.under(&format!("methods[{k}]"))))?;
+        }
         unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
         let variants = || methods.iter().flat_map(|m| m.variants.iter().map(|(name, _)| name.as_str()));
         unique("methods", variants())?;
@@ -175,6 +186,7 @@ impl Experiment {
             scenario: scenario.name.clone(),
             methods: method.variants.iter().map(|(name, _)| name.clone()).collect(),
             sweep: method.sweep.clone(),
+            turns: scenario.turns(),
         };
         let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
         let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence, history: spec.history };
@@ -241,13 +253,16 @@ impl Scenario {
             return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
         }
         if Query::of(&scene).turns() {
-            let problem = "found a platform that may turn on its way, expected one that keeps its orientation, as all \
-                           methods do";
-            return Err(Error::invalid("scene", problem));
+            turning::check_scene(&scene).map_err(|e| e.under("scene"))?;
         }
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
         let random = random.transpose().map_err(|e| e.under("random"))?;
         Ok(Scenario { name: spec.name.clone(), scene, random })
+    }
+
+    /// Whether the platform may turn on its way.
+    pub fn turns(&self) -> bool {
+        Query::of(&self.scene).turns()
     }
 }
 
@@ -295,7 +310,8 @@ impl Method {
             interference: chosen(spec.interference.as_deref(), defaults.interference)?,
             budget: spec.budget_ms.map(|ms| time_budget("budget_ms", ms, TimeUnit::Millisecond)).transpose()?,
             step,
-            post: Some(Post::None),
+            post: spec.post.as_deref().map(Post::named).transpose()?,
+            repeats: repeats_of(spec),
             proof: spec.proof.unwrap_or(defaults.proof),
             ..defaults
         };

@@ -86,7 +86,8 @@ pub struct MethodSpec {
     /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
-    /// both, backward, forward, taut or none; the default depends on the planner and is both for the paper's planners.
+    /// both, backward, forward, taut or none; the default depends on the planner and is both for the paper's planners. Where
+    /// the platform may turn, all but none shorten positions and orientations together, and the default does so, too.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub post: Option<String>,
     /// Number of times that rewinding runs; default 1.
@@ -103,7 +104,7 @@ pub struct MethodSpec {
     pub sweep: Option<SweepSpec>,
 }
 
-/// Ways of rewinding one raw path: all combinations of the listed values.
+/// Ways of rewinding one raw path: all combinations of the listed values. Not for scenes whose platform may turn.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SweepSpec {

@@ -5,13 +5,14 @@ use rand_chacha::ChaCha8Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity};
+use cdpr_core::collision::{Checker, Engine, GjkEngine, Interference, Validity, Violation};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
 use cdpr_core::model::{Scene, SceneSpec, body};
 use cdpr_core::numerics::MOST_BODIES;
-use cdpr_core::plan::engine_for;
+use cdpr_core::plan::{Query, engine_for};
+use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 
 /// Random prisms to add to a scene. The defaults are the paper's: square, 0.1 to 0.3 m wide, 0.5 to 1.5 m high, on the
@@ -68,8 +69,6 @@ pub struct RandomScenes {
     base: Scene,
     spec: RandomScenesSpec,
     region: Aabb,
-    start: Point,
-    goal: Point,
 }
 
 impl RandomScenes {
@@ -92,7 +91,7 @@ impl RandomScenes {
         let given = |key: &str, end: Option<Point>| {
             end.ok_or_else(|| Error::invalid("scene", format!("found no query.{key}, expected one")))
         };
-        let (start, goal) = (given("start", base.start())?, given("goal", base.goal())?);
+        given("start", base.start()).and(given("goal", base.goal()))?;
         let region = match &spec.region {
             Some(region) => {
                 Aabb { min: body::point("region.min", region.min)?, max: body::point("region.max", region.max)? }
@@ -100,7 +99,7 @@ impl RandomScenes {
             None => *base.workspace(),
         };
         check_sizes(&spec, &region)?;
-        let scenes = RandomScenes { base, spec, region, start, goal };
+        let scenes = RandomScenes { base, spec, region };
         match scenes.obstruction(&scenes.base)? {
             Some(problem) => Err(Error::invalid("scene", format!("{problem}, even before obstacles are drawn"))),
             None => Ok(scenes),
@@ -199,22 +198,38 @@ impl RandomScenes {
     /// Why start or goal is not valid.
     fn obstruction(&self, scene: &Scene) -> Result<Option<String>, Error> {
         let engine = engine_for(scene, Engine::Gjk, Interference::Exact)?;
-        let ends = [("start", self.start), ("goal", self.goal)];
-        let invalid = ends.iter().find(|(_, state)| !engine.state_valid(state));
-        Ok(invalid.map(|(key, state)| {
-            let reason = engine.explain(state, state).map_or(String::new(), |v| format!(": {}", v.sentence()));
-            format!("the {key} is not valid{reason}")
-        }))
+        let query = Query::of(scene);
+        if !query.turns() {
+            return Ok(reason_at(query.ends()?, |end| (!engine.state_valid(end)).then(|| engine.explain(end, end))));
+        }
+        let engine = TurningEngine::new(scene, engine)?;
+        Ok(reason_at(query.poses()?, |end| (!engine.state_valid(end)).then(|| engine.explain(end, end))))
     }
 
     fn straight_line_solves(&self, scene: &Scene) -> Result<bool, Error> {
-        Ok(GjkEngine::new(scene, Interference::Exact)?.motion_valid(&self.start, &self.goal))
+        let query = Query::of(scene);
+        let geometry = GjkEngine::new(scene, Interference::Exact)?;
+        if query.turns() {
+            let [start, goal] = query.poses()?;
+            let level: Box<dyn Checker> = Box::new(geometry);
+            return Ok(TurningEngine::new(scene, level)?.motion_valid(&start, &goal));
+        }
+        let [start, goal] = query.ends()?;
+        Ok(geometry.motion_valid(&start, &goal))
     }
 
     fn given_up(&self, reason: &str) -> Error {
         let problem = format!("found no free scene in {} draws; the last one failed: {reason}", self.spec.attempts);
         Error::invalid("random", problem)
     }
+}
+
+/// The first of start and goal that is invalid, and why; `invalid` gives what a state collides with, as far as known.
+fn reason_at<S>(ends: [S; 2], invalid: impl Fn(&S) -> Option<Option<Violation>>) -> Option<String> {
+    let (key, violation) =
+        ["start", "goal"].into_iter().zip(&ends).find_map(|(key, end)| Some((key, invalid(end)?)))?;
+    let reason = violation.map_or(String::new(), |v| format!(": {}", v.sentence()));
+    Some(format!("the {key} is not valid{reason}"))
 }
 
 fn check_sizes(spec: &RandomScenesSpec, region: &Aabb) -> Result<(), Error> {

@@ -26,6 +26,19 @@ pub fn plots(study: &Study) -> Vec<Plot> {
     plots::plots(study)
 }
 
+/// How the lengths of scenarios in which the platform may turn are to be read.
+fn turns(scenarios: &[String]) -> String {
+    if scenarios.is_empty() {
+        return String::new();
+    }
+    let names: Vec<String> = scenarios.iter().map(|name| format!("\u{201c}{}\u{201d}", escaped(name))).collect();
+    format!(
+        "<p>The platform may turn in {}: costs there are lengths of translations plus the weight of turns times their angles, and \
+         post-processing other than none shortens positions and orientations together.</p>\n",
+        names.join(", ")
+    )
+}
+
 /// The page; it loads nothing, has no script, and no name in the study can add markup to it.
 ///
 /// # Example
@@ -45,6 +58,7 @@ pub fn page(study: &Study) -> String {
     let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
     let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
     body += &format!(" Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n");
+    body += &turns(&summary.turning);
     body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
     for plot in plots(study) {
         body += &format!("<figure>{}</figure>\n", plot.svg());

@@ -18,7 +18,7 @@ use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::error::{Error, ErrorClass, caught};
 use cdpr_core::model::Scene;
 use cdpr_core::numerics::PROOF_EFFORT;
-use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_within, plan, post_process};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, engine_within, plan, post_process};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::proof::{Answer, decide};
 use cdpr_core::watch::{Interrupt, Watch, in_time, thread_count};
@@ -365,8 +365,11 @@ impl Compiled {
     }
 }
 
-/// Whether a scene has a path; `None` if start or goal is invalid, or time runs out.
+/// Whether a scene has a path without turning; `None` if start or goal is invalid or turned, or time runs out.
 fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Option<Answer>, Error> {
+    if !scene.end_orientations().iter().all(|end| scene.has_orientation(end)) {
+        return Ok(None);
+    }
     let ends = [scene.start(), scene.goal()].map(|end| end.filter(|end| engine.state_valid(end)));
     let [Some(start), Some(goal)] = &ends else { return Ok(None) };
     in_time(decide(engine, [start, goal], PROOF_EFFORT, watch))
@@ -422,16 +425,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
     let (scene, engine, answer) =
         engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
-    // A trial measures its planner: only scenes without a path are decided for it.
-    let proof = matches!(answer, Some(Answer::NoPath(_)));
-    let options = PlanOptions { seed, proof, ..method.options.clone() };
-    let planned = || {
-        let query = Query { answer, ..Query::of(scene).by(engine) };
-        let raw = plan(query, &options, &|| interrupted())?.result;
-        let variants = method.variants.iter();
-        variants.map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect::<Result<Vec<_>, _>>()
-    };
-    match planned() {
+    match results(method, seed, (scene, engine, answer), interrupted) {
         Ok(results) => {
             let row = |((name, _), found): (&(String, _), _)| row(&scenario.name, name, unit.trial, seed, found);
             let mut rows: Vec<Row> = method.variants.iter().zip(&results).map(row).collect();
@@ -443,6 +437,24 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
         Err(error) if error.class() == ErrorClass::Interrupted => Err(error),
         Err(error) => Ok(failed(experiment, unit, &error.to_string())),
     }
+}
+
+/// The results of a trial, one for each variant.
+fn results(
+    Method { options, variants, .. }: &Method,
+    seed: u64,
+    (scene, engine, answer): Prepared,
+    interrupted: &Interrupt,
+) -> Result<Vec<PlanResult>, Error> {
+    // A trial measures its planner: only scenes without a path are decided for it.
+    let proof = matches!(answer, Some(Answer::NoPath(_)));
+    let options = PlanOptions { seed, proof, ..options.clone() };
+    let query = Query { answer, ..Query::of(scene).by(engine) };
+    if query.turns() {
+        return Ok(vec![plan(query, &options, &|| interrupted())?.result]); // it has no variants
+    }
+    let raw = plan(query, &PlanOptions { post: Some(Post::None), ..options }, &|| interrupted())?.result;
+    variants.iter().map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect()
 }
 
 fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {

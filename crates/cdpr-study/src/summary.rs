@@ -35,6 +35,9 @@ pub struct SummaryFile {
     /// The programs and machines that ran the trials.
     #[serde(default)]
     pub origins: Vec<Origin>,
+    /// Names of the scenarios whose platform may turn, so that lengths include its turns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub turning: Vec<String>,
 }
 
 /// Statistics of a method in a scenario, over its solved trials.
@@ -167,6 +170,8 @@ impl Summary {
 
     /// The whole summary, without rules and origins.
     pub fn file(self, layout: &Layout, experiment: &str, fingerprint: &str) -> SummaryFile {
+        let mut turning: Vec<_> = layout.groups.iter().filter(|g| g.turns).map(|g| g.scenario.clone()).collect();
+        turning.dedup(); // the groups of a scenario are neighbours
         SummaryFile {
             version: FORMAT_VERSION,
             experiment: experiment.to_string(),
@@ -176,6 +181,7 @@ impl Summary {
             methods: self.methods,
             rules: Vec::new(),
             origins: Vec::new(),
+            turning,
         }
     }
 

@@ -10,6 +10,7 @@ try:
 except ImportError as problem:
     raise ImportError("cdpr.figures needs matplotlib: pip install 'cdpr[figures]'") from problem
 
+from ._along import along
 from ._charts import boxes, repeats, step_sweep
 from ._convergence import convergence
 from ._motion import trajectory
@@ -29,6 +30,7 @@ __all__ = [
     "PURPLE",
     "SKY",
     "VERMILION",
+    "along",
     "available_set",
     "boxes",
     "convergence",

@@ -69,23 +69,23 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     ['speed (m/s)', 'acceleration (m/s²)', 'cable speeds (m/s)', 'limited by']
     """
     motion = instance("trajectory", trajectory, Trajectory)
-    axes = _panels(motion) if ax is None else _given_axes(ax, _count(motion))
+    axes = _panels(motion) if ax is None else given_axes(ax, _count(motion))
     quantities = _quantities(motion)
     platform, (cables, *tensions, strip) = axes[: len(quantities)], axes[len(quantities) :]
     speed, limits = platform[0], motion.limits
     for chart, (key, rows, unit) in zip(platform, quantities, strict=True):
         values = np.linalg.norm(rows, axis=1)
         chart.plot(motion.times, values, color=BLACK, gid=key, zorder=3)
-        _framed(chart, f"{_KINDS[key]} ({unit})", values, _limit(limits.get(key), unit), [limits[key]] if key in limits else [])
+        framed(chart, f"{_KINDS[key]} ({unit})", values, _limit(limits.get(key), unit), [limits[key]] if key in limits else [])
     _of_cables(cables, motion, motion.cable_speeds)
     most = limits.get("cable_speed")
-    _framed(cables, "cable speeds (m/s)", motion.cable_speeds, _limit(most, "m/s"), [] if most is None else [most, -most])
+    framed(cables, "cable speeds (m/s)", motion.cable_speeds, _limit(most, "m/s"), [] if most is None else [most, -most])
     for chart in tensions:
         assert motion.tensions is not None
         bounds = motion.tension_limits
         _of_cables(chart, motion, motion.tensions)
         words = "" if bounds is None else f"limits {_range(bounds[:, 0])} and {_range(bounds[:, 1])} N"
-        _framed(chart, "tensions (N)", motion.tensions, words, [] if bounds is None else np.unique(bounds).tolist())
+        framed(chart, "tensions (N)", motion.tensions, words, [] if bounds is None else np.unique(bounds).tolist())
     _strip(strip, motion)
     for chart in axes:
         for corner in motion.corners:
@@ -117,7 +117,7 @@ def _count(motion: Trajectory) -> int:
     return len(_quantities(motion)) + (2 if motion.tensions is None else 3)
 
 
-def _given_axes(ax: Sequence[Axes], count: int) -> tuple[Axes, ...]:
+def given_axes(ax: Sequence[Axes], count: int) -> tuple[Axes, ...]:
     found = several("ax", ax, f"{count} Axes")
     if len(found) != count:
         raise InputError(f"ax: found {len(found)}, expected {count} Axes")
@@ -131,13 +131,13 @@ def _panels(motion: Trajectory) -> tuple[Axes, ...]:
     return tuple(pyplot.subplots(charts + 1, 1, figsize=size, height_ratios=heights, sharex=True, layout="constrained")[1])
 
 
-def _look(cable: int) -> dict[str, object]:
+def look(cable: int) -> dict[str, object]:
     return {"color": CYCLE[cable % len(CYCLE)], "linestyle": _DASHES[cable // len(CYCLE) % len(_DASHES)]}
 
 
 def _of_cables(chart: Axes, motion: Trajectory, rows: Floats) -> None:
     for k, (name, column) in enumerate(zip(motion.cables, rows.T, strict=True)):
-        chart.plot(motion.times, column, linewidth=1.0, label=name, gid=name, zorder=3, **_look(k))  # type: ignore[arg-type]
+        chart.plot(motion.times, column, linewidth=1.0, label=name, gid=name, zorder=3, **look(k))  # type: ignore[arg-type]
 
 
 def _limit(most: float | None, unit: str) -> str:
@@ -149,7 +149,7 @@ def _range(values: Floats) -> str:
     return f"{low:g}" if low == high else f"{low:g} to {high:g}"
 
 
-def _framed(chart: Axes, title: str, values: Floats, words: str, limits: list[float]) -> None:
+def framed(chart: Axes, title: str, values: Floats, words: str, limits: list[float]) -> None:
     """Name a chart and its limits, and draw those that are not far away."""
     low, high = min(0.0, float(values.min())), float(values.max())
     far = _SHOWN_TO * max(high, -low)
@@ -176,7 +176,7 @@ def _strip(chart: Axes, motion: Trajectory) -> None:
     kinds = _kinds(motion)
     for entry in motion.limiting:
         row = kinds.index(entry.limit)
-        color = GREY if entry.cable is None else _look(motion.cables.index(entry.cable))["color"]
+        color = GREY if entry.cable is None else look(motion.cables.index(entry.cable))["color"]
         chart.broken_barh([(entry.start, entry.end - entry.start)], (row - 0.32, 0.64), color=color, gid=entry.limit, zorder=3)
     chart.set_title("limited by", loc="left", pad=3)
     chart.set_ylim(max(1, len(kinds)) - 0.5, -0.5)

@@ -21,6 +21,7 @@ from .._wrench import force_set, moment_set
 from ..exceptions import InputError
 from ._charts import known
 from ._polyhedra import faces_of_mesh, paper_axes
+from ._poses import Way, rotation, way_of
 from ._stage import Stage, View
 from ._style import BLACK, BLUE, CYCLE, GREEN, GREY, LIGHT, ORANGE, PALE, PURPLE, SKY, VERMILION, styled
 
@@ -28,6 +29,8 @@ Direction = Literal["backward", "forward"]
 
 VIEW: View = (22.0, -62.0)
 _CABLE = {"color": "#333333", "linewidth": 0.8}
+_PASSING = {"color": "#9a9a9a", "linewidth": 0.4}  # cables of poses between the ends
+_POSES, _MOST_POSES = 5, 100
 _FRAME = 0.17  # length of a frame's axes, relative to the robot
 _CASTING = (SKY, PURPLE, GREEN)  # colours of shadows, where so few cables have them; of more all have the first
 
@@ -38,6 +41,7 @@ def scene(
     path: ArrayLike | Path | None = None,
     *,
     at: ArrayLike | None = None,
+    poses: int | None = None,
     shadows: bool | str | Sequence[str] = False,
     robot: bool = True,
     labels: bool = True,
@@ -52,7 +56,12 @@ def scene(
     path : array_like (k, 3), Path or Result, optional
         Positions of the platform's origin, m; a ``Result`` is drawn with its raw path, dashed.
     at : array_like (3,), optional
-        Position at which the platform is drawn, m; default the scene's start, else the centre of its workspace.
+        Position at which the platform is drawn, m, at the scene's orientation; default the scene's start, else the centre of
+        its workspace.
+    poses : int, optional
+        Number of places at even steps along the path, from start to goal, at which platform and cables are drawn, those
+        between the ends in a lighter colour; turns count as in the length of the path. Default 5 if the platform turns;
+        otherwise the platform is drawn once. The path is seen through several platforms.
     shadows : bool, str or sequence of str
         Whether to draw the shadows, where the ends of cables cannot be: of all cables, or of the named ones.
     robot : bool
@@ -73,7 +82,7 @@ def scene(
     Raises
     ------
     InputError
-        Wrong shapes, a cable that is not in the scene, axes of another kind.
+        Wrong shapes, a cable that is not in the scene, axes of another kind, ``at`` together with poses along a path.
 
     Examples
     --------
@@ -81,16 +90,23 @@ def scene(
     >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> ax = cdpr.figures.scene(hard1, cdpr.plan(hard1), shadows="cable 1")
     >>> ax.figure.savefig("/dev/null", format="svg")
+    >>> bar = cdpr.Scene.load("testdata/scenes/turn.toml")
+    >>> ax = cdpr.figures.scene(bar, cdpr.plan(bar, "rrt-connect"), poses=7)
     """
     scene = scene if path is None else scene_for(scene, path)
     robot, labels = flag("robot", robot), flag("labels", labels)
+    way = None if path is None else way_of("path", scene, path)
+    count = _pose_count(way, at, poses)
     stage, bodies = _stage_of(scene, ax, view)
     if shadows is not False:
         _add_shadows(stage, scene, bodies, None if shadows is True else shadows)
-    if robot:
-        _add_robot(stage, bodies, _position(scene, at))
-    if path is not None:
-        _add_path(stage, path)
+    if robot and way is not None and count:
+        _add_poses(stage, scene, bodies, way, count)
+    elif robot:
+        turn = scene.orientation if at is not None else scene.start_orientation
+        _add_robot(stage, turned(bodies, scene, turn), _position(scene, at))
+    if way is not None:
+        _add_path(stage, way, path, through="platform" if count > 1 else False)
     if labels:
         _add_labels(stage, scene, bodies)
     drawn = stage.paint()
@@ -114,7 +130,8 @@ def paths(
     ----------
     scene : Scene
     paths : mapping of str to array_like (k, 3) or Path
-        Paths by name, m; of a ``Result`` the final path.
+        Paths by name, m; of a ``Result`` the final path. Of a path on which the platform turns, the legend states the length of
+        the line of its origin and the angles of all turns.
     robot : bool
         Whether to draw platform and cables at the start.
     view, ax : optional
@@ -140,13 +157,13 @@ def paths(
     scene = first
     stage, bodies = _stage_of(scene, ax, view)
     if robot:
-        _add_robot(stage, bodies, _position(scene, None))
+        _add_robot(stage, turned(bodies, scene, scene.start_orientation), _position(scene, None))
     for k, (name, path) in enumerate(paths.items()):
-        way = _way(f"paths[{name!r}]", path)
+        way = way_of(f"paths[{name!r}]", scene, path)
         colour = CYCLE[k % len(CYCLE)]
-        label = f"{text('paths', name)}: {_length(way):.2f} m, {len(way)} waypoints"
-        stage.line(way, color=colour, linewidth=1.6, gid=name, label=label)
-        for place in way[1:-1]:
+        label = f"{text('paths', name)}: {way.length:.2f} m{way.words}, {len(way.positions)} waypoints"
+        stage.line(way.positions, color=colour, linewidth=1.6, gid=name, label=label)
+        for place in way.positions[1:-1]:
             stage.point(place, color=colour, marker="o", markersize=2)
     _add_labels(stage, scene, {**bodies, "obstacles": []})
     drawn = stage.paint()
@@ -187,7 +204,7 @@ def model(
     outlet, end = np.array(cables[cable]["outlet"]), place + np.array(cables[cable]["attachment"])
     origin, size = np.zeros(3), float(np.ptp([c["outlet"] for c in cables], axis=0).max())
     _add_frame(stage, origin, np.eye(3), _FRAME * size, "O")
-    _add_frame(stage, place, _rotation(scene), _FRAME * size, "P")
+    _add_frame(stage, place, rotation(scene.orientation), _FRAME * size, "P")
     stage.arrow(origin, place, GREEN, "p")
     stage.arrow(origin, outlet, PURPLE, "b")
     stage.arrow(place, end, VERMILION, "a")
@@ -220,7 +237,7 @@ def rewinding(
     ----------
     scene : Scene
     waypoints : array_like (k, 3) or Path
-        A valid path, m.
+        A valid path, m, on which the platform keeps its orientation.
     direction : {"backward", "forward"}
         The paper's Algorithm 4 or 5.
     step : float
@@ -239,7 +256,7 @@ def rewinding(
     >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> ax = cdpr.figures.rewinding(hard1, cdpr.plan(hard1, seed=1, post="none"))
     """
-    before, scene = _way("waypoints", waypoints), scene_for(scene, waypoints)
+    before, scene = _level_way(waypoints), scene_for(scene, waypoints)
     after, starts, ends, valid = scene._core.rewind_tries(before, number("step", step), text("direction", direction))
     stage, bodies = _stage_of(scene, ax, view)
     refused = [np.array(pair) for pair, good in zip(zip(starts, ends, strict=True), valid, strict=True) if not good]
@@ -353,12 +370,36 @@ def _box_edges(corners: Floats) -> list[Floats]:
     return [np.array([places[a], places[b]]) for a, b in pairs]
 
 
-def _add_robot(stage: Stage, bodies: dict[str, Any], place: Floats, colour: str = BLUE) -> None:
+def turned(bodies: dict[str, Any], scene: Scene, orientation: Floats) -> dict[str, Any]:
+    """Bodies, which are at the scene's orientation, with the platform at another one."""
+    if np.array_equal(orientation, scene.orientation):
+        return bodies
+    turn = rotation(orientation) @ rotation(scene.orientation).T
+    platform = [part | {"vertices": np.array(part["vertices"]) @ turn.T} for part in bodies["platform"]]
+    cables = [cable | {"attachment": turn @ np.array(cable["attachment"])} for cable in bodies["cables"]]
+    return bodies | {"platform": platform, "cables": cables}
+
+
+def _pose_count(way: Way | None, at: ArrayLike | None, poses: int | None) -> int:
+    """At how many places along a path the platform is drawn; none if it is drawn at one place of its own."""
+    if poses is not None and way is None:
+        raise InputError("poses: found a number of poses without a path, expected a path as well")
+    if poses is not None and not 1 <= whole("poses", poses) <= _MOST_POSES:
+        raise InputError(f"poses: found {poses}, expected 1 to {_MOST_POSES}")
+    count = poses if poses is not None else _POSES if way is not None and way.turns else 0
+    if count and at is not None:
+        raise InputError("at: found a position for a platform that is drawn along its path, expected none")
+    return count
+
+
+def _add_robot(
+    stage: Stage, bodies: dict[str, Any], place: Floats, colour: str = BLUE, cables: dict[str, Any] = _CABLE
+) -> None:
     for part in bodies["platform"]:
         stage.solid(np.array(part["vertices"]) + place, part["faces"], colour, "platform")
     for cable in bodies["cables"]:
         ends = np.array([cable["outlet"], place + np.array(cable["attachment"])])
-        stage.line(ends, gid=cable["name"], **_CABLE)
+        stage.line(ends, gid=cable["name"], **cables)
 
 
 def _add_shadows(
@@ -376,14 +417,22 @@ def _add_shadows(
             stage.point(outlets[cable], color=colour, marker="o", markersize=6)
 
 
-def _add_path(stage: Stage, path: ArrayLike | Path) -> None:
+def _add_path(stage: Stage, way: Way, path: ArrayLike | Path | None, through: str | bool) -> None:
     if isinstance(path, Result) and len(path.raw_waypoints) > 1:
         raw = path.raw_waypoints
-        stage.line(raw, color=GREY, linewidth=1, linestyle="--", gid="raw path", label=f"raw: {path.raw_cost:.3f} m")
-    way = _way("path", path)
-    stage.line(way, color=GREEN, linewidth=2, gid="path", label=f"path: {_length(way):.3f} m")
-    for place in way[1:-1]:
-        stage.point(place, color=GREEN, marker="o", markersize=3.5)
+        stage.line(raw, color=GREY, linewidth=1, linestyle="--", gid="raw path", label=f"raw: {_length(raw):.3f} m")
+    label = f"path: {way.length:.3f} m{way.words}"
+    stage.line(way.positions, color=GREEN, linewidth=2, gid="path", label=label, through=through)
+    for place in way.positions[1:-1]:
+        stage.point(place, color=GREEN, marker="o", markersize=3.5, through=through)
+
+
+def _add_poses(stage: Stage, scene: Scene, bodies: dict[str, Any], way: Way, count: int) -> None:
+    """Platform and cables at even steps along a path."""
+    places = np.linspace(0.0, way.steps(scene).sum(), count)
+    for k, (place, turn) in enumerate(zip(*way.at(scene, places), strict=True)):
+        end = k in (0, count - 1)
+        _add_robot(stage, turned(bodies, scene, turn), place, BLUE if end else PALE, _CABLE if end else _PASSING)
 
 
 def _add_labels(stage: Stage, scene: Scene, bodies: dict[str, Any]) -> None:
@@ -432,29 +481,17 @@ def _position(scene: Scene, at: ArrayLike | None) -> Floats:
     return scene.start if scene.start is not None else np.mean([box["min"], box["max"]], axis=0)
 
 
-def _rotation(scene: Scene) -> Floats:
-    """World-from-platform rotation matrix."""
-    w, x, y, z = scene.orientation
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
 def _middle(obstacle: dict[str, Any]) -> Floats:
     corners = np.vstack([part["vertices"] for part in obstacle["parts"]])
     middle: Floats = (corners.min(axis=0) + corners.max(axis=0)) / 2
     return middle
 
 
-def _way(name: str, path: ArrayLike | Path) -> Floats:
-    """Waypoints (k, 3) of what can be drawn as a path."""
+def _level_way(path: ArrayLike | Path) -> Floats:
+    """Waypoints (k, 3) of a path that can be rewound."""
     if isinstance(path, Result) and not path.solved:
-        raise InputError(f"{name}: found a result with status {path.status!r}, expected a solved one")
-    return path_rows(name, path)
+        raise InputError(f"waypoints: found a result with status {path.status!r}, expected a solved one")
+    return path_rows("waypoints", path)
 
 
 def _length(way: Floats) -> float:

@@ -63,11 +63,11 @@ class Stage:
         self.faces += [(polygon, colour, alpha, name) for polygon in polygons]
 
     def line(self, points: Floats, **style: Any) -> None:
-        """Add a line along points (n, 3); what solids hide of it is not seen, unless ``through`` is true."""
+        """Add a line along points (n, 3); solids hide it, except those that it may shine through (see `_hiding`)."""
         self.lines.append((np.asarray(points, dtype=np.float64), style))
 
     def point(self, place: Floats, **style: Any) -> None:
-        """Add a marker."""
+        """Add a marker, hidden like a line."""
         self.points.append((np.asarray(place, dtype=np.float64), style))
 
     def words(self, place: Floats, text: str, offset: tuple[float, float] = (4, 4), **style: Any) -> None:
@@ -99,7 +99,7 @@ class Stage:
         for points, style in self.lines:
             self._paint_line(solids, points, style)
         for place, style in self.points:
-            covered = any(hidden(solid, place, place, self.toward) for solid in solids)
+            covered = any(hidden(solid, place, place, self.toward) for solid in _hiding(solids, style))
             xyz = [[x] for x in place]
             self.ax.plot(*xyz, linestyle="none", zorder=_UNDER if covered else _MARKS, **style)
         return self.ax
@@ -149,7 +149,7 @@ class Stage:
 
     def _paint_line(self, solids: list[Solid], points: Floats, style: dict[str, Any]) -> None:
         """Paint what shows of a line, as one line with gaps."""
-        blocking = [] if style.pop("through", False) else solids
+        blocking = _hiding(solids, style)
         pieces: list[Floats] = []
         for start, end in zip(points[:-1], points[1:], strict=True):
             for part in visible(blocking, start, end, self.toward):
@@ -157,6 +157,12 @@ class Stage:
                 pieces += [part[1:]] if joined else [np.full((1, 3), np.nan), part]
         shown = np.vstack(pieces)[1:] if pieces else np.empty((0, 3))
         self.ax.plot(*shown.T, zorder=_OVER, solid_capstyle="round", **style)
+
+
+def _hiding(solids: list[Solid], style: dict[str, Any]) -> list[Solid]:
+    """The solids that hide a line or marker: all but those with the name ``through``, or none if that is true."""
+    through = style.pop("through", False)
+    return [] if through is True else [solid for solid in solids if solid.name != through]
 
 
 def new_axes(width: float = COLUMN, height: float = COLUMN) -> Axes3D:

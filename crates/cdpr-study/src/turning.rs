@@ -1,0 +1,31 @@
+//! What an experiment must not ask for where the platform may turn, refused before any trial runs.
+
+use cdpr_core::collision::Interference;
+use cdpr_core::error::Error;
+use cdpr_core::model::Scene;
+use cdpr_core::plan::{PlanOptions, Query};
+use cdpr_core::turning::PoseSpace;
+
+/// Checks a scene whose platform may turn.
+///
+/// # Errors
+/// No start or goal, or a goal that turns about the axis of the scene do not reach. The error names the key.
+pub fn check_scene(scene: &Scene) -> Result<(), Error> {
+    let [start, goal] = Query::of(scene).poses()?;
+    PoseSpace::of(scene, [&start, &goal]).map(|_| ())
+}
+
+/// Checks a method that plans in the scenario with this number, whose platform may turn.
+///
+/// # Errors
+/// A sweep of rewinding, which is for paths without turns; the rule `swept` for cables. The error names the key.
+pub fn check_method(options: &PlanOptions, sweeps: bool, scenario: usize) -> Result<(), Error> {
+    let because = format!("since the platform of scenarios[{scenario}] may turn");
+    if sweeps {
+        return Err(Error::invalid("sweep", format!("found a sweep of rewinding, expected none, {because}")));
+    }
+    if options.interference == Interference::Swept {
+        return Err(Error::invalid("interference", format!("found \"swept\", expected \"exact\", {because}")));
+    }
+    Ok(())
+}
