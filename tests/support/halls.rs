@@ -31,6 +31,9 @@ struct Group {
     parts: Vec<Part>,
 }
 
+/// Draws the sizes of a group.
+type Draw = fn(&mut ChaCha8Rng) -> Group;
+
 /// A box: sides and centre in m, the latter from the middle of the footprint.
 struct Part {
     sides: [f64; 3],
@@ -58,7 +61,7 @@ pub const FULL: Inventory = Inventory { machines: 6, shelves: 3, pillars: 7, duc
 /// A hall with the robot of the forest.
 pub fn hall(seed: u64, inventory: &Inventory) -> Scene {
     let mut rng = rng(seed);
-    let draws: [(&str, usize, fn(&mut ChaCha8Rng) -> Group); 6] = [
+    let draws: [(&str, usize, Draw); 6] = [
         ("shelf", inventory.shelves, shelf),
         ("machine", inventory.machines, machine),
         ("gate", inventory.gates, gate),
