@@ -21,6 +21,7 @@ use cdpr_core::planning::{
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_study::{RandomScenes, RandomScenesSpec};
+use cdpr_tests::halls::{FULL, hall};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -72,6 +73,22 @@ fn the_best_known_paths_are_found_with_every_seed() {
             assert_eq!((found.waypoints[0], found.waypoints.last()), (scene.start().unwrap(), scene.goal().as_ref()));
         });
     }
+}
+
+#[test]
+fn paths_to_and_fro_are_equally_short_with_every_seed() {
+    let scene = hall(2, &FULL);
+    let engine = engine_for(&scene, Engine::default(), Interference::Exact).unwrap();
+    let ends = [Point::new(5.18, 3.34, 1.16), Point::new(10.37, 0.57, 1.09)];
+    let ways: Vec<(u64, usize)> = (1..4).flat_map(|seed| [(seed, 0), (seed, 1)]).collect();
+    let cost = |(seed, from): (u64, usize)| {
+        let query = Query::of(&scene).by(&*engine).from(ends[from]).to(ends[1 - from]);
+        planned(query, &PlanOptions { proof: false, ..seeded(seed) }).cost
+    };
+    let costs: Vec<f64> = ways.into_par_iter().map(cost).collect();
+    let [least, most] =
+        [costs.iter().copied().fold(f64::INFINITY, f64::min), costs.iter().copied().fold(0.0, f64::max)];
+    assert!(costs.iter().all(|cost| cost.is_finite()) && most <= 1.005 * least, "{costs:?}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #![allow(missing_docs)]
 
 pub mod cases;
+pub mod halls;
 pub mod meshes;
 pub mod motions;
 pub mod scenes;

@@ -164,6 +164,7 @@ pub fn anytime<S: StateSpace>(
         bound_for: f64::INFINITY,
         bound_effort: 0,
         next_bound: 0,
+        looked_again: false,
         patience: (!lasting).then_some(Patience { hopeless, effort: 0, first: None, last: 0, cost: f64::INFINITY }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
@@ -204,6 +205,11 @@ impl Patience {
         self.effort - self.last > earned.max(least)
     }
 
+    /// Waits for an improvement as long as after a first path.
+    fn restart(&mut self) {
+        (self.first, self.last) = (Some(self.effort), self.effort);
+    }
+
     fn take(&mut self, cost: f64) {
         self.first.get_or_insert(self.effort);
         if cost < (1.0 - BETTER) * self.cost {
@@ -242,6 +248,8 @@ struct Run<'r, S: StateSpace> {
     bound_effort: usize,
     /// Number of samples at which the next bound is due.
     next_bound: usize,
+    /// Whether the search has started anew to find what it missed.
+    looked_again: bool,
     patience: Option<Patience>,
 }
 
@@ -339,9 +347,23 @@ impl<S: StateSpace> Run<'_, S> {
         }
         if self.unbounded() {
             self.prove(BOUND_GAP, QUICK_BOUND_EFFORT)?;
-            return Ok(!self.unbounded());
+            if self.unbounded() {
+                return Ok(false);
+            }
         }
-        Ok(true)
+        Ok(self.cost <= self.enough || self.best.is_empty() || !self.look_again())
+    }
+
+    /// Starts the search anew, unless it has been: with new trees, which do not contain the best path, and chains of cells from the
+    /// goal. Trees that have grown around one path seldom find another beside it.
+    fn look_again(&mut self) -> bool {
+        let Some(patience) = self.patience.as_mut().filter(|_| !self.looked_again) else { return false };
+        patience.restart();
+        self.looked_again = true;
+        self.past += self.halves.len();
+        self.halves = Halves::new(self.search.problem);
+        (self.next_way, self.fruitless_ways) = (self.search.samples(), 0);
+        true
     }
 
     /// A valid state through which a shorter path might lead.

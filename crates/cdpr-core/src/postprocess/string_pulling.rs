@@ -121,11 +121,18 @@ impl PathOptimizer<Point> for StringPuller<'_> {
             *ways = Some(Ways { cells, tried: 0 });
         }
         let Some(Ways { cells, tried }) = ways.as_mut() else { return Ok(None) };
-        let Some(taste) = TASTES.get(*tried) else { return Ok(None) };
+        let Some(taste) = TASTES.get(*tried % TASTES.len()).filter(|_| *tried < 2 * TASTES.len()) else {
+            return Ok(None);
+        };
+        let backward = *tried >= TASTES.len();
+        let ends = if backward { [goal, start] } else { [start, goal] };
         let free = |from: &Point, to: &Point| self.engine.motion_valid(from, to);
         let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // the cost of a sample, in cells
-        let Way::Path(path) = cells.way([start, goal], &free, *taste, effort, watch)? else { return Ok(None) };
+        let Way::Path(mut path) = cells.way(ends, &free, *taste, effort, watch)? else { return Ok(None) };
         *tried += 1;
+        if backward {
+            path.reverse();
+        }
         Ok(Some(path))
     }
 
