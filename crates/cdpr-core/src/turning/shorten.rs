@@ -21,6 +21,9 @@ pub struct PoseShortener<'a> {
 const WORTH: f64 = 1e-4;
 /// Maximum number of rounds, for any path and for those worth the effort.
 const ROUNDS: [usize; 2] = [6, 40];
+/// A corner is cut off if that shortens the path by more than this share of the whole, so that a curve along a contact gets few
+/// waypoints.
+const CORNER_WORTH: f64 = 1e-5;
 /// Shares of the way to the straight motion that are tried for a waypoint, and of the sides of a corner that is cut off.
 const SHARES: [f64; 7] = [1.0, 0.75, 0.5, 0.25, 0.125, 0.03125, 0.0078125];
 
@@ -95,14 +98,14 @@ impl<'a> PoseShortener<'a> {
     /// Each corner replaced by two, as far from it as possible.
     fn corners_cut(&self, path: Vec<Pose>) -> Vec<Pose> {
         let mut cut = vec![path[0]];
+        let least = CORNER_WORTH * self.space.length(&path);
         for k in 1..path.len() - 1 {
             let [before, here, after] = [*cut.last().expect("the start"), path[k], path[k + 1]];
             let found = SHARES[1..].iter().find_map(|&share| {
                 let [from, to] = [&before, &after].map(|end| here.toward(end).at(0.5 * share));
                 let saved = self.space.distance(&from, &here) + self.space.distance(&here, &to)
                     - self.space.distance(&from, &to);
-                let worth = saved > WORTH * WORTH * self.space.distance(&before, &after);
-                (worth && self.valid(&from, &to)).then_some([from, to])
+                (saved > least && self.valid(&from, &to)).then_some([from, to])
             });
             // The rests of both sides are parts of valid motions, but not the same numbers.
             match found.filter(|[from, to]| self.valid(&before, from) && self.valid(to, &after)) {
