@@ -315,9 +315,12 @@ impl<'a> Strand<'a> {
                 if watch.expired()? {
                     return Ok(true);
                 }
-                if self.pull_over(at) {
-                    pulled = true; // continue with the first of the new bends
-                } else {
+                let bends = self.path.len();
+                let moved = self.pull_over(at);
+                pulled |= moved;
+                // Several new bends have triangles of their own, so the first is next. A single one is tight in its triangle:
+                // pulled again, it would creep along its edge by rounding errors.
+                if !moved || self.path.len() == bends {
                     at += 1;
                 }
             }
