@@ -50,7 +50,7 @@ def test_cable_speeds_are_those_of_turned_attachments(scene: cdpr.Scene, spin: c
 
 
 def test_a_planned_turning_path_is_timed(scene: cdpr.Scene) -> None:
-    motion = cdpr.trajectory(scene, cdpr.plan(scene), **LIMITS)
+    motion = cdpr.trajectory(scene, cdpr.plan(scene), **LIMITS | {"turn_acceleration": 1.0})
     assert any(corner.turn and corner.kind == "stop" for corner in motion.corners)
     assert {"acceleration", "turn_acceleration"} <= {entry.limit for entry in motion.limiting}
 
