@@ -103,7 +103,10 @@ export function createEdit(app, live, page, fill) {
   // Shows a page that belongs to a scene; `fresh` if that is the scene as it is, "path" if only its path is.
   function draw(newPage, scene, fresh) {
     const { path } = newPage;
+    const hadPath = Boolean(app.current().model.path);
     app.show(readModel(newPage));
+    // The charts come and go with the path.
+    if (hadPath !== Boolean(path)) setting.stage?.resize();
     mark({ outdated: fresh !== true, dimmed: !fresh && Boolean(path) });
     adjust();
     handles?.refresh();

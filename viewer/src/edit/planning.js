@@ -208,9 +208,14 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
       present(known);
       return known;
     }
+    if (missingEnds(scene).length > 0) {
+      // No path will follow the one before.
+      if (!dragging || shown.page.path) put(pageOf(scene, shown.page, shown.scene), scene, true);
+      check();
+      return UNASKED;
+    }
     if (resized || count(scene) !== count(shown.scene)) redraw();
     check();
-    if (missingEnds(scene).length > 0) return UNASKED;
     if (!dragging) return refine(budget);
     sketch();
     return SUPERSEDED;
