@@ -300,10 +300,12 @@ impl<S: StateSpace> Run<'_, S> {
     fn prove(&mut self, gap: f64, effort: usize) -> Result<(), Error> {
         self.polish()?;
         let Problem { start, goal, .. } = self.search.problem;
-        let Bound { length, way } =
-            self.optimizer.lower_bound([start, goal], self.cost / (1.0 + gap), effort, self.watch)?;
+        let wanted = self.cost / (1.0 + gap);
+        let Bound { length, way } = self.optimizer.lower_bound([start, goal], wanted, effort, self.watch)?;
         (self.bound, self.bound_for, self.bound_effort) = (self.bound.max(length), self.cost, effort);
-        self.enough = self.enough.max((1.0 + gap) * self.bound);
+        // Multiplied by the gap again, the bound may be below the cost by rounding.
+        let good = if self.bound >= wanted { self.cost } else { (1.0 + gap) * self.bound };
+        self.enough = self.enough.max(good);
         if !way.is_empty() {
             let taut = self.optimizer.shortened(&way, self.cost, self.watch)?;
             self.take(taut);
