@@ -1,13 +1,11 @@
 """Figures: they draw what they claim, and reject bad input with a message."""
 
 import sys
-from itertools import pairwise
 
 import matplotlib
-
-matplotlib.use("Agg")
 import numpy as np
 import pytest
+from artists import closed, length, named, points_of, polygons  # noqa: F401 (fixture)
 from conftest import ROOT, TESTDATA
 from matplotlib import pyplot
 from matplotlib.colors import to_hex
@@ -20,12 +18,6 @@ from cdpr.figures._polyhedra import Solid, back_to_front, faces_of_mesh, hidden,
 VIEWS = [(22.0, -62.0), (35.0, 40.0), (80.0, 170.0)]
 BOX = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 BOX_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-
-
-@pytest.fixture(autouse=True)
-def closed():
-    yield
-    pyplot.close("all")
 
 
 @pytest.fixture
@@ -46,15 +38,6 @@ def repeated():
 @pytest.fixture(scope="module")
 def methods():
     return cdpr.run_batch(ROOT / "experiments/table2.toml", trials=5)
-
-
-def named(ax, name):
-    """Artists with this gid."""
-    return [artist for artist in ax.get_children() if artist.get_gid() == name]
-
-
-def points_of(line):
-    return np.column_stack(line.get_data_3d())
 
 
 def toward(ax):
@@ -126,12 +109,6 @@ def test_shadows_lie_behind_the_obstacle_as_seen_from_the_outlet(hard1, cable):
     assert {tuple(c) for c in np.vstack(drawn).round(9)} <= {tuple(c) for c in mesh.vertices.round(9)}
 
 
-def polygons(collection):
-    """Corners of the faces of a collection in space; matplotlib has no public method for this."""
-    faces, padding = collection._faces, np.broadcast_to(collection._invalid_vertices, collection._faces.shape[:2])
-    return [face[~fill] for face, fill in zip(faces, padding, strict=True)]
-
-
 @pytest.mark.parametrize("view", VIEWS)
 def test_a_shadows_back_is_painted_before_its_obstacle_and_its_front_after(hard1, view):
     ax = figures.scene(hard1, shadows="cable 4", robot=False, view=view)
@@ -191,122 +168,6 @@ def test_faces_of_a_mesh_are_its_flat_sides(hard1):
         assert len(faces) < len(mesh.triangles)
 
 
-def test_a_path_is_drawn_with_its_raw_path_and_lengths(hard1):
-    result = cdpr.plan(hard1, "modified-rrt", seed=3)
-    ax = figures.scene(hard1, result, robot=False, labels=True, view=(90, -90))  # nothing hides it from above
-    for gid, way in (("path", result.waypoints), ("raw path", result.raw_waypoints)):
-        (line,) = named(ax, gid)
-        drawn = points_of(line)
-        assert (drawn[0] == way[0]).all() and (drawn[-1] == way[-1]).all()
-        assert {tuple(p) for p in drawn} >= {tuple(p) for p in way}
-    texts = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert texts == [f"raw: {result.raw_cost:.3f} m", f"path: {result.cost:.3f} m"]
-
-
-@pytest.fixture(scope="module")
-def bar():
-    return cdpr.Scene.load(TESTDATA / "scenes/turn.toml")
-
-
-def test_a_turning_platform_is_drawn_at_poses_along_its_path(bar):
-    across = bar.goal_orientation
-    high, low = np.array([1.0, 1.0, 1.4]), np.array([1.0, 1.0, 1.2])
-    path = cdpr.Path([high, low, low], 1.0, orientations=[bar.orientation, bar.orientation, across])
-    ax = figures.scene(bar, path, poses=3, view=(60, -50))
-    # The way down is 0.2 m long, the turn as long as the way of the farthest corner; the middle is in the turn.
-    reach = np.linalg.norm([0.3, 0.04, 0.04])
-    middle = (reach * np.pi / 2 + 0.2) / 2
-    expected = [(high, 0.0), (low, (middle - 0.2) / reach), (low, np.pi / 2)]
-    platforms = [np.vstack(polygons(drawn)) for drawn in named(ax, "platform")]
-    assert len(platforms) == 3
-    for cable, (outlet, attachment) in enumerate(zip(bar.robot.outlets, bar.robot.attachments, strict=True)):
-        ends = np.array([points_of(line)[-1] for line in named(ax, f"cable {cable}")])
-        for (place, angle), end in zip(expected, ends, strict=True):
-            cosine, sine = np.cos(angle), np.sin(angle)
-            x, y, z = attachment
-            at = place + [cosine * x - sine * y, sine * x + cosine * y, z]
-            if np.isfinite(end).all():  # an end that is seen
-                assert np.linalg.norm(np.cross(at - outlet, end - outlet)) < 1e-9
-    for place, angle in expected:
-        width = np.abs([0.3 * np.cos(angle) + 0.04 * np.sin(angle), 0.3 * np.sin(angle) + 0.04 * np.cos(angle)])
-        assert any(np.allclose(p[:, :2].max(axis=0), place[:2] + width) and np.isclose(p[:, 2].max(), place[2] + 0.04) for p in platforms)
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["path: 0.200 m, turns by 90°"]
-    (line,) = named(ax, "path")  # also seen where platforms are
-    assert (points_of(line)[[0, -1]] == [high, low]).all()
-    assert len(named(figures.scene(bar, path), "platform")) == 5 and not named(figures.scene(bar, path, robot=False), "platform")
-
-
-def test_a_platform_that_keeps_its_orientation_is_drawn_once_or_at_poses(hard1):
-    result = cdpr.plan(hard1)
-    assert len(named(figures.scene(hard1, result), "platform")) == 1
-    platforms = [np.vstack(polygons(drawn)) for drawn in named(figures.scene(hard1, result, poses=2), "platform")]
-    middles = sorted((p.max(axis=0) + p.min(axis=0))[0] / 2 for p in platforms)
-    assert middles == pytest.approx([0.3, 1.7])
-
-
-def test_without_a_path_the_platform_is_drawn_as_it_starts(bar):
-    across = bar.replace(start=[1, 1, 1.4], start_orientation=bar.goal_orientation)
-    for ax, width in ((figures.scene(across), 0.04), (figures.scene(across, at=[1, 1, 1.4]), 0.3)):
-        assert np.vstack(polygons(named(ax, "platform")[0]))[:, 0].max() == pytest.approx(1 + width)
-
-
-def test_shadows_of_cable_ends_do_not_depend_on_the_orientation(bar):
-    here, there = (cdpr.shadows(bar.replace(orientation=turn)) for turn in (bar.orientation, bar.goal_orientation))
-    assert list(here) == list(there)
-    assert all(np.allclose(np.sort(here[name].vertices, axis=0), np.sort(there[name].vertices, axis=0)) for name in here)
-
-
-def test_turning_paths_are_compared_with_their_angles(bar):
-    found = {"trees": cdpr.plan(bar, "two-trees", seed=1), "connect": cdpr.plan(bar, "rrt-connect", seed=1)}
-    ax = figures.paths(bar, found, view=(90, -90))
-    for (name, result), text in zip(found.items(), ax.get_legend().get_texts(), strict=True):
-        turned = sum(2 * np.arccos(min(1.0, abs(a @ b))) for a, b in pairwise(result.orientations))
-        expected = f"{name}: {length(result.waypoints):.2f} m, turns by {np.degrees(turned):.0f}°, {len(result.waypoints)} waypoints"
-        assert text.get_text() == expected and points_of(named(ax, name)[0])[-1] == pytest.approx(bar.goal)
-
-
-def test_charts_along_a_turning_path(bar):
-    result = cdpr.plan(bar, "two-trees", seed=1)
-    clearance, turned = figures.along(bar, result)
-    (line,), (dot,) = named(clearance, "clearance"), named(clearance, "nearest")
-    report = cdpr.check(bar, result)
-    places, gaps = line.get_data()
-    assert places[-1] == pytest.approx(report.length) == result.cost and len(places) > 400
-    assert gaps[0] == pytest.approx(float(bar.clearance(bar.start, bar.start_orientation)))
-    assert gaps[-1] == pytest.approx(float(bar.clearance(bar.goal, bar.goal_orientation)))
-    assert dot.get_ydata()[0] == report.min_clearance["value"] <= gaps.min() + 1e-9
-    assert np.interp(dot.get_xdata()[0], places, gaps) == pytest.approx(dot.get_ydata()[0], abs=2e-3)
-    assert clearance.texts[0].get_text() == " and ".join(report.min_clearance["culprits"])
-    ends, angles = named(turned, "turned")[0].get_data()
-    assert len(ends) == len(result.waypoints) and (np.diff(angles) >= 0).all() and angles[-1] >= 90 - 1e-9
-    assert [line.get_xdata()[0] for line in named(turned, "waypoint")] == pytest.approx(ends[1:-1])
-
-
-@pytest.mark.parametrize("angle", [0.0, 0.1])
-def test_charts_along_a_path_with_tensions(angle):
-    scene = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
-    turns = [[np.cos(a / 2), 0, 0, np.sin(a / 2)] for a in (0.0, angle)]
-    path = cdpr.Path([[0, 0, 2], [1, 0, 2]], 1.0, orientations=turns if angle else None)
-    charts = figures.along(scene, path)
-    titles = ["clearance (m)", "turned so far (°)", "tensions (N)", "capacity margin (N)"]
-    assert [chart.get_title("left") for chart in charts] == [title for title in titles if angle or title[0] != "t" or title[1] == "e"]
-    rows = cdpr.tensions_along(scene, path, step=0.1)
-    for k, cable in enumerate(rows.cables):
-        (line,) = named(charts[-2], cable)
-        assert np.interp(rows.s, *line.get_data()) == pytest.approx(rows.tensions[:, k], rel=1e-3)
-    (line,) = named(charts[-1], "capacity margin")
-    assert np.interp(rows.s, *line.get_data()) == pytest.approx(rows.capacity_margin, rel=1e-3)
-
-
-def test_paths_are_compared_by_name_length_and_waypoints(hard1):
-    found = {"RRT*": cdpr.plan(hard1, "rrt-star", seed=1, post="none"), "rewound": cdpr.plan(hard1, "modified-rrt", seed=1)}
-    ax = figures.paths(hard1, found)
-    for (name, result), text in zip(found.items(), ax.get_legend().get_texts(), strict=True):
-        assert text.get_text() == f"{name}: {result.cost:.2f} m, {len(result.waypoints)} waypoints"
-        assert len(named(ax, name)) == 1
-    assert len({named(ax, name)[0].get_color() for name in found}) == 2
-
-
 def test_the_model_closes_its_vectors(hard1):
     ax = figures.model(hard1, cable=4, at=[0.4, 0.5, 0.6])
     p, b, a = (points_of(named(ax, gid)[0]) for gid in "pba")
@@ -333,10 +194,6 @@ def test_rewinding_draws_every_refusal_and_the_path_that_comes_out(hard1, direct
     second = figures.rewinding(hard1, after, direction=other, view=(90, -90))
     both = points_of(named(second, "after")[0])
     assert both == pytest.approx(cdpr.rewind(hard1, raw, order=direction).waypoints, abs=1e-12)
-
-
-def length(way):
-    return np.linalg.norm(np.diff(way, axis=0), axis=1).sum()
 
 
 def test_the_ball_of_available_forces_touches_the_surface_from_inside(empty):
