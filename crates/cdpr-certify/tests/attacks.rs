@@ -86,7 +86,7 @@ fn an_edge_that_is_left_out_is_missed() {
                 .contains("an edge that is free")
         );
     }
-    // It is of no help to list another one twice, or one for an edge elsewhere.
+    // Listing another edge twice, or one that lies elsewhere, does not help.
     let mut twice = edges([near, far]);
     twice[3] = twice[2];
     assert!(check(&WALL, &certificate(&WALL, START, length - 2e-7, &twice)).is_err());

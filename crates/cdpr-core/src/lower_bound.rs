@@ -275,7 +275,7 @@ pub type Accepts<'a> = dyn Fn(&Certificate, &Watch) -> bool + 'a;
 
 /// Shares of what a bound has beyond the straight line for which certificates are tried.
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];
-/// What is left of the straight line without bends, m: more than the checkers leave.
+/// Taken off the length of the straight line, m: more than the reserves of the checkers.
 const STRAIGHT_SLACK: f64 = 4.0 * BEND_STEP;
 /// Most regions that checkers accept.
 const MOST_REGIONS: usize = 1000;

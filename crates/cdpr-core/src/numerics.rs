@@ -453,7 +453,7 @@ pub const BOUND_EFFORT: usize = 50_000_000;
 /// The same for a bound that nobody asked for: some 0.1 s.
 pub const QUICK_BOUND_EFFORT: usize = 1_000_000;
 
-/// Most time for the search for a certificate of a bound, s; then one of a smaller length has to do.
+/// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
 pub const CERTIFICATE_SECONDS: u64 = 60;
 
 /// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
@@ -557,7 +557,7 @@ pub const INSTANTS_BETWEEN: usize = 10;
 /// Number of poses of a turning motion between which its nearest approach is measured, unless there are more samples.
 pub const MEASURED_SAMPLES: usize = 500;
 
-/// Travel of a turning platform between two samples up to which one search for what is broken is enough, m; it looks at 33 poses.
+/// Travel of a turning platform between two samples, m, up to which one search for violations, at 33 poses, is enough.
 pub const SAMPLED_TRAVEL: f64 = 0.01;
 
 /// Largest number of parts into which the motion between two samples is divided for that.

@@ -126,7 +126,7 @@ impl Trajectory {
     }
 
     /// As [`Trajectory::new`], along a path of poses: between two of them the platform moves on a straight line and turns about
-    /// a fixed axis by the shorter way. It stops where a turn begins, ends or changes; other corners are rounded.
+    /// a fixed axis, the shorter way round. It stops where a turn begins, ends or changes; other corners are rounded.
     ///
     /// # Errors
     /// As [`Trajectory::new`]; no limit on how fast a turn may begin.

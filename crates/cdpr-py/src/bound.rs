@@ -14,7 +14,8 @@ use cdpr_core::{Error, Scene};
 
 use crate::convert::serialized;
 
-/// What is asked of a bound: its gap to a path that is searched for, the time for that, and whether a certificate is needed.
+/// How tight the bound should be (relative gap to a path that is searched for), how long that search may take, and whether to
+/// certify the bound.
 #[derive(Clone, Copy)]
 pub struct Wanted {
     pub gap: Option<f64>,
@@ -35,7 +36,7 @@ pub fn least_bound(scene: &Scene, ends: [&Point; 2], wanted: Wanted, stop: &Inte
     Ok(least.unwrap_or((f64::INFINITY, None)))
 }
 
-/// A search for a path and its bound, if a gap or a budget is given; the orientations share the budget.
+/// Options of the search for a path and its bound. The orientations share the budget.
 fn search_options(wanted: Wanted, orientations: u32) -> Result<PlanOptions, Error> {
     let settings =
         PlannerSettings { gap: wanted.gap.or(wanted.budget.map(|_| BOUND_GAP)), ..PlannerSettings::default() };

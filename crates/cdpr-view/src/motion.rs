@@ -291,7 +291,7 @@ pub(super) fn timed_turning_motion(
     untensed_turning(scene, times, &poses, watch).map(Some)
 }
 
-/// Even times from the begin of a motion to its end, and what it is there.
+/// Evenly spaced times, s, and the place at each of them.
 fn at_even_times<Place>(duration: f64, place_at: impl Fn(f64) -> Place) -> (Vec<f32>, Vec<Place>) {
     let times = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS);
     times.map(|time| (time as f32, place_at(time))).unzip()

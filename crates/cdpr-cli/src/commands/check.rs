@@ -103,7 +103,7 @@ fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Err
     Ok(Answer::Yes)
 }
 
-/// What an accepted proof says.
+/// What `check` prints about an accepted proof.
 struct Proved {
     answer: serde_json::Value,
     what: String,

@@ -181,7 +181,8 @@ fn no_path_lines(no_path: &NoPath) -> Vec<String> {
     remedies.into_iter().chain([reach, proved]).collect()
 }
 
-/// How much too long a path is at most, compared with all paths `here`.
+/// How much longer than the shortest the path can be. `here` names the orientation for which the bound holds, if there is a
+/// choice.
 fn excess_line(cost: f64, bound: f64, here: &str) -> String {
     let excess = if cost > bound { 100.0 * (cost / bound - 1.0) } else { 0.0 };
     format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))

@@ -26,7 +26,7 @@ const MOST_CHANGES_IN_ALL: u8 = 60;
 const IN_PARALLEL: usize = 200;
 /// Rounds in which the points of a path slide along their intervals.
 const SLIDES: usize = 8;
-/// What is left beside the part of an interval that matters is a part of its own if it has this share of the length.
+/// The rest of an interval, beside the part that matters, becomes a part of its own from this share of the length on.
 const BESIDE: f64 = 1.0 / 8.0;
 /// Labels between two checks of the watch.
 const POLL: usize = 256;

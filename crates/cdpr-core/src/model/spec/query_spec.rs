@@ -1,4 +1,5 @@
-//! What is asked of a scene, in a file: start and goal, how the platform may turn and move, and what its cables must balance.
+//! The parts of a scene file that pose the question: start, goal and orientations, turning, motion limits, and required
+//! wrenches.
 
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;

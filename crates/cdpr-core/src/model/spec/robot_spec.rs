@@ -1,4 +1,4 @@
-//! A robot in a file: the parts of its platform, and its cables.
+//! The parts of a robot file: the bodies of the platform, the cables, and meshes.
 
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
