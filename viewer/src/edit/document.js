@@ -1,6 +1,7 @@
 // The edited scene: plain data in the format of scene files, and functions that return a changed one.
 
 import { Euler, Quaternion, Vector3 } from 'three';
+import { rotationOf } from '../robot.js';
 
 const TIDY = 1e9;
 
@@ -153,16 +154,16 @@ export function moveThing(scene, { kind, id }, to) {
 const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7];
 const FACES = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
-// The rotation of a body, by its own keys; `rpy` turns about x, then y, then z, all fixed axes.
-function rotationOf({ rpy, rpy_degrees: degrees, quaternion }) {
-  if (quaternion) return new Quaternion(quaternion[1], quaternion[2], quaternion[3], quaternion[0]);
+// The rotation that the keys of a body give; `rpy` turns about x, then y, then z, all fixed axes.
+function turnOf({ rpy, rpy_degrees: degrees, quaternion }) {
+  if (quaternion) return rotationOf(quaternion);
   const [roll, pitch, yaw] = rpy ?? (degrees ?? ORIGIN).map((angle) => (angle * Math.PI) / 180);
   return new Quaternion().setFromEuler(new Euler(roll, pitch, yaw, 'ZYX'));
 }
 
-// How a box looks until the planner says it.
+// A box as drawn until the planner's answer replaces it.
 function boxPart(body) {
-  const [turn, position] = [rotationOf(body), positionOf(body)];
+  const [turn, position] = [turnOf(body), positionOf(body)];
   const corner = (i) => new Vector3(...body.box.map((side, k) => (i & (1 << k) ? 0.5 : -0.5) * side));
   const vertices = CORNERS.map((i) => plus(position, corner(i).applyQuaternion(turn).toArray()));
   return { vertices, faces: FACES };

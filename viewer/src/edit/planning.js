@@ -50,7 +50,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   // How long the last picture took to build, ms.
   let building = (page.obstacles ?? []).length > MANY ? Infinity : 0;
   const initial = firstAnswer(page);
-  const state = { missing: missingEnds(first), invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
+  const state = { invalid: [], busy: false, dragging: false, answer: initial, best: null, error: null, stopped: false };
   if (initial) answers.set(first, initial);
 
   function say(news) {
