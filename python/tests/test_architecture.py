@@ -5,9 +5,13 @@
   may use anything.
 - No two files with the same name in a crate.
 - ARCHITECTURE.md names every top-level module of the core.
+- The wheel and the Rust tests share one build of the core and its dependencies.
 """
 
 import re
+import shutil
+import subprocess
+import sys
 from collections import Counter
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
@@ -130,3 +134,17 @@ def test_the_architecture_names_every_module_of_the_core() -> None:
     listed = re.findall(r"^  \w.*", core, re.MULTILINE)
     rooms = {module[0] for module in sources("cdpr-core") if module}
     assert [room for room in sorted(rooms) if not re.search(rf"\b{room}\b", "".join(listed))] == []
+
+
+def crates_with_features(*selected: str) -> set[str]:
+    command = ["cargo", "tree", "--locked", "--prefix", "none", "--format", "{p} {f}", *selected]
+    lines = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    return {line.removesuffix(" (*)") for line in lines}
+
+
+@pytest.mark.skipif(shutil.which("cargo") is None, reason="needs cargo")
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the features are aligned on Linux")
+def test_the_wheel_compiles_nothing_again_that_the_tests_compiled() -> None:
+    wheel = crates_with_features("--package", "cdpr-py", "--edges", "normal,build")
+    tests = crates_with_features("--workspace", "--exclude", "cdpr-benches")
+    assert wheel <= tests, "add the missing features to crates/cdpr-py/Cargo.toml"
