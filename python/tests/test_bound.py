@@ -39,6 +39,7 @@ def test_sample_is_a_proof():
     assert PATH / 1.011 < file["length"] < PATH
 
 
+@pytest.mark.long
 def test_damages_are_refused():
     scene, file = sample()
     draw = random.Random(1)

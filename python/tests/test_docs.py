@@ -38,6 +38,7 @@ import cdpr
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted((ROOT / "crates").glob("*/README.md"))]
 NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
+MARKS = {"docs/howto/stations.md": [pytest.mark.long]}
 SKIPPED = {
     "README.md": 3,
     "crates/cdpr-cli/README.md": 1,
@@ -113,7 +114,7 @@ def page(tmp_path, monkeypatch):
     return Page(tmp_path)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=MARKS.get(name, [])) for name in NAMES])
 def test_a_page_does_what_it_says(name, page):
     subprocess.run([page.folder / "bin/cdpr", "new", "starter.toml"], check=True, capture_output=True)
     parsers = [CodeBlockParser(language, evaluator) for language, evaluator in page.evaluators().items()]

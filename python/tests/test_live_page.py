@@ -112,6 +112,7 @@ def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Pa
     assert json.loads(files[1].read_text())["cost"] == pytest.approx(length_in(after), abs=1e-3)
 
 
+@pytest.mark.long
 def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
     before = (settled(live), live.evaluate("document.querySelector('#status').textContent"))
     drag_pillar(live, (0.1, 0.1))
@@ -128,6 +129,7 @@ def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
     assert numbers(live).tolist() == moved.tolist()
 
 
+@pytest.mark.long
 def test_escape_cancels_a_drag(live: Page) -> None:
     before = settled(live)
     drag_pillar(live, (0.3, 0.3))
@@ -182,6 +184,7 @@ def field(page: Page, axis: int) -> Locator:
     return page.locator(".edit-thing > .edit-field input").nth(axis)
 
 
+@pytest.mark.long
 def test_numbers_are_read_as_they_are_meant(live: Page) -> None:
     before = settled(live)
     live.mouse.click(*where(live, "pillar"))
@@ -204,6 +207,7 @@ def test_numbers_are_read_as_they_are_meant(live: Page) -> None:
     assert (settled(live), numbers(live).tolist()) == (before, PILLAR)
 
 
+@pytest.mark.long
 def test_a_number_is_not_overwritten_while_it_is_typed(live: Page) -> None:
     settled(live)
     live.mouse.click(*where(live, "pillar"))
@@ -217,6 +221,7 @@ def test_a_number_is_not_overwritten_while_it_is_typed(live: Page) -> None:
     settled(live)
 
 
+@pytest.mark.long
 def test_an_obstacle_is_removed_while_it_is_dragged(live: Page) -> None:
     before = settled(live)
     drag_pillar(live, (0.1, 0.1))
@@ -259,6 +264,7 @@ def test_a_scene_that_is_refused_says_why_and_recovers(live: Page) -> None:
     assert settled(live) == before
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("call", "problem"),
     [
@@ -280,6 +286,7 @@ def test_wrong_calls_change_nothing(live: Page, call: str, problem: str) -> None
     assert live.get_by_role("button", name="undo").is_disabled()
 
 
+@pytest.mark.long
 def test_things_are_selected_by_keys(live: Page) -> None:
     settled(live)
     names = []
@@ -319,6 +326,7 @@ def test_boxes_are_added_and_removed(live: Page) -> None:
     assert settled(live) == before
 
 
+@pytest.mark.long
 def test_the_changed_page_is_saved_as_one_file(live: Page, open_page: Open, tmp_path: Path) -> None:
     settled(live)
     cost = live.evaluate("cdpr.move('pillar', [1.1, 1.1, 0.75])")["cost"]
@@ -332,7 +340,7 @@ def test_the_changed_page_is_saved_as_one_file(live: Page, open_page: Open, tmp_
 
 
 def is_long(name: str) -> list[pytest.MarkDecorator]:
-    return [] if name in ["closed", "cogiro", "hard1", "turn"] else [pytest.mark.long]
+    return [] if name in ["closed", "hard1"] else [pytest.mark.long]
 
 
 @pytest.mark.filterwarnings("ignore:the scene lists several orientations")
@@ -361,6 +369,7 @@ def test_plans_with_other_ends_are_shown(open_page: Open, hard1: cdpr.Scene) -> 
     assert page.evaluate("cdprViewer.length") == pytest.approx(found["cost"])
 
 
+@pytest.mark.long
 def test_a_scene_without_start_and_goal_gets_them(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
     page = open_page(hard1.replace(start=None, goal=None))
     edit(page)
@@ -407,6 +416,7 @@ def test_the_last_of_many_moves_wins(live: Page) -> None:
     assert f"{answers[-1]['cost']:.3f} m" in status(live)
 
 
+@pytest.mark.long
 def test_unknown_and_hostile_names(open_page: Open, hard1: cdpr.Scene) -> None:
     spec = hard1.to_dict()
     side = {"box": [0.1, 0.1, 0.1]}
@@ -426,6 +436,7 @@ def test_unknown_and_hostile_names(open_page: Open, hard1: cdpr.Scene) -> None:
     assert page.locator("#edit img, #edit script, #edit svg[onload]").count() == 0
 
 
+@pytest.mark.long
 def test_a_finger_selects_before_it_moves(browser: Browser, hard1: cdpr.Scene, tmp_path: Path) -> None:
     with phone(browser, hard1, tmp_path) as page:
         page.locator("#edit-toggle").tap()

@@ -45,6 +45,7 @@ def test_a_scene_without_a_path_says_why_and_shows_it(open_page: Open, closed: c
         assert picture(page) == before, layer
 
 
+@pytest.mark.long
 def test_a_proof_is_shown_between_its_own_ends(open_page: Open, closed: cdpr.Scene) -> None:
     page = open_page(closed, cdpr.plan(closed, start=[0.3, 1.0, 0.6]))
     data = json.loads(page.locator("#cdpr-data").text_content() or "")
@@ -77,6 +78,7 @@ def test_a_button_shows_the_path_without_an_obstacle(open_page: Open, closed: cd
     assert picture(page) == before and before not in seen and len(seen) == 2
 
 
+@pytest.mark.long
 def test_an_obstacle_that_does_not_open_the_way_alone_says_so(open_page: Open, closed: cdpr.Scene) -> None:
     twins = closed.with_obstacle("twin", {"box": [0.14, 0.14, 0.86]}, position=[1.78, 0.32, 0.43])
     result = cdpr.plan(twins)
@@ -87,6 +89,7 @@ def test_an_obstacle_that_does_not_open_the_way_alone_says_so(open_page: Open, c
     assert button.inner_text() == f"without {still}: still no path found" and button.is_disabled()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("look", ["light", "dark"])
 def test_many_may_close_the_way_and_names_stay_names(open_page: Open, closed: cdpr.Scene, look: str) -> None:
     spec = closed.to_dict()

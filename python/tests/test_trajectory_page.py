@@ -146,6 +146,7 @@ def test_it_says_what_limits_the_motion_when(show: Show, motion: Trajectory) -> 
     assert [plain(title) for title in corner] == ["waypoint 1 at 1.90 s: stop"]
 
 
+@pytest.mark.long
 def test_it_plays_in_real_time(show: Show, motion: Trajectory) -> None:
     page = show(motion)
     before = picture(page)
@@ -163,6 +164,7 @@ def test_it_plays_in_real_time(show: Show, motion: Trajectory) -> None:
     assert picture(page) != before
 
 
+@pytest.mark.long
 def test_few_pictures_do_not_slow_it_down(show: Show, motion: Trajectory) -> None:
     page = show(motion)
     page.locator("#play").click()
@@ -192,6 +194,7 @@ def test_a_collision_is_listed_once_with_its_time(show: Show) -> None:
     assert picture(page) != crossed
 
 
+@pytest.mark.long
 def test_a_curve_beyond_its_limit_says_so(show: Show, motion: Trajectory) -> None:
     motion["limits"]["speed"], motion["limits"]["acceleration"] = 0.95, 40.0
     page = show(motion)
@@ -218,6 +221,7 @@ def test_a_long_motion_keeps_its_extrema_on_a_small_page(show: Show) -> None:
     assert np.allclose(page.evaluate("cdprViewer.position()"), motion["positions"][5000], atol=1e-5)
 
 
+@pytest.mark.long
 def test_a_motion_without_tensions_or_limits_is_shown(show: Show, motion: Trajectory) -> None:
     motion |= {"tensions": None, "tension_limits": None, "limits": {"blend": 0.0}, "limiting": []}
     page = show(motion)
@@ -226,6 +230,7 @@ def test_a_motion_without_tensions_or_limits_is_shown(show: Show, motion: Trajec
     assert page.locator("#cable-table th").all_inner_texts() == ["cable", "length, m", "speed, m/s"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("look", ["light", "dark"])
 def test_it_fits_a_phone(show: Show, motion: Trajectory, look: str) -> None:
     page = show(motion, size=PHONE, look=look)
@@ -239,6 +244,7 @@ def test_it_fits_a_phone(show: Show, motion: Trajectory, look: str) -> None:
     wait_until(page, "cdprViewer.time() > 0")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("look", ["light", "dark"])
 def test_labels_of_a_chart_do_not_cover_each_other(show: Show, motion: Trajectory, look: str) -> None:
     motion["limits"] |= {"speed": 0.99, "acceleration": 2.02, "cable_speed": 0.82}
@@ -248,6 +254,7 @@ def test_labels_of_a_chart_do_not_cover_each_other(show: Show, motion: Trajector
         assert all(b - a >= 11 for a, b in zip(sorted(tops), sorted(tops)[1:], strict=False)), tops
 
 
+@pytest.mark.long
 def test_names_stay_names(show: Show, tmp_path: Path) -> None:
     spec = cdpr.Scene.load(HARD1).to_dict()
     for number, cable in enumerate(spec["robot"]["cables"]):

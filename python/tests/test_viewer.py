@@ -61,6 +61,7 @@ def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, pl
     assert said == f"capacity margin: {margin:.4g} N beyond the demand"
 
 
+@pytest.mark.long
 def test_start_and_goal_are_those_of_the_path(open_page: Open, hard1: cdpr.Scene) -> None:
     path = cdpr.plan(hard1, start=[0.5, 1.0, 1.6], goal=[1.0, 1.6, 1.6])
     page = open_page(hard1, path)
@@ -70,6 +71,7 @@ def test_start_and_goal_are_those_of_the_path(open_page: Open, hard1: cdpr.Scene
     assert json.loads(still.locator("#cdpr-data").text_content() or "")["goal"] == [1.7, 1.0, 1.7]
 
 
+@pytest.mark.long
 def test_the_position_of_the_platform_is_shown(open_page: Open, hard1: cdpr.Scene, empty: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     page.evaluate("cdprViewer.setDistance(0.5 * cdprViewer.length)")
@@ -105,6 +107,7 @@ def test_every_switch_changes_the_picture(
         assert picture(page) == before, name
 
 
+@pytest.mark.long
 def test_obstacles_are_switched_one_by_one_and_together(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(cdpr.Scene.from_dict(with_obstacles(hard1.to_dict(), 100)))
     fold = page.locator(".fold", has_text="by name (100)")
@@ -127,6 +130,7 @@ def test_obstacles_are_switched_one_by_one_and_together(open_page: Open, hard1: 
     assert len(seen | {without}) == 5
 
 
+@pytest.mark.long
 def test_a_hundred_obstacles_and_a_tree_of_5000_nodes_are_few_draw_calls(open_page: Open, hard1: cdpr.Scene) -> None:
     scene = cdpr.Scene.from_dict(with_obstacles(hard1.to_dict(), 100))
     points = np.random.default_rng(0).uniform(0.2, 1.8, (10_000, 3))
@@ -168,6 +172,7 @@ def measured(what: str, page: Page) -> None:
     (SCREENSHOTS / f"measured-{what}.json").write_text(json.dumps(found))
 
 
+@pytest.mark.long
 def test_views_section_and_look_change_the_picture(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     first = picture(page)
@@ -191,12 +196,14 @@ def test_views_section_and_look_change_the_picture(open_page: Open, hard1: cdpr.
     assert picture(page) == first
 
 
+@pytest.mark.long
 def test_dark_look_follows_the_system(open_page: Open, empty: cdpr.Scene) -> None:
     background = "getComputedStyle(document.body).backgroundColor"
     light, dark = (open_page(empty, look=look).evaluate(background) for look in ["light", "dark"])
     assert (light, dark) == ("rgb(246, 247, 249)", "rgb(20, 23, 28)")
 
 
+@pytest.mark.long
 def test_play_moves_the_platform_and_speed_counts(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     before = picture(page)
@@ -263,6 +270,7 @@ def test_a_collision_is_shown_and_jumped_to(open_page: Open, hard1: cdpr.Scene) 
     assert page.locator("#nearest.bad").count() == 0
 
 
+@pytest.mark.long
 def test_keys_do_what_buttons_do(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     first = picture(page)
@@ -294,6 +302,7 @@ def test_keys_do_what_buttons_do(open_page: Open, hard1: cdpr.Scene) -> None:
     assert {"CANVAS", "play", "slider", "speed", "reset", "section", "save", "look", "violation"} <= reached
 
 
+@pytest.mark.long
 def test_picture_is_saved(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     for press in [lambda: page.locator("#save").click(), lambda: page.keyboard.press("p")]:
@@ -328,6 +337,7 @@ def test_a_phone_has_one_sheet_with_tabs_and_targets_for_fingers(open_page: Open
     wait_until(page, "cdprViewer.distance() > 0")
 
 
+@pytest.mark.long
 def test_keys_are_listed_behind_a_question_mark(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     assert not page.locator("#help").is_visible()
@@ -340,6 +350,7 @@ def test_keys_are_listed_behind_a_question_mark(open_page: Open, hard1: cdpr.Sce
     assert not page.locator("#help").is_visible()
 
 
+@pytest.mark.long
 def test_a_printed_page_has_picture_result_charts_and_table(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, cdpr.plan(hard1), look="dark")
     page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
@@ -355,6 +366,7 @@ def test_a_printed_page_has_picture_result_charts_and_table(open_page: Open, har
     assert page.locator("#print-picture canvas").count() == 0
 
 
+@pytest.mark.long
 def test_forced_colours_keep_the_play_icon(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     page.emulate_media(forced_colors="active")
@@ -365,6 +377,7 @@ def test_forced_colours_keep_the_play_icon(open_page: Open, hard1: cdpr.Scene) -
     )
 
 
+@pytest.mark.long
 def test_labels_do_not_cover_each_other(open_page: Open, cogiro: cdpr.Scene, planned: cdpr.Result) -> None:
     page = open_page(cogiro, planned, size=PHONE)
     page.evaluate("cdprViewer.layers.cableNames.visible = true")
@@ -379,6 +392,7 @@ def test_labels_do_not_cover_each_other(open_page: Open, cogiro: cdpr.Scene, pla
         assert b <= e + 0.5 or f <= a + 0.5 or d <= g + 0.5 or h <= c + 0.5
 
 
+@pytest.mark.long
 def test_names_cannot_inject_anything(open_page: Open, hard1: cdpr.Scene) -> None:
     spec = hard1.to_dict()
     spec["name"] = spec["robot"]["name"] = HOSTILE[0]

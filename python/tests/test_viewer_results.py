@@ -7,12 +7,15 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
+import pytest
 from conftest import program
 from pages import THROUGH_THE_PILLAR, SCENES, Open, picture, plain
 from playwright.sync_api import Page
 
 import cdpr
 
+
+@pytest.mark.long
 def test_the_raw_path_is_listed_where_it_differs_from_the_final_one(open_page: Open, hard1: cdpr.Scene) -> None:
     rewound = cdpr.plan(hard1, "modified-rrt", seed=3)
     assert not np.array_equal(rewound.raw_waypoints, rewound.waypoints)
@@ -26,6 +29,7 @@ def scale_labels(page: Page, plot: str) -> list[float]:
     return [float(text) for text in page.locator(".plot", has_text=plot).locator(".scale").all_inner_texts()]
 
 
+@pytest.mark.long
 def test_the_clearance_chart_shows_what_is_required(open_page: Open, hard1: cdpr.Scene) -> None:
     careful = hard1.replace(clearance=0.02, clearances={("cable 3", "pillar"): 0.08})
     page = open_page(careful, cdpr.plan(careful))
@@ -54,6 +58,7 @@ def test_what_comes_too_near_is_red_and_listed_with_gap_and_demand(open_page: Op
     assert re.match(r"(too near|in collision): ", page.locator("#nearest.bad").inner_text())
 
 
+@pytest.mark.long
 def test_each_axis_has_one_unit_and_the_distance_stands_under_each_chart(open_page: Open, cogiro: cdpr.Scene) -> None:
     page = open_page(cogiro, [[0.0, 2.2, 1.7], [0.0, 2.2, 5.0]])
     grounds = [text.split("\n") for text in page.locator(".ground").all_inner_texts()]
@@ -101,6 +106,7 @@ def test_the_result_card_says_how_good_the_path_is_and_leads_to_its_tightest_pla
     assert min(abs(places - page.evaluate("cdprViewer.distance()"))) < 1e-6
 
 
+@pytest.mark.long
 def test_without_a_bound_the_card_compares_with_the_straight_line(open_page: Open, hard1: cdpr.Scene) -> None:
     found = cdpr.plan(hard1)
     excess = 100 * (found.cost / np.linalg.norm(hard1.goal - hard1.start) - 1)
@@ -108,6 +114,7 @@ def test_without_a_bound_the_card_compares_with_the_straight_line(open_page: Ope
     assert re.fullmatch(rf"{math.ceil(excess)} % longer than the straight line", said)
 
 
+@pytest.mark.long
 def test_an_invalid_start_says_its_reason_and_shows_the_culprit(open_page: Open, hard1: cdpr.Scene) -> None:
     inside = hard1.replace(start=[1.0, 1.0, 0.5])
     page = open_page(inside, cdpr.plan(inside))
@@ -118,6 +125,7 @@ def test_an_invalid_start_says_its_reason_and_shows_the_culprit(open_page: Open,
     assert picture(page) != outlined
 
 
+@pytest.mark.long
 def test_a_cable_is_brought_out_everywhere(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, cdpr.plan(hard1))
     before = picture(page)
@@ -153,6 +161,7 @@ def test_a_cable_is_brought_out_everywhere(open_page: Open, hard1: cdpr.Scene) -
     assert len(set(colours)) == 1
 
 
+@pytest.mark.long
 def test_the_gap_is_a_segment_with_its_length_while_the_obstacle_is_seen(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, cdpr.plan(hard1))
     page.evaluate("cdprViewer.setDistance(0.3 * cdprViewer.length)")
@@ -169,6 +178,7 @@ def test_the_gap_is_a_segment_with_its_length_while_the_obstacle_is_seen(open_pa
     assert picture(page) != drawn and gaps.count() == 0
 
 
+@pytest.mark.long
 def test_violations_at_one_place_are_one_item(open_page: Open, hard1: cdpr.Scene) -> None:
     page = open_page(hard1, THROUGH_THE_PILLAR)
     assert page.locator(".violation").count() == 3
