@@ -38,13 +38,15 @@ TESTED := --workspace --exclude cdpr-benches
 rust-test:
 	cargo test $(LIMITED) $(TESTED) --locked
 
-# Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
+# Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2, with three times
+# as many cases as in `make test`.
 portable-test:
-	CDPR_PORTABLE=1 cargo test $(LIMITED) $(TESTED) --locked --test oracles
+	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --locked --test oracles
 
-# The oracles once more on the code that users run: release, without debug assertions.
+# The same on the code that users run, release without debug assertions; with damaged certificates, and large meshes.
 release-test:
-	cargo test $(LIMITED) --release --locked -p cdpr-tests --test oracles
+	CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles --test files \
+		--test bounds -- --include-ignored
 
 # The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown

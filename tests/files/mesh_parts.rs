@@ -87,6 +87,7 @@ fn assert_honest(name: &str, mesh: &TriangleMesh, parts: &ConvexParts, closed: b
 }
 
 #[test]
+#[ignore = "takes long; `make long-test` runs it"]
 fn round_meshes_become_few_parts_within_the_tolerance() {
     for (name, mesh, extent, most) in [
         ("icosphere", icosphere(4, 0.6), 1.2, 1),
@@ -199,6 +200,7 @@ fn a_missed_tolerance_is_stated_with_numbers() {
 }
 
 #[test]
+#[ignore = "takes long; `make long-test` runs it"]
 fn a_bumpy_ball_keeps_its_tolerance() {
     let mut mesh = cdpr_tests::meshes::ball(112, 56);
     for v in &mut mesh.vertices {

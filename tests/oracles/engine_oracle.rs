@@ -4,14 +4,14 @@ use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
 use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_tests::scenes::{Kind, Oracle, Verdict, scene};
-use cdpr_tests::{direction, rng, uniform, vector};
+use cdpr_tests::{direction, effort, rng, uniform, vector};
 use rand::RngExt;
 
 #[test]
 fn states_and_motions_agree_with_exact_tests() {
     let mut rng = rng(7);
-    let mut count = [0; 3];
-    for case in 0..4_000 {
+    let (many, mut count) = (effort() as usize, [0; 3]);
+    for case in 0..1_334 * many {
         let scene = scene(&mut rng, Kind::default());
         let oracle = Oracle::of(&scene);
         let exact = GjkEngine::new(&scene, Interference::Exact).unwrap();
@@ -36,7 +36,7 @@ fn states_and_motions_agree_with_exact_tests() {
         }
     }
     eprintln!("{} hits, {} free, {} left open", count[0], count[1], count[2]);
-    assert!(count[0] > 20_000 && count[1] > 5_000);
+    assert!(count[0] > 6_667 * many && count[1] > 1_667 * many);
 }
 
 #[test]

@@ -10,16 +10,12 @@ use cdpr_core::geometry::Point;
 use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_tests::scenes::{Kind, Oracle, Verdict, scene};
-use cdpr_tests::{direction, rng, uniform};
+use cdpr_tests::{direction, effort, rng, uniform};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// Factor on the everyday number of cases.
-fn effort() -> u64 {
-    std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
-}
-
 struct Engines {
     gjk: GjkEngine,
     cspace: CspaceEngine,

@@ -5,14 +5,14 @@ use cdpr_core::geometry::gjk::{nearer_than, overlap, shape_distance};
 use cdpr_core::geometry::separating_axes::{gap_along, separation};
 use cdpr_core::geometry::{ConvexShape, Point, Polytope, Rotation, Swept, Triangle, Vector};
 use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
-use cdpr_tests::{body, clipped, direction, rng, rotation, surface_point, triangle, uniform, vector};
+use cdpr_tests::{body, clipped, direction, effort, rng, rotation, surface_point, triangle, uniform, vector};
 use rand::RngExt;
 
 #[test]
 fn cables_against_bodies_agree_with_clipping() {
     let mut rng = rng(1);
-    let (mut hits, mut free, mut near) = (0, 0, 0);
-    for case in 0..200_000 {
+    let (many, mut hits, mut free, mut near) = (effort(), 0, 0, 0);
+    for case in 0..66_667 * many {
         let obstacle = body(&mut rng);
         let shift = Vector::from_element(if case % 4 == 0 { uniform(&mut rng, -1000.0, 1000.0) } else { 0.0 });
         let corners = triangle(&mut rng, &obstacle).map(|p| p + shift);
@@ -30,7 +30,7 @@ fn cables_against_bodies_agree_with_clipping() {
         }
     }
     eprintln!("{hits} hits, {free} free, {near} within the tolerance");
-    assert!(hits > 50_000 && free > 50_000 && near > 10_000);
+    assert!(hits > 16_667 * many && free > 16_667 * many && near > 3_333 * many);
 }
 
 /// The Minkowski difference obstacle - platform as a hull: the swept platform meets the obstacle iff the path of its

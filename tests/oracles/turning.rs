@@ -14,17 +14,13 @@ use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Scene, testing};
 use cdpr_tests::scenes::{Kind, scene};
-use cdpr_tests::{built_scene, direction, rng, uniform};
+use cdpr_tests::{built_scene, direction, effort, rng, uniform};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// Largest gap at which a motion of at most 0.1 m and 5° may be refused although it is free, m.
 const NEAR: f64 = 1e-4;
-
-fn effort() -> u64 {
-    std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
-}
 
 fn turned(scene: &Scene, orientation: &Rotation) -> GjkEngine {
     let quaternion = [orientation.w, orientation.i, orientation.j, orientation.k];

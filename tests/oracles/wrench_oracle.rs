@@ -12,7 +12,7 @@ use cdpr_core::wrench::{
     AvailableSet, Balance, BindingFacet, CapacityMargin, FeasibilityLp, LargestScale, Loads, Required, ScaleLp,
     Statics, capacity_limit, force_limit, force_set, moment_limit, moment_set,
 };
-use cdpr_tests::{built_robot, direction, rng, rotation, uniform, vector};
+use cdpr_tests::{built_robot, direction, effort, rng, rotation, uniform, vector};
 use nalgebra::{Matrix6xX, SVector, Vector3, Vector6};
 use parry3d_f64::query::PointQuery;
 use rand::RngExt;
@@ -29,10 +29,6 @@ const ROUNDING: f64 = 1e-11;
 const BALANCE: f64 = 1e-9;
 
 const BUILT: [&str; 5] = ["acrobot", "caroca", "cogiro", "ipanema2", "mpi_simulator"];
-
-fn effort() -> u64 {
-    std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
-}
 
 /// A robot under loads at a position, with its wrench matrix.
 struct Pose {

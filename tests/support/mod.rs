@@ -15,6 +15,11 @@ use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec, Scene};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+/// How many times as many cases the oracles judge: `CDPR_VERIFY`, or 1. `make long-test` and `make verify` set it.
+pub fn effort() -> u64 {
+    std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"))
+}
+
 /// A scene of `testdata/scenes`, by the name of its file.
 pub fn built_scene(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes").join(name).with_extension("toml");
