@@ -4,15 +4,15 @@
     python benches/shortest_drake.py
     python benches/shortest_drake.py hard1 --gap 0.0001
 
-Run it in the folder of the project. cdpr plans a path with a gap, and writes a certificate of its bound, which lists the
-forbidden polyhedra (docs/bounds.md). Their complement in the box of positions is divided into convex cells, exactly up to
-1e-6 m: a cell that polyhedra still meet is cut along the plane of one of their faces, the one that cuts the fewest other
-polyhedra. Where faces of two cells overlap with some area, the cells are neighbours.
+Run it in the folder of the project. cdpr plans a path with a gap, and writes a certificate of its bound, which lists
+the forbidden polyhedra (docs/bounds.md). Their complement in the box of positions is divided into convex cells,
+exactly up to 1e-6 m: a cell that polyhedra still meet is cut along the plane of one of their faces, the one that cuts
+the fewest other polyhedra. Where faces of two cells overlap with some area, the cells are neighbours.
 
-Each cell is a vertex of Drake's graph, with two points in it and the distance between them as its cost; an edge between
-neighbours makes the second point of one the first of the other. So the cheapest path through the graph is the shortest
-path. The convex relaxation bounds its length from below; paths rounded from it bound it from above. Clarabel solves, on one
-thread. The division is plain Python with NumPy. All times are processor time, of all threads.
+Each cell is a vertex of Drake's graph, with two points in it and the distance between them as its cost; an edge
+between neighbours makes the second point of one the first of the other. So the cheapest path through the graph is the
+shortest path. The convex relaxation bounds its length from below; paths rounded from it bound it from above. Clarabel
+solves, on one thread. The division is plain Python with NumPy. All times are processor time, of all threads.
 """
 
 from __future__ import annotations
@@ -292,11 +292,12 @@ def compare(name: str, gap: float, paths: int) -> None:
     made = time.process_time()
     graph = Graph(planes, cells, neighbours, np.array([certificate["start"], certificate["goal"]]))
     made = time.process_time()
-    print(f"  division: {divided - began:.2f} s, {len(polyhedra)} polyhedra, {len(cells)} cells of {free:.3f} m³ together")
+    print(f"  division: {divided - began:.2f} s, {len(polyhedra)} polyhedra, {len(cells)} cells of {free:.3f} m³")
     sizes = f"{graph.graph.num_vertices()} vertices, {graph.graph.num_edges()} edges"
     print(f"  graph: {made - divided:.2f} s, {sizes}", flush=True)
     length, path, relaxing, rounding = graph.solved(paths)
-    print(f"  Drake's bound: {relaxing:.3f} s, {length:.6f} m; gap of cdpr's path {100 * (result.cost / length - 1):.5f} %")
+    excess = 100 * (result.cost / length - 1)
+    print(f"  Drake's bound: {relaxing:.3f} s, {length:.6f} m; gap of cdpr's path {excess:.5f} %")
     print(f"  Drake's path: {rounding:.3f} s, {path:.6f} m, gap {100 * (path / length - 1):.5f} %")
 
 

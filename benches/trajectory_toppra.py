@@ -1,24 +1,25 @@
-"""Compare `cdpr.trajectory` with TOPP-RA (https://github.com/hungpham2511/toppra) and copp (https://copp.pro) on the same
-curves and limits.
+"""Compare `cdpr.trajectory` with TOPP-RA (https://github.com/hungpham2511/toppra) and copp (https://copp.pro) on the
+same curves and limits.
 
     pip install toppra copp-py
     python benches/trajectory_toppra.py
     python benches/trajectory_toppra.py "hard1, platform" --grid 1000
 
-Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; the others then get the curve of
-that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u = s'' and
-x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of the N points, at
-least 100. TOPP-RA's discretization is "interpolation": the rows of both ends of an interval hold, as they do in copp's solver
-`topp2_ra`. copp is a Rust library; PyPI's copp-py is its Python binding. Two limits differ:
+Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; the others then get the
+curve of that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u
+= s'' and x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of
+the N points, at least 100. TOPP-RA's discretization is "interpolation": the rows of both ends of an interval hold, as
+they do in copp's solver `topp2_ra`. copp is a Rust library; PyPI's copp-py is its Python binding. Two limits differ:
 
-- The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first two
-  derivatives, from outside: the others may exceed the limit by 1/cos(pi/tangents) - 1 (0.002 % for 512 tangents), so
-  their durations are a little too short.
+- The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first
+  two derivatives, from outside: the others may exceed the limit by 1/cos(pi/tangents) - 1 (0.002 % for 512 tangents),
+  so their durations are a little too short.
 - cdpr leaves 0.01 % of the range of each tension unused, for its proof between instants; the rows use all of it.
 
-"excess" is the largest violation of a limit at twenty instants within every interval (of cdpr: at 20 000 instants), as a
-share of the limit. Times are processor time, of all threads. Those of cdpr include its check of the path, the proof that
-the curve is free, and the proofs between instants; those of the others are rows and solution, and do not include any of this.
+"excess" is the largest violation of a limit at twenty instants within every interval (of cdpr: at 20 000 instants),
+as a share of the limit. Times are processor time, of all threads. Those of cdpr include its check of the path, the
+proof that the curve is free, and the proofs between instants; those of the others are rows and solution, and do not
+include any of this.
 """
 
 from __future__ import annotations
@@ -329,7 +330,8 @@ def compare(name: str, grids: list[int], tangents: int) -> None:
     with tempfile.TemporaryDirectory() as folder:
         motion.save(Path(folder) / "motion.json")
         file = json.loads((Path(folder) / "motion.json").read_text())
-    print(f"| {name} | cdpr | {len(file['timing'])} | {motion.duration:.6f} | | {taken:.2f} | {own_excess(motion):.1e} |")
+    size, beyond = len(file["timing"]), own_excess(motion)
+    print(f"| {name} | cdpr | {size} | {motion.duration:.6f} | | {taken:.2f} | {beyond:.1e} |")
     limits = Limits(scene, motion, tangents)
     for count, (tool, solver) in itertools.product(grids, SOLVERS.items()):
         curves = list(stretches(file))

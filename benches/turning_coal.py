@@ -4,25 +4,27 @@
     python benches/turning_coal.py
     python benches/turning_coal.py hard1 --motions 200 --answers 2000
 
-Run it in the folder of the project. Motions have 0.1 m and 5 degrees about any axis, as in benches/benches/turning.rs: the
-position moves straight and the platform turns about a fixed axis, both at constant rates. Two tables:
+Run it in the folder of the project. Motions have 0.1 m and 5 degrees about any axis, as in
+benches/benches/turning.rs: the position moves straight and the platform turns about a fixed axis, both at constant
+rates. Two tables:
 
-Times, for motions that are valid, all checked one after the other on one thread, in microseconds of processor time per
-motion; the shortest of several rounds.
+Times, for motions that are valid, all checked one after the other on one thread, in microseconds of processor time
+per motion; the shortest of several rounds.
 
 - "cdpr, all": `Scene.motions_valid`, one call for all: platform, cables, workspace; everything except wrenches.
 - "cdpr, platform": the same in a scene that ignores all cables, in a workspace that never binds.
 - "coal, sampled": `coal.collide` of platform and each obstacle at 101 poses, every 1 mm and 0.05 degrees.
-- "FCL, continuous": `fcl.continuousCollide` of platform and each obstacle (coal 3.0.3 has no continuous collision, neither
-  in Python nor in its C++ headers). Conservative advancement; the motion is FCL's "linear": as here, a straight
-  translation and a turn about a fixed axis.
+- "FCL, continuous": `fcl.continuousCollide` of platform and each obstacle (coal 3.0.3 has no continuous collision,
+  neither in Python nor in its C++ headers). Conservative advancement; the motion is FCL's "linear": as here, a
+  straight translation and a turn about a fixed axis.
 
-coal and FCL are called from Python once for each pair and pose; "of it, calls" is what as many calls of coal take for two
-spheres, whose distance is a formula. Placing the platform (poses as matrices) is not part of any time of coal or FCL.
+coal and FCL are called from Python once for each pair and pose; "of it, calls" is what as many calls of coal take for
+two spheres, whose distance is a formula. Placing the platform (poses as matrices) is not part of any time of coal or
+FCL.
 
-Answers, for the platform alone and for motions that start within 0.1 m of an obstacle, each compared with a walk: coal's
-distance along the motion in steps of the distance divided by the largest speed of a point, but at least 0.01 mm. Motions
-whose least distance is within 0.01 mm of contact, either way, are counted as "close" and not compared.
+Answers, for the platform alone and for motions that start within 0.1 m of an obstacle, each compared with a walk:
+coal's distance along the motion in steps of the distance divided by the largest speed of a point, but at least 0.01
+mm. Motions whose least distance is within 0.01 mm of contact, either way, are counted as "close" and not compared.
 """
 
 from __future__ import annotations
@@ -224,7 +226,7 @@ def continuous(bodies: Bodies, motions: list[list[Any]], iterations: int, error:
 
 
 def least_distance(bodies: Bodies, motion: Motions, whole: bool = False) -> float:
-    """The least distance along a motion, by the walk; it ends where bodies clearly overlap, unless the whole is asked."""
+    """The least distance along a motion, by the walk; unless `whole`, it ends where bodies clearly overlap."""
     shortest = CLOSE / (LENGTH + ANGLE * bodies.reach)
     share, least = 0.0, OUT_OF_REACH
     while True:
