@@ -1,21 +1,25 @@
-"""Compare `cdpr.trajectory` with TOPP-RA (https://github.com/hungpham2511/toppra) on the same curves and limits.
+"""Compare `cdpr.trajectory` with TOPP-RA (https://github.com/hungpham2511/toppra) and copp (https://copp.pro) on the
+same curves and limits.
 
-    pip install toppra
-    python benches/trajectory_toppra.py [--grid 1000 10000] [--tangents 512] [CASE ...]
+    pip install toppra copp-py
+    python benches/trajectory_toppra.py
+    python benches/trajectory_toppra.py "hard1, platform" --grid 1000
 
-Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; TOPP-RA then gets the curve of
-that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u = s'' and
-x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of the N points, at least
-100. TOPP-RA's discretization is "interpolation": the rows of both ends of an interval hold. Two limits differ:
+Run it in the folder of the project. For each case, cdpr plans a path and a motion along it; the others then get the
+curve of that motion, in the exact form of the trajectory file, and the same limits as linear rows a u + b x <= c in u
+= s'' and x = s'^2, at N grid points. Stretches between stops are solved one after the other, each with its share of
+the N points, at least 100. TOPP-RA's discretization is "interpolation": the rows of both ends of an interval hold, as
+they do in copp's solver `topp2_ra`. copp is a Rust library; PyPI's copp-py is its Python binding. Two limits differ:
 
-- The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first two
-  derivatives, from outside: TOPP-RA may exceed the limit by 1/cos(pi/tangents) - 1 (0.002 % for 512 tangents), so its
-  durations are a little too short.
-- cdpr leaves 0.01 % of the range of each tension unused, for its proof between instants; TOPP-RA's rows use all of it.
+- The norm of the platform's acceleration is not linear. It is replaced by tangents in the plane of the curve's first
+  two derivatives, from outside: the others may exceed the limit by 1/cos(pi/tangents) - 1 (0.002 % for 512 tangents),
+  so their durations are a little too short.
+- cdpr leaves 0.01 % of the range of each tension unused, for its proof between instants; the rows use all of it.
 
-"excess" is the largest violation of a limit at twenty instants within every interval (of cdpr: at 20 000 instants), as a
-share of the limit. The seconds of cdpr include its check of the path, the proof that the curve is free, and the proofs
-between instants; those of TOPP-RA are rows and solution, and do not include any of this.
+"excess" is the largest violation of a limit at twenty instants within every interval (of cdpr: at 20 000 instants),
+as a share of the limit. Times are processor time, of all threads. Those of cdpr include its check of the path, the
+proof that the curve is free, and the proofs between instants; those of the others are rows and solution, and do not
+include any of this.
 """
 
 from __future__ import annotations
@@ -31,13 +35,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import toppra
 from numpy.typing import NDArray
-from toppra.algorithm import TOPPRA
-from toppra.constraint import DiscretizationType, LinearConstraint
-from toppra.interpolator import AbstractGeometricPath
 
 import cdpr
+
+try:
+    import copp_py as copp
+    import toppra
+    from toppra.algorithm import TOPPRA
+    from toppra.constraint import DiscretizationType, LinearConstraint
+    from toppra.interpolator import AbstractGeometricPath
+except ImportError as error:
+    raise SystemExit(f"found no package {error.name}, expected it: pip install toppra copp-py") from None
 
 Floats = NDArray[np.float64]
 SCENES = Path(__file__).parents[1] / "testdata/scenes"
@@ -234,16 +243,41 @@ class Block(LinearConstraint):  # type: ignore[misc]
         return a, b, c, f, g, None, None
 
 
-def solved(curve: Curve, limits: Limits, count: int) -> tuple[float, float, float, float]:
-    """Duration, seconds for rows, seconds for the solution, and largest excess between grid points."""
-    began = time.perf_counter()
-    grid = curve.grid(count)
-    rows = list(limits.rows(*(curve(grid, order) for order in range(3))))
-    made = time.perf_counter()
+def by_toppra(curve: Curve, grid: Floats, rows: list[Rows]) -> Floats | None:
+    """The speeds at grid points that TOPP-RA finds."""
     algorithm = TOPPRA([Block(block) for block in rows], curve, gridpoints=grid, solver_wrapper="seidel")
     _, speeds, _ = algorithm.compute_parameterization(0.0, 0.0)
-    done = time.perf_counter()
-    if speeds is None or not np.isfinite(speeds).all():
+    return None if speeds is None or not np.isfinite(speeds).all() else speeds
+
+
+def by_copp(curve: Curve, grid: Floats, rows: list[Rows]) -> Floats | None:
+    """The speeds at grid points that copp finds; in its rows, a is the factor of x and b that of u."""
+    constraints = copp.constraints.Constraints(curve.dof)
+    constraints.append_s(grid)
+    for a, b, c in rows:
+        slack = np.maximum(c, NO_SLACK)
+        constraints.add_constraint_2nd(b / slack, a / slack, np.ones_like(slack), 0)
+    try:
+        squares = copp.solver.topp2_ra.solve(copp.solver.topp2_ra.Problem(constraints, (0, len(grid) - 1), (0.0, 0.0)))
+    except copp.core.CoppError as error:
+        print(f"copp: {error}")
+        return None
+    return np.sqrt(np.maximum(squares, 0.0))
+
+
+Solver = Callable[[Curve, Floats, list[Rows]], Floats | None]
+SOLVERS: dict[str, Solver] = {"TOPP-RA": by_toppra, "copp": by_copp}
+
+
+def solved(solver: Solver, curve: Curve, limits: Limits, count: int) -> tuple[float, float, float, float]:
+    """Duration, seconds for rows, seconds for the solution, and largest excess between grid points."""
+    began = time.process_time()
+    grid = curve.grid(count)
+    rows = list(limits.rows(*(curve(grid, order) for order in range(3))))
+    made = time.process_time()
+    speeds = solver(curve, grid, rows)
+    done = time.process_time()
+    if speeds is None:
         return np.nan, made - began, done - made, np.nan
     steps, x = np.diff(grid), speeds**2
     u = np.diff(x) / (2 * steps)
@@ -290,22 +324,24 @@ def compare(name: str, grids: list[int], tangents: int) -> None:
     scene = cdpr.Scene.load(SCENES / f"{scene_name}.toml")
     path = cdpr.plan(scene)
     cdpr.trajectory(scene, path, **given)  # compiles the scene
-    began = time.perf_counter()
+    began = time.process_time()
     motion = cdpr.trajectory(scene, path, **given)
-    seconds = time.perf_counter() - began
+    taken = time.process_time() - began
     with tempfile.TemporaryDirectory() as folder:
         motion.save(Path(folder) / "motion.json")
         file = json.loads((Path(folder) / "motion.json").read_text())
-    print(f"| {name} | cdpr | {len(file['timing'])} | {motion.duration:.6f} | | {seconds:.2f} | {own_excess(motion):.1e} |")
+    size, beyond = len(file["timing"]), own_excess(motion)
+    print(f"| {name} | cdpr | {size} | {motion.duration:.6f} | | {taken:.2f} | {beyond:.1e} |")
     limits = Limits(scene, motion, tangents)
-    for count in grids:
+    for count, (tool, solver) in itertools.product(grids, SOLVERS.items()):
         curves = list(stretches(file))
         whole = sum(curve.starts[-1] for curve in curves)
         counts = [max(LEAST, round(count * curve.starts[-1] / whole)) for curve in curves]
-        parts = np.array([solved(curve, limits, number) for curve, number in zip(curves, counts, strict=True)])
+        parts = np.array([solved(solver, curve, limits, number) for curve, number in zip(curves, counts, strict=True)])
         duration, made, done = parts[:, :3].sum(axis=0)
-        change = 100 * (motion.duration / duration - 1)
-        print(f"| | TOPP-RA | {count} | {duration:.6f} | {change:+.3f} % | {made:.2f} + {done:.2f} | {parts[:, 3].max():.1e} |", flush=True)
+        change = f"{100 * (motion.duration / duration - 1):+.3f} %"
+        seconds = f"{made:.2f} + {done:.2f}"
+        print(f"| | {tool} | {count} | {duration:.6f} | {change} | {seconds} | {parts[:, 3].max():.1e} |", flush=True)
 
 
 def main() -> None:

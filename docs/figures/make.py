@@ -2,8 +2,8 @@
 
     python docs/figures/make.py fig3 fig5
 
-Every run writes the same files, except for plots of measured times (fig7, right; planners) and browser screenshots (page,
-no-path-page, edit).
+Every run writes the same files, except for plots of measured times (fig7, right; planners; gap-over-time) and browser
+screenshots (page, no-path-page, edit).
 """
 
 import functools
@@ -13,6 +13,7 @@ import os
 import shutil
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -247,6 +248,42 @@ def planners(*scenarios: str) -> Figure:
     return figure
 
 
+PROVED = ["acrobot", "concave", "hard1", "hard3"]
+OPEN_GAPS = ["forest", "ipanema2", "mpi_simulator", "caroca", "cogiro"]
+GAPS = 10.0 ** -np.arange(0, 5.5, 0.5)
+EFFORT = 20.0  # s for each gap; the first one that takes longer is a scene's last
+
+
+def gap_over_time() -> Figure:
+    """Proved gaps against time, in the scenes of testdata whose shortest path is not straight."""
+    figure, axes = pyplot.subplots(1, 2, figsize=(PAGE, 2.9), sharex=True, sharey=True, layout="constrained")
+    colours = (BLUE, VERMILION, ORANGE, SKY, BLACK)
+    for ax, names in zip(axes, (PROVED, OPEN_GAPS), strict=True):
+        for name, colour in zip(names, colours, strict=False):
+            seconds, gaps = proved_gaps(scene(name))
+            ax.plot(seconds, 100 * gaps, ".-", drawstyle="steps-post", color=colour, label=name)
+        ax.set(xscale="log", yscale="log", xlabel="processor time (s)")
+        ax.grid()
+        ax.legend()
+    axes[0].set(ylabel="proved gap (%)", title="(a) proved to 0.001 %")
+    axes[1].set(title="(b) not proved to 1 % in 20 s")
+    return figure
+
+
+def proved_gaps(asked: cdpr.Scene) -> tuple[np.ndarray, np.ndarray]:
+    """Smallest gaps between the best path and a bound, as shares, and the processor time after which they are proved."""
+    cost = cdpr.plan(asked).cost
+    found = []
+    for gap in GAPS:
+        began, given = time.process_time(), time.monotonic()
+        bound = cdpr.lower_bound(asked, gap=gap, budget=EFFORT)
+        found.append((time.process_time() - began, max(cost / bound - 1, GAPS[-1])))
+        if time.monotonic() - given > EFFORT:
+            break
+    seconds, gaps = np.array(sorted(found)).T
+    return seconds, np.minimum.accumulate(gaps)
+
+
 def wrench_study() -> Figure:
     """CoGiRo's path without and with [wrench], and the slack along both."""
     spec = scene("cogiro").to_dict()
@@ -427,6 +464,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "rrt-star-convergence": rrt_star_convergence,
     "planners-scenes": functools.partial(planners, "hard1", "hard3", "forest"),
     "planners-random": functools.partial(planners, "3 random prisms", "6 random prisms"),
+    "gap-over-time": gap_over_time,
     "wrench-study": wrench_study,
     "wrench-rules": wrench_rules,
     "no-path": no_path,
