@@ -22,6 +22,7 @@ pub mod rows;
 mod schedule;
 pub mod stages;
 pub mod timing;
+pub mod turning_bend;
 pub mod winches;
 
 pub use attitude::Attitude;
@@ -156,7 +157,7 @@ impl Trajectory {
         let engine = TurningEngine::new(scene, level)?;
         free_poses(&engine, poses, watch)?;
         let (curve, corners) = along_poses(scene, &engine, poses, limits.blend, watch)?;
-        let slides = curve.pieces().iter().any(|piece| !piece.attitude().turns());
+        let slides = curve.pieces().iter().any(|piece| !piece.turns());
         if slides || limits.turn_acceleration.is_none() {
             bounded(&limits, &winches)?;
         }
