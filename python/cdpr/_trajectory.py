@@ -33,11 +33,11 @@ class Corner(NamedTuple):
     kind : str
         "rounded" (on its inside), "outward" (moved outward, then rounded) or "stop" (the platform stops there).
     deviation : float
-        Largest distance between curve and path there, m.
+        Largest distance between curve and path there, m; where the platform turns, of any of its corners and attachments.
     time : float
         When it is passed, s.
     turn : bool
-        Whether the platform stops because it begins, ends or changes a turn there.
+        Whether the platform begins, ends or changes a turn there.
 
     Examples
     --------
@@ -392,7 +392,8 @@ def trajectory(
         Positions of the platform's origin, world, m; every segment must be valid.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z at these positions, for a platform that turns; a path that turns has its
-        own. Between two poses it turns about a fixed axis, the shorter way. Where a turn begins, ends or changes, it stops.
+        own. Between two poses it turns about a fixed axis, the shorter way. Where a turn begins, ends or changes, it passes on a
+        bend or, if none is proved free, stops.
     speed, acceleration : float, optional
         Largest speed and acceleration of the platform's origin, m/s, m/s².
     turn_speed, turn_acceleration : float, optional

@@ -55,6 +55,18 @@ def test_a_planned_turning_path_is_timed(scene: cdpr.Scene) -> None:
     assert {"acceleration", "turn_acceleration"} <= {entry.limit for entry in motion.limiting}
 
 
+def test_ends_of_turns_are_passed_on_bends(scene: cdpr.Scene, tmp_path: Path) -> None:
+    path = cdpr.plan(scene)
+    stopping, motion = (cdpr.trajectory(scene, path, **LIMITS, blend=blend) for blend in (0, 0.02))
+    passed = [corner for corner in motion.corners if corner.turn and corner.kind == "rounded"]
+    assert len(passed) >= 4 and all(0 < corner.deviation <= 0.02 for corner in passed)
+    assert motion.duration < 0.85 * stopping.duration
+    for corner in passed:
+        assert np.linalg.norm(motion.at(corner.time).angular_velocity) > 0 or np.linalg.norm(motion.at(corner.time).velocity) > 0
+    motion.save(tmp_path / "motion.json")
+    assert cdpr.load_trajectory(tmp_path / "motion.json", scene) == motion
+
+
 @pytest.mark.parametrize("name", ["motion.json", "motion.csv"])
 def test_files_keep_the_turn(scene: cdpr.Scene, spin: cdpr.Trajectory, tmp_path: Path, name: str) -> None:
     spin.save(tmp_path / name)

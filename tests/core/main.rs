@@ -17,5 +17,6 @@ mod regressions;
 mod trajectory;
 mod turning;
 mod turning_attacks;
+mod turning_bends;
 mod turning_motions;
 mod wrench_planning;

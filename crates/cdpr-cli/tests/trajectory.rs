@@ -205,6 +205,7 @@ fn a_turning_path_is_planned_timed_checked_and_shown() {
     assert_eq!(status(&planned), 0, "{}", stderr(&planned));
     let said = stdout(&planned);
     assert!(said.contains("passed with a stop, since the platform begins or ends a turn there: "), "{said}");
+    assert!(said.contains("rounded where the platform begins or ends a turn: waypoints "), "{said}");
     let timed = cdpr_in(at, &[&["trajectory", &turn, "path.json", "-o", "again.json"][..], &TURNING].concat());
     assert_eq!(status(&timed), 0, "{}", stderr(&timed));
     let [first, again] = ["motion.json", "again.json"].map(|name| fs::read_to_string(at.join(name)).unwrap());

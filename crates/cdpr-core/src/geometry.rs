@@ -33,8 +33,8 @@ pub use half_space::HalfSpace;
 pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
 pub use pose::{
-    Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw, rotation_as_written,
-    turn_about, wxyz,
+    Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,
+    rotation_as_written, turn_about, wxyz,
 };
 pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, SupportMap, Swept, Triangle};

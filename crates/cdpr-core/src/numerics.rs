@@ -481,6 +481,10 @@ pub const LEAST_TURN_LENGTH: f64 = 1e-3;
 /// Largest weight of a turn in that parameter, m/rad, for the same reason: the rest of the path must keep its digits.
 pub const LARGEST_TURN_WEIGHT: f64 = 1e3;
 
+/// Length of the parameter of the shortest bend between two turns, m: shorter ones would hardly be faster than a stop, and their
+/// grid would come near rounding.
+pub const LEAST_TURNING_BEND: f64 = 1e-5;
+
 /// Distance of a waypoint from the line between its neighbours below which a trajectory goes straight on, m; as
 /// [`SAME_POINT`].
 pub const STRAIGHT_ON: f64 = 1e-9;

@@ -6,7 +6,8 @@
 //! limit may be exceeded, and the motion is planned again with tighter limits there; what remains, far below a thousandth,
 //! is removed by slowing down as a whole.
 //!
-//! The platform may turn between two poses ([`stages`]): about a fixed axis, at a constant rate per length.
+//! The platform may turn between two poses ([`stages`]): about a fixed axis, at a constant rate per length. Bends lead from one
+//! turn to another ([`turning_bend`]).
 
 pub mod attitude;
 pub mod between;
@@ -22,6 +23,8 @@ pub mod rows;
 mod schedule;
 pub mod stages;
 pub mod timing;
+pub mod turning_bend;
+pub mod turning_corners;
 pub mod winches;
 
 pub use attitude::Attitude;
@@ -121,12 +124,12 @@ impl Trajectory {
             false => Some(engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?),
         };
         let free = FreeSpace::new(&bare, own.as_deref().unwrap_or(&*engine), watch)?;
-        let (curve, corners) = rounded(waypoints, limits.blend, &free, watch)?.curve();
+        let (curve, corners) = rounded(waypoints, limits.blend, [false; 2], &free, watch)?.curve();
         Self::along(curve.held_at(*scene.orientation()), corners, limits, winches, watch)
     }
 
     /// As [`Trajectory::new`], along a path of poses: between two of them the platform moves on a straight line and turns about
-    /// a fixed axis, the shorter way round. It stops where a turn begins, ends or changes; other corners are rounded.
+    /// a fixed axis, the shorter way round. Where a turn begins, ends or changes, it passes on a bend that is proved free, or stops.
     ///
     /// # Errors
     /// As [`Trajectory::new`]; no limit on how fast a turn may begin.
@@ -156,7 +159,7 @@ impl Trajectory {
         let engine = TurningEngine::new(scene, level)?;
         free_poses(&engine, poses, watch)?;
         let (curve, corners) = along_poses(scene, &engine, poses, limits.blend, watch)?;
-        let slides = curve.pieces().iter().any(|piece| !piece.attitude().turns());
+        let slides = curve.pieces().iter().any(|piece| !piece.turns());
         if slides || limits.turn_acceleration.is_none() {
             bounded(&limits, &winches)?;
         }

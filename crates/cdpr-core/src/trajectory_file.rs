@@ -109,7 +109,7 @@ impl TrajectoryFile {
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn violations(&self, checker: &dyn Checker, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
-        self.violations_between(&self.points(), checker, watch)
+        self.violations_between(&self.points(), checker, 0.0, watch)
     }
 
     /// The same for a platform that turns between its samples. What is only too close to be proved free is left out.
@@ -117,7 +117,12 @@ impl TrajectoryFile {
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn turning_violations(&self, engine: &TurningEngine, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
-        let mut found = self.violations_between(&self.poses().unwrap_or_default(), engine, watch)?;
+        let mut found = self.violations_between(
+            &self.poses().unwrap_or_default(),
+            engine,
+            engine.conditions().bodies.reach(),
+            watch,
+        )?;
         found.retain(|found| !found.violation.unproved);
         Ok(found)
     }
@@ -126,6 +131,7 @@ impl TrajectoryFile {
         &self,
         states: &[S],
         checker: &V,
+        reach: f64,
         watch: &Watch,
     ) -> Result<Vec<PathViolation>, Error> {
         let mut violations = Vec::new();
@@ -134,7 +140,7 @@ impl TrajectoryFile {
             if checker.motion_valid(&pair[0], &pair[1]) {
                 continue; // many times faster than checking every condition separately
             }
-            let least = -self.deviation(segment).min(RECORDED_OVERLAP);
+            let least = -self.deviation(segment, reach).min(RECORDED_OVERLAP);
             let found = checker.violations(&pair[0], &pair[1]).into_iter();
             let deep = found.filter(|violation| !violation.margin.is_some_and(|margin| margin >= least));
             violations.extend(deep.map(|violation| PathViolation { segment, violation }));
@@ -142,13 +148,18 @@ impl TrajectoryFile {
         Ok(violations)
     }
 
-    /// How far the curve may deviate from the straight line between a sample and the next one, m.
-    fn deviation(&self, segment: usize) -> f64 {
-        let ends = [segment, segment + 1];
-        let [begin, end] = ends.map(|k| Vector::from(self.velocities[k]));
-        let accelerations = ends.map(|k| Vector::from(self.accelerations[k]).norm());
+    /// How far points of the platform within `reach`, m, of its origin may deviate from the motion at constant rates between a
+    /// sample and the next one, m.
+    fn deviation(&self, segment: usize, reach: f64) -> f64 {
         let step = self.times[segment + 1] - self.times[segment];
-        chord_deviation((end - begin).norm(), accelerations[0].max(accelerations[1]), step)
+        let of = |rates: &[[f64; 3]], changes: &[[f64; 3]]| {
+            let ends = [segment, segment + 1];
+            let ([begin, end], changes) =
+                (ends.map(|k| Vector::from(rates[k])), ends.map(|k| Vector::from(changes[k])));
+            chord_deviation((end - begin).norm(), changes[0].norm().max(changes[1].norm()), step)
+        };
+        let turned = self.angular_velocities.as_ref().zip(self.angular_accelerations.as_ref());
+        of(&self.velocities, &self.accelerations) + turned.map_or(0.0, |(rates, changes)| reach * of(rates, changes))
     }
 }
 
@@ -170,7 +181,7 @@ pub struct TrajectoryCorner {
     pub deviation: f64,
     /// When it is passed, s.
     pub time: f64,
-    /// Whether the platform stops because it begins, ends or changes a turn there.
+    /// Whether the platform begins, ends or changes a turn there.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub turn: bool,
 }

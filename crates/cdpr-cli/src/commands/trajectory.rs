@@ -237,6 +237,7 @@ fn limit_words(kind: LimitKind) -> &'static str {
 fn corner_lines(corners: &[TrajectoryCorner]) -> Vec<String> {
     let ways = [
         (CornerKind::Rounded, false, "rounded"),
+        (CornerKind::Rounded, true, "rounded where the platform begins or ends a turn"),
         (CornerKind::Outward, false, "passed outside"),
         (CornerKind::Stop, false, "passed with a stop"),
         (CornerKind::Stop, true, "passed with a stop, since the platform begins or ends a turn there"),

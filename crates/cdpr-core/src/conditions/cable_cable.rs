@@ -262,11 +262,11 @@ impl CableCable {
         let at_i = [height(&first_i), height(&last_i)];
         let at_j = [height(&first_j), height(&last_j)];
         let share = piece.share_along(across);
-        let apart = |room: f64, sag: f64| room - share * sag > 0.0 && room - share * sag >= self.gap - TOUCH_DEPTH;
+        let apart = |room: f64, sag: f64| room - sag > 0.0 && room - sag >= self.gap - TOUCH_DEPTH;
         apart(outlet_j - outlet_i, 0.0)
-            && apart(outlet_j - at_i[0].max(at_i[1]), piece.sag(&i.arm))
-            && apart(at_j[0].min(at_j[1]) - outlet_i, piece.sag(&j.arm))
-            && apart((at_j[0] - at_i[0]).min(at_j[1] - at_i[1]), piece.sag(&(j.arm - i.arm)))
+            && apart(outlet_j - at_i[0].max(at_i[1]), piece.sag_along(&i.arm, share))
+            && apart(at_j[0].min(at_j[1]) - outlet_i, piece.sag_along(&j.arm, share))
+            && apart((at_j[0] - at_i[0]).min(at_j[1] - at_i[1]), piece.sag_along(&(j.arm - i.arm), share))
     }
 
     /// The outlets and attachments of both cables at a pose.

@@ -173,7 +173,7 @@ impl PhysicalCondition for CableObstacle {
         let [from, to] = piece.points(arm);
         let sag = piece.sag(arm);
         let chord = || (Triangle::new(*outlet, from, to), sag);
-        let along = |normal: &Vector| sag * piece.share_along(normal);
+        let along = |normal: &Vector| piece.sag_along(arm, piece.share_along(normal));
         self.demand.kept(chord, [from - outlet, to - outlet], along, &bodies.obstacles[self.body].body)
     }
 

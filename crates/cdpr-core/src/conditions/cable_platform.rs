@@ -169,7 +169,7 @@ impl PhysicalCondition for CablePlatform {
             let share = if shortest > reach { reach / shortest } else { 1.0 };
             (Triangle::new(end, end + from * share, end + to * share), share * sag)
         };
-        let along = |normal: &Vector| sag * normal.cross(&piece.body_axis).norm();
+        let along = |normal: &Vector| piece.sag_seen_along(outlet, normal.cross(&piece.body_axis).norm());
         self.demand.kept(chord, [from, to], along, body)
     }
 

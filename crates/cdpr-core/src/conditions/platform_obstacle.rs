@@ -137,15 +137,15 @@ impl PhysicalCondition for PlatformObstacle {
         let (part, obstacle) = (&bodies.platform[self.part], &bodies.obstacles[self.body].body);
         let reach = bodies.platform_reach[self.part];
         let bounds = Aabb::around(&piece.ends.map(|end| end.position));
-        if bounds.distance(obstacle.aabb()) > self.gap + reach {
+        if bounds.distance(obstacle.aabb()) > self.gap + reach + piece.apart.position {
             return true;
         }
         let wanted = if self.gap > 0.0 { self.gap - TOUCH_DEPTH } else { -self.touch(bodies) };
-        let sag = piece.sag_within(reach);
         let swept = TurnedSweep { body: part, ends: &piece.ends };
-        apart_by(&swept, obstacle, wanted + sag)
+        apart_by(&swept, obstacle, wanted + piece.sag_within(reach))
             || obstacle.facets().iter().any(|face| {
-                face.height(&swept.support(&-face.normal)) >= wanted + sag * piece.share_along(&face.normal)
+                let sag = piece.sag_within_along(reach, piece.share_along(&face.normal));
+                face.height(&swept.support(&-face.normal)) >= wanted + sag
             })
     }
 

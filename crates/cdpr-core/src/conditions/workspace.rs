@@ -99,10 +99,11 @@ impl PhysicalCondition for Workspace {
         let reach = bodies.platform_reach.iter().copied().fold(0.0, f64::max);
         let Aabb { min, max } = &self.limits;
         let room = |point: &Point| (point - min).inf(&(max - point));
-        if piece.ends.iter().all(|end| room(&end.position).min() > reach) {
+        if piece.ends.iter().all(|end| room(&end.position).min() > reach + piece.apart.position) {
             return true;
         }
-        let sags = Vector::from_fn(|axis, _| piece.sag_within(reach) * piece.share_along(&Vector::ith(axis, 1.0)));
+        let share = |axis: usize| piece.share_along(&Vector::ith(axis, 1.0));
+        let sags = Vector::from_fn(|axis, _| piece.sag_within_along(reach, share(axis)));
         let inside = |corner: &Point| (room(corner) - sags).min() >= -TOUCH_DEPTH;
         let mut corners = bodies.platform.iter().flat_map(|part| part.vertices());
         corners.all(|corner| piece.ends.iter().all(|end| inside(&end.point(&corner.coords))))

@@ -257,14 +257,43 @@ impl Turning {
             body_axis: self.body_axis,
             angle: self.angle * share,
             step: self.step * share,
+            apart: Apart::default(),
         }
     }
 }
 
-/// A piece of a [`Turning`].
+/// How far a motion may be from another one at the same time. A vector a of the platform differs by at most `turned` |a| in the
+/// world, and a vector of the world by as much in the frame of the platform.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Apart {
+    /// Of the platform's origin, m.
+    pub position: f64,
+    /// Largest difference of a unit vector of the platform, m/m.
+    pub turned: f64,
+}
+
+impl Apart {
+    /// Of a point at a distance of at most `reach`, m, from the platform's origin, m.
+    #[inline]
+    pub fn of(&self, reach: f64) -> f64 {
+        self.position + self.turned * reach
+    }
+
+    /// Of a point whose vector from the origin is at most as long as the longest of these, m. Motions that are not apart from
+    /// theirs need no lengths.
+    #[inline]
+    fn of_vectors(&self, vectors: &[Vector]) -> f64 {
+        match *self == Apart::default() {
+            true => 0.0,
+            false => self.of(vectors.iter().map(Vector::norm).fold(0.0, f64::max)),
+        }
+    }
+}
+
+/// A piece of a [`Turning`], or all motions that stay within some distance of one.
 ///
 /// A point of the platform at distance ρ from the axis is accelerated by θ² ρ (time from 0 to 1), at right angles to the axis;
-/// so it stays within θ² ρ / 8 of the chord, at the same time.
+/// so it stays within θ² ρ / 8 of the chord, at the same time. What [`Apart`] allows is added, in all directions.
 #[derive(Debug, Clone, Copy)]
 pub struct TurningPiece {
     /// The fractions of the motion between which it lies.
@@ -281,9 +310,16 @@ pub struct TurningPiece {
     pub angle: f64,
     /// The translation, m.
     pub step: Vector,
+    /// How far the platform may be from this motion.
+    pub apart: Apart,
 }
 
 impl TurningPiece {
+    /// The motions that stay this close to the piece.
+    pub fn within(self, apart: Apart) -> Self {
+        TurningPiece { apart, ..self }
+    }
+
     /// Where a point of the platform is at both ends.
     // Here and in hot loops written out, since `map` of arrays is not always inlined.
     #[inline]
@@ -294,16 +330,29 @@ impl TurningPiece {
     /// The most by which a point of the platform deviates from its chord, m.
     #[inline]
     pub fn sag(&self, arm: &Vector) -> f64 {
-        0.125 * self.angle * self.angle * across(arm, &self.body_axis)
+        self.sag_along(arm, 1.0)
+    }
+
+    /// The same along a direction with this [share](TurningPiece::share_along), m.
+    #[inline]
+    pub fn sag_along(&self, arm: &Vector, share: f64) -> f64 {
+        let bent = 0.125 * self.angle * self.angle * across(arm, &self.body_axis);
+        share * bent + self.apart.of_vectors(&[*arm])
     }
 
     /// The most by which any point at a distance of at most `reach`, m, from the platform's origin deviates from its chord, m.
     #[inline]
     pub fn sag_within(&self, reach: f64) -> f64 {
-        0.125 * self.angle * self.angle * reach
+        self.sag_within_along(reach, 1.0)
     }
 
-    /// The share of such deviations that counts along a unit direction of the world.
+    /// The same along a direction with this [share](TurningPiece::share_along), m.
+    #[inline]
+    pub fn sag_within_along(&self, reach: f64, share: f64) -> f64 {
+        0.125 * self.angle * self.angle * reach * share + self.apart.of(reach)
+    }
+
+    /// The share of deviations by the turn that counts along a unit direction of the world.
     #[inline]
     pub fn share_along(&self, direction: &Vector) -> f64 {
         across(direction, &self.axis)
@@ -313,15 +362,23 @@ impl TurningPiece {
     /// accelerated by θ² times its distance from the axis, and by 2 θ times the translation across the axis (Coriolis).
     #[inline]
     pub fn sag_seen(&self, point: &Point) -> f64 {
-        let far = |end: &Placed| across(&(point - end.position), &self.axis);
-        let distance = far(&self.ends[0]).max(far(&self.ends[1]));
-        0.125 * self.angle * (self.angle * distance + 2.0 * across(&self.step, &self.axis))
+        self.sag_seen_along(point, 1.0)
     }
 
-    /// The longest way of a point at a distance of at most `reach`, m, from the platform's origin, m.
+    /// The same along a direction of the platform whose component across the axis is `share`, m.
+    #[inline]
+    pub fn sag_seen_along(&self, point: &Point, share: f64) -> f64 {
+        let lines = [point - self.ends[0].position, point - self.ends[1].position];
+        let distance = across(&lines[0], &self.axis).max(across(&lines[1], &self.axis));
+        let bent = 0.125 * self.angle * (self.angle * distance + 2.0 * across(&self.step, &self.axis));
+        bent * share + self.apart.of_vectors(&lines)
+    }
+
+    /// The longest way of a point at a distance of at most `reach`, m, from the platform's origin, m, and twice the distance that
+    /// it may have from there: half of all this is the most by which it is away from the nearer end.
     #[inline]
     pub fn travel(&self, reach: f64) -> f64 {
-        self.step.norm() + self.angle * reach
+        self.step.norm() + self.angle * reach + 2.0 * self.apart.of(reach)
     }
 }
 

@@ -140,16 +140,15 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
     }
 }
 
-/// The angle is proportional to the progress, whose second derivative is linear in time.
 fn for_each_turn_share(smooth: &Smooth, limits: &Limits, visit: &mut impl FnMut(f64, Bound)) {
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
-    let [_, _, third] = smooth.rates.turn();
+    let [_, _, jerk, snap] = smooth.rates.turn();
     if let Some(limit) = limits.turn_speed {
-        let speed = largest(|motion| motion.angular_velocity.norm()) + smooth.sag(third);
+        let speed = largest(|motion| motion.angular_velocity.norm()) + smooth.sag(jerk);
         visit((speed / limit).powi(2), Bound::TurnSpeed);
     }
     if let Some(limit) = limits.turn_acceleration {
-        let acceleration = largest(|motion| motion.angular_acceleration.norm());
+        let acceleration = largest(|motion| motion.angular_acceleration.norm()) + smooth.sag(snap);
         visit(acceleration / limit, Bound::TurnAcceleration);
     }
 }

@@ -32,11 +32,11 @@ pub struct Corner {
     pub waypoint: usize,
     /// How it is passed.
     pub passing: Passing,
-    /// Largest distance between curve and path there, m.
+    /// Largest distance between curve and path there, m; where the platform turns, of any of its corners and attachments.
     pub deviation: f64,
     /// The parameter of the curve there, m.
     pub at: f64,
-    /// Whether the platform stops because it begins, ends or changes a turn there.
+    /// Whether the platform begins, ends or changes a turn there.
     pub turn: bool,
 }
 
@@ -89,7 +89,7 @@ const SPACING: [f64; 3] = [1.0, 0.6, 0.2];
 /// Share of an outward movement that the rounding may cut off again.
 const CUT_AGAIN: f64 = 0.8;
 /// Number of sizes that are tried: each is half of the one before.
-const SIZES: i32 = 6;
+pub(super) const SIZES: i32 = 6;
 
 /// What is tried at a corner: first the largest deviation inside, then outside, then half of it.
 #[derive(Debug, Clone, Copy)]
@@ -109,18 +109,25 @@ impl Attempt {
     }
 }
 
-/// Pieces along a free path whose deviation is at most `blend`, m, and how they pass each corner.
+/// Pieces along a free path whose deviation is at most `blend`, m, and how they pass each corner. At those ends of the path that
+/// are `joined` to others, half of the first or last line is left.
 ///
 /// # Errors
 /// A path whose waypoints coincide; [`Error::interrupted`], [`Error::out_of_time`].
-pub fn rounded(waypoints: &[Point], blend: f64, free: &FreeSpace, watch: &Watch) -> Result<Part, Error> {
+pub fn rounded(
+    waypoints: &[Point],
+    blend: f64,
+    joined: [bool; 2],
+    free: &FreeSpace,
+    watch: &Watch,
+) -> Result<Part, Error> {
     let path = Waypoints::of(waypoints)?;
     let stop = Attempt(2 * SIZES);
     let mut attempts: Vec<Attempt> =
         (1..path.points.len() - 1).map(|k| if blend > 0.0 && !path.reverses(k) { Attempt(0) } else { stop }).collect();
     loop {
         watch.check()?;
-        let layout = Layout::new(&path, &attempts, blend);
+        let layout = Layout::new(&path, &attempts, blend, joined);
         let failed = layout.failed(free);
         if failed.is_empty() {
             return Ok(layout.part(&path));
@@ -187,7 +194,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(path: &Waypoints, attempts: &[Attempt], blend: f64) -> Self {
+    fn new(path: &Waypoints, attempts: &[Attempt], blend: f64, joined: [bool; 2]) -> Self {
         let mut points = path.points.clone();
         let last = points.len() - 1;
         for (k, attempt) in attempts.iter().enumerate().filter(|(_, a)| a.passing() == Passing::Outward) {
@@ -196,7 +203,8 @@ impl Layout {
         }
         let share = |segment: usize| {
             let length = (points[segment + 1] - points[segment]).norm();
-            if segment == 0 || segment + 1 == last { length } else { 0.5 * length }
+            let ends = segment == 0 && !joined[0] || segment + 1 == last && !joined[1];
+            if ends { length } else { 0.5 * length }
         };
         let mut layout = Layout { lines: Vec::new(), bends: Vec::new(), passings: Vec::new(), deviations: Vec::new() };
         let mut from = points[0];

@@ -1,7 +1,8 @@
 //! The geometric curve that a trajectory follows: straight lines and bends, with continuous curvature. On a line, the platform
-//! may turn as well.
+//! may turn as well, and on bends between such lines ([`TurningBend`]).
 
 use super::attitude::Attitude;
+use super::turning_bend::TurningBend;
 use crate::geometry::{Point, Rotation, Vector};
 
 /// Degree of a bend.
@@ -13,11 +14,12 @@ pub const CONTROL: usize = DEGREE + 1;
 /// the platform turns also a share of its turn; that of a bend differs from its arc length by a few per cent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
-    /// Control points: two of a line, six of a bend.
+    /// See [`Piece::control`].
     control: Vec<Point>,
     /// Coefficients of the powers of the parameter divided by `length`.
     powers: [Vector; CONTROL],
     attitude: Attitude,
+    turning: Option<TurningBend>,
     /// The range of the parameter, m.
     pub length: f64,
     /// Upper bounds of the norms of the first five derivatives with respect to the parameter.
@@ -37,16 +39,17 @@ pub struct Jet {
     pub second: Vector,
     /// Third derivative, 1/m².
     pub third: Vector,
-    /// Derivative of the orientation: the axis of the turn, world axes, times its angle per parameter, rad/m. It does not change
-    /// on a piece.
+    /// Derivative of the orientation: the axis of the turn, world axes, times its angle per parameter, rad/m.
     pub spin: Vector,
+    /// Derivative of that, rad/m²; zero on lines.
+    pub spin_change: Vector,
 }
 
 impl Jet {
     /// First and second derivative of a point of the platform at `arm` from its origin, world axes.
     pub fn of_point(&self, arm: &Vector) -> [Vector; 2] {
         let turning = self.spin.cross(arm);
-        [self.first + turning, self.second + self.spin.cross(&turning)]
+        [self.first + turning, self.second + self.spin.cross(&turning) + self.spin_change.cross(arm)]
     }
 }
 
@@ -58,7 +61,8 @@ impl Piece {
         let mut powers = [Vector::zeros(); CONTROL];
         (powers[0], powers[1]) = (from.coords, step);
         let attitude = Attitude::held(Rotation::identity());
-        Piece { control: vec![from, to], powers, attitude, length, derivative_bounds: [1.0, 0.0, 0.0, 0.0, 0.0] }
+        let derivative_bounds = [1.0, 0.0, 0.0, 0.0, 0.0];
+        Piece { control: vec![from, to], powers, attitude, turning: None, length, derivative_bounds }
     }
 
     /// A straight line on which the platform turns, both at constant rate; the ends may coincide. `length` is the range of the
@@ -68,7 +72,32 @@ impl Piece {
         let mut powers = [Vector::zeros(); CONTROL];
         (powers[0], powers[1]) = (from.coords, step);
         let derivative_bounds = [step.norm() / length, 0.0, 0.0, 0.0, 0.0];
-        Piece { control: vec![from, to], powers, attitude, length, derivative_bounds }
+        Piece { control: vec![from, to], powers, attitude, turning: None, length, derivative_bounds }
+    }
+
+    /// A bend between lines on which the platform may turn.
+    pub fn turning_bend(bend: TurningBend) -> Self {
+        let length = bend.length();
+        let ends = [0.0, length].map(|s| bend.pose(s));
+        let attitude = Attitude::between(ends[0].orientation, ends[1].orientation);
+        Piece {
+            control: ends.map(|end| end.position).to_vec(),
+            powers: [Vector::zeros(); CONTROL],
+            attitude,
+            turning: Some(bend),
+            length,
+            derivative_bounds: bend.position_bounds(),
+        }
+    }
+
+    /// The part of a line between two parameters.
+    pub fn part_of_line(&self, [from, to]: [f64; 2]) -> Self {
+        let [start, end] = [from, to].map(|s| self.at(s));
+        let ends = [start.position, end.position];
+        match self.turns() {
+            true => Piece::turning_line(ends, Attitude::between(start.orientation, end.orientation), to - from),
+            false => Piece::line(ends[0], ends[1]).held_at(start.orientation),
+        }
     }
 
     /// The same piece with the platform held at an orientation.
@@ -76,12 +105,22 @@ impl Piece {
         Piece { attitude: Attitude::held(orientation), ..self }
     }
 
-    /// The orientation of the platform.
+    /// The orientation of the platform; on a bend on which it turns, only that at both ends.
     pub fn attitude(&self) -> &Attitude {
         &self.attitude
     }
 
-    /// Angle of the turn per parameter, rad/m.
+    /// The bend, if the platform may turn on it.
+    pub fn turning(&self) -> Option<&TurningBend> {
+        self.turning.as_ref()
+    }
+
+    /// Whether the platform turns.
+    pub fn turns(&self) -> bool {
+        self.turning.is_some() || self.attitude.turns()
+    }
+
+    /// Angle of the turn per parameter of a line, rad/m.
     pub fn spin(&self) -> f64 {
         self.attitude.angle() / self.length
     }
@@ -105,28 +144,32 @@ impl Piece {
             derivative_bounds[k - 1] = falling * most;
         }
         let attitude = Attitude::held(Rotation::identity());
-        Piece { control: control.to_vec(), powers, attitude, length, derivative_bounds }
+        Piece { control: control.to_vec(), powers, attitude, turning: None, length, derivative_bounds }
     }
 
-    /// Control points: two of a line, six of a bend.
+    /// Control points: two of a line, six of a bend; of a bend on which the platform turns, its two ends.
     pub fn control(&self) -> &[Point] {
         &self.control
     }
 
     /// Whether the piece is a line.
     pub fn is_line(&self) -> bool {
-        self.control.len() == 2
+        self.control.len() == 2 && self.turning.is_none()
     }
 
     /// Position and derivatives at a parameter.
     pub fn at(&self, s: f64) -> Jet {
+        if let Some(bend) = &self.turning {
+            return bend.jet(s);
+        }
         let scale = 1.0 / self.length;
         let u = s * scale;
         let (orientation, spin) = (self.attitude.at(u), self.attitude.axis() * self.spin());
         if self.is_line() {
             let position = Point::from(self.powers[0] + self.powers[1] * u);
             let first = self.powers[1] * scale;
-            return Jet { position, orientation, first, second: Vector::zeros(), third: Vector::zeros(), spin };
+            let zero = Vector::zeros();
+            return Jet { position, orientation, first, second: zero, third: zero, spin, spin_change: zero };
         }
         let [mut value, mut first, mut second, mut third] = [Vector::zeros(); 4];
         for power in self.powers.iter().rev() {
@@ -137,7 +180,8 @@ impl Piece {
         }
         // Horner's scheme leaves the derivatives divided by factorials.
         let (second, third) = (second * (2.0 * scale * scale), third * (6.0 * scale.powi(3)));
-        Jet { position: Point::from(value), orientation, first: first * scale, second, third, spin }
+        let (position, first, spin_change) = (Point::from(value), first * scale, Vector::zeros());
+        Jet { position, orientation, first, second, third, spin, spin_change }
     }
 }
 
@@ -166,7 +210,7 @@ impl Curve {
 
     /// Whether the platform turns somewhere.
     pub fn turns(&self) -> bool {
-        self.pieces.iter().any(|piece| piece.attitude().turns())
+        self.pieces.iter().any(Piece::turns)
     }
 
     /// Its pieces.

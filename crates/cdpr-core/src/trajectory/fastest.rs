@@ -82,7 +82,7 @@ mod tests {
         let grid: Vec<f64> = (0..=100).map(|k| k as f64 / 100.0).collect();
         let ellipse = Ellipse { first: Vector::x(), second: Vector::zeros(), radius: acceleration };
         let row = Row { a: 0.0, b: 1.0, c: speed * speed };
-        let rows = vec![Rows { linear: vec![row], ellipse: Some(ellipse) }; grid.len()];
+        let rows = vec![Rows { linear: vec![row], ellipse: Some(ellipse), turn: None }; grid.len()];
         fastest(&grid, &rows).unwrap()
     }
 

@@ -1,12 +1,14 @@
 //! The motion of the platform at an instant, and bounds of its derivatives during some time.
 //!
 //! With q(s) the curve and s(t) the progress on it, the derivatives of q(s(t)) follow from those of both (Faà di Bruno's
-//! formula). Where the platform turns, its axis is fixed and its angle proportional to s: a vector of the platform at distance ρ
-//! from the axis has derivatives with respect to s of the norms σρ, σ²ρ, σ³ρ, …, with σ the angle per s. An attachment moves as
-//! the platform's origin and such a vector together.
+//! formula). Where the platform turns on a line, its axis is fixed and its angle proportional to s: a vector of the platform at
+//! distance ρ from the axis has derivatives with respect to s of the norms σρ, σ²ρ, σ³ρ, …, with σ the angle per s. On a bend, the
+//! bounds of [`TurningBend`](super::turning_bend::TurningBend) take their place. An attachment moves as the platform's origin and such
+//! a vector together.
 
 use super::curve::{Curve, Piece};
 use super::timing::{Phase, Timing};
+use super::turning_bend::TurnBounds;
 use crate::geometry::{Point, Rotation, Vector};
 
 /// Position, velocity, acceleration and jerk of the platform's origin at an instant, and how the platform turns about it.
@@ -47,7 +49,7 @@ impl Motion {
             acceleration: jet.first * acceleration + jet.second * speed.powi(2),
             jerk: jet.first * jerk + jet.second * (3.0 * speed * acceleration) + jet.third * speed.powi(3),
             angular_velocity: jet.spin * speed,
-            angular_acceleration: jet.spin * acceleration,
+            angular_acceleration: jet.spin * acceleration + jet.spin_change * speed.powi(2),
         }
     }
 
@@ -72,10 +74,29 @@ pub struct Rates {
     pub origin: Derivatives,
     /// Of the first three time derivatives of the progress.
     progress: [f64; 3],
-    /// Angle of the turn per parameter, rad/m.
-    spin: f64,
-    /// Unit axis of the turn, world axes.
-    axis: Vector,
+    turn: Turn,
+}
+
+/// How the platform turns on a piece of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Turn {
+    Held,
+    /// About a unit axis, world, by an angle per parameter, rad/m.
+    Steady {
+        axis: Vector,
+        spin: f64,
+    },
+    Bend(TurnBounds),
+}
+
+impl Turn {
+    fn on(piece: &Piece) -> Self {
+        match piece.turning() {
+            Some(bend) => Turn::Bend(*bend.bounds()),
+            None if piece.turns() => Turn::Steady { axis: *piece.attitude().axis(), spin: piece.spin() },
+            None => Turn::Held,
+        }
+    }
 }
 
 impl Rates {
@@ -86,32 +107,53 @@ impl Rates {
         let s1 = start.speed.abs().max(end.speed.abs()) + time * time / 8.0 * s3;
         let progress = [s1, s2, s3];
         let origin = derivatives(&piece.derivative_bounds, progress);
-        Rates { origin, progress, spin: piece.spin(), axis: *piece.attitude().axis() }
+        Rates { origin, progress, turn: Turn::on(piece) }
     }
 
-    /// Unit axis of the turn, world axes; arbitrary without a turn.
-    pub fn axis(&self) -> &Vector {
-        &self.axis
+    /// Unit axis of the turn, world axes, if it does not change.
+    pub fn axis(&self) -> Option<&Vector> {
+        match &self.turn {
+            Turn::Steady { axis, .. } => Some(axis),
+            Turn::Held | Turn::Bend(_) => None,
+        }
     }
 
     /// Whether the platform turns.
     pub fn turns(&self) -> bool {
-        self.spin > 0.0
+        self.turn != Turn::Held
     }
 
-    /// Of the turn itself: angular speed, acceleration and jerk, rad/s, rad/s², rad/s³.
-    pub fn turn(&self) -> [f64; 3] {
-        self.progress.map(|rate| self.spin * rate)
+    /// Of the angular velocity: itself and its first three time derivatives, rad/s to rad/s⁴.
+    pub fn turn(&self) -> [f64; 4] {
+        let rate = match &self.turn {
+            Turn::Held => return [0.0; 4],
+            Turn::Steady { spin, .. } => [*spin, 0.0, 0.0, 0.0, 0.0],
+            Turn::Bend(bounds) => bounds.rate,
+        };
+        // It is Ω ṡ, with the angular rate Ω per parameter, as a velocity is q′ ṡ.
+        let [speed, acceleration, jerk, snap, _] = derivatives(&rate, self.progress);
+        [speed, acceleration, jerk, snap]
+    }
+
+    /// Of a unit vector of the platform, wherever it points.
+    pub fn unit(&self) -> Derivatives {
+        let by_parameter = match &self.turn {
+            Turn::Held => return [0.0; 5],
+            Turn::Steady { spin, .. } => [1, 2, 3, 4, 5].map(|k| spin.powi(k)),
+            Turn::Bend(bounds) => bounds.vector,
+        };
+        derivatives(&by_parameter, self.progress)
     }
 
     /// Of a vector of the platform, world axes; zero if the platform does not turn.
     pub fn turned(&self, arm: &Vector) -> Derivatives {
-        if !self.turns() {
-            return [0.0; 5];
-        }
-        let reach = arm.cross(&self.axis).norm();
-        let mut by_parameter = [self.spin * reach; 5];
-        (1..5).for_each(|k| by_parameter[k] = by_parameter[k - 1] * self.spin);
+        let Turn::Steady { axis, spin } = &self.turn else {
+            let reach = arm.norm();
+            return self.unit().map(|rate| rate * reach);
+        };
+        let reach = arm.cross(axis).norm();
+        let mut by_parameter = [spin * reach; 5];
+        (1..5).for_each(|k| by_parameter[k] = by_parameter[k - 1] * spin);
         derivatives(&by_parameter, self.progress)
     }
 

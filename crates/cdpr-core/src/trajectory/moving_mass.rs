@@ -5,10 +5,14 @@
 //! m (a + α × c + ω × (ω × c)) and the moment about the origin c × force + I α + ω × (I ω), with I the inertia about the centre of
 //! mass in world axes (Newton and Euler).
 //!
-//! **Between two instants** each of these is bounded by derivatives ([`Rates`]). The angular momentum is I ω = ψ̇ h with ψ the angle
-//! and h = I e; the axis is fixed in the platform as in the world, so h turns as a vector of the platform does. So the
+//! **Between two instants** each of these is bounded by derivatives ([`Rates`]). On a line, the angular momentum is I ω = ψ̇ h with ψ
+//! the angle and h = I e; the axis is fixed in the platform as in the world, so h turns as a vector of the platform does. So the
 //! second derivative of its rate is that of the fourth order of such a vector, at the distance of h from the axis, in kg·m².
 //! A product such as c × force has the second derivative c″ × f + 2 c′ × f′ + c × f″.
+//!
+//! On a bend, the axis changes. The second derivative of the rate of I ω is I ω‴ + 3 I′ ω″ + 3 I″ ω′ + I‴ ω. With I = R (m 1 + D) Rᵀ and
+//! m the middle between the smallest and the largest principal moment, only R D Rᵀ changes. Its norm is half of their difference, and its
+//! derivatives are bounded by Σ C(k, j) ρ⁽ʲ⁾ ρ⁽ᵏ⁻ʲ⁾ times that, with the bounds ρ⁽ʲ⁾ of the derivatives of unit vectors of the platform.
 
 use std::borrow::Cow;
 
@@ -199,7 +203,7 @@ impl MovingMass {
         let nothing = Vector::zeros();
         let demand = |jet: &Jet| {
             let by_u = self.wrench(&jet.orientation, &jet.first, [&jet.spin, &nothing]);
-            (jet.position, [by_u, self.wrench(&jet.orientation, &jet.second, [&nothing, &jet.spin])])
+            (jet.position, [by_u, self.wrench(&jet.orientation, &jet.second, [&jet.spin_change, &jet.spin])])
         };
         let demands: Vec<Demand> = jets.iter().map(demand).collect();
         let orientations: Vec<Rotation> = jets.iter().map(|jet| jet.orientation).collect();
@@ -324,11 +328,23 @@ impl MovingMass {
             return heaviness * fourth;
         }
         let [swing, jolt, ..] = rates.turned(&center);
-        let momentum = self.inertia_times(&motion.orientation, rates.axis());
-        let [.., turned, _] = rates.turned(&momentum);
+        let turned = self.momentum_derivative(motion, rates);
         let weight = self.loads.gravity.norm() * self.mass;
         let moment = jolt * (self.mass * second + weight) + 2.0 * swing * self.mass * third + turned;
         heaviness * fourth + moment / length
+    }
+
+    /// A bound of the third time derivative of the angular momentum, N·m/s².
+    fn momentum_derivative(&self, motion: &Motion, rates: &Rates) -> f64 {
+        if let Some(axis) = rates.axis() {
+            let [.., turned, _] = rates.turned(&self.inertia_times(&motion.orientation, axis));
+            return turned;
+        }
+        let ([u1, u2, u3, ..], [w0, w1, w2, w3]) = (rates.unit(), rates.turn());
+        let moments = self.inertia.symmetric_eigenvalues();
+        let spread = 0.5 * (moments.max() - moments.min());
+        let change = [2.0 * u1, 2.0 * (u2 + u1 * u1), 2.0 * u3 + 6.0 * u1 * u2].map(|rate| spread * rate);
+        moments.max() * w3 + 3.0 * (change[0] * w2 + change[1] * w1) + change[2] * w0
     }
 
     /// Lengths of the cables, m.
@@ -385,5 +401,52 @@ impl MovingMass {
             return 0.0;
         }
         squares.iter().filter(counts).fold(f64::INFINITY, |least, square| least.min(*square)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::model::{InertiaSpec, RobotSource};
+    use crate::testing::empty;
+    use crate::trajectory::curve::{Curve, Piece};
+    use crate::trajectory::timing::Phase;
+    use crate::trajectory::turning_bend::TurningBend;
+
+    /// What must be balanced changes on a bend no faster than bounded.
+    #[test]
+    fn the_second_derivative_of_what_is_balanced_on_a_bend_is_bounded() {
+        let mut spec = empty().spec().clone();
+        let RobotSource::Inline(robot) = &mut spec.robot else { panic!("testing scenes have their robot inline") };
+        (robot.mass, robot.center_of_mass) = (Some(10.0), Some([0.02, -0.01, 0.015]));
+        robot.inertia = Some(InertiaSpec::Diagonal([0.3, 0.5, 0.7]));
+        let scene = Scene::new(spec).unwrap();
+        let start = Pose::new(Point::new(1.1, 0.9, 1.0), Rotation::from_scaled_axis(Vector::new(0.1, -0.2, 0.3)));
+        let mass = MovingMass::turning(&scene, &Limits::default(), &start).unwrap().unwrap();
+        let mut rng = ChaCha8Rng::seed_from_u64(6);
+        let mut closest = 0.0_f64;
+        for _ in 0..300 {
+            let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
+            let corner = Pose::new(start.position + any(0.3), Rotation::from_scaled_axis(any(0.5)));
+            let bend = TurningBend::new(corner, [any(1.0), any(1.0)], [any(5.0), any(5.0)], 0.1 + any(0.3).x.abs());
+            let curve = Curve::new(vec![Piece::turning_bend(bend)]);
+            let [s, speed, acceleration, jerk] = [0.4 * bend.length(), 0.5, any(1.0).x, any(5.0).x];
+            let (phase, time, h) = (Phase { time: 0.0, s, speed, acceleration, jerk }, 0.02, 1e-3);
+            let needed = |t: f64| {
+                let motion = Motion::on(&curve, 0, &phase.after(t));
+                mass.statics_at(&motion.orientation).balance() + mass.wrench_of(&motion)
+            };
+            let rates = Rates::new(&curve.pieces()[0], &phase, &phase.after(time), time);
+            let bound = mass.second_derivative(&Motion::on(&curve, 0, &phase), &rates);
+            for t in [0.002, 0.01, 0.018] {
+                let found = ((needed(t + h) - needed(t) * 2.0 + needed(t - h)) / (h * h)).norm();
+                assert!(found <= bound * (1.0 + 1e-6), "{found} {bound}");
+                closest = closest.max(found / bound);
+            }
+        }
+        assert!(closest > 0.1, "{closest}");
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! With q(s) the curve and s(t) the progress on it, velocity and acceleration are q' ṡ and q' s̈ + q'' ṡ². So at each
 //! parameter every limit but that of jerk is linear in (u, x) = (s̈, ṡ²), or an ellipse (the norm of the acceleration). The same
-//! holds where the platform turns, since its axis is fixed and its angle proportional to s. Standing still, (0, 0), keeps all of them.
+//! holds where the platform turns, with the angular rate Ω per parameter: velocity and acceleration are Ω ṡ and Ω s̈ + Ω' ṡ². Standing
+//! still, (0, 0), keeps all of them.
 //!
 //! Source: J. E. Bobrow, S. Dubowsky and J. S. Gibson, "Time-optimal control of robotic manipulators along specified paths",
 //! International Journal of Robotics Research 4(3), 1985; tensions as facets of the available wrench set as in
@@ -49,6 +50,8 @@ pub struct Rows {
     pub linear: Vec<Row>,
     /// The limit of the platform's acceleration, if there is one.
     pub ellipse: Option<Ellipse>,
+    /// That of its angular acceleration where the angular rate changes.
+    pub turn: Option<Ellipse>,
 }
 
 impl Rows {
@@ -76,7 +79,11 @@ impl Rows {
     /// Whether they limit how fast the progress accelerates.
     pub fn limits_acceleration(&self) -> bool {
         let linear = self.linear.iter().any(|row| row.a.abs() * LARGEST > row.c);
-        self.ellipse.as_ref().is_some_and(|ellipse| ellipse.first.norm() * LARGEST > ellipse.radius) || linear
+        self.ellipses().any(|ellipse| ellipse.first.norm() * LARGEST > ellipse.radius) || linear
+    }
+
+    fn ellipses(&self) -> impl Iterator<Item = &Ellipse> {
+        self.ellipse.iter().chain(&self.turn)
     }
 
     /// All limits at a place but those of tensions.
@@ -90,8 +97,11 @@ impl Rows {
             linear.push(Row { a: 0.0, b: 1.0, c: (jerk / jet.third.norm()).powf(2.0 / 3.0) });
         }
         if jet.spin != Vector::zeros() {
-            linear.extend(turn_rows(jet.spin.norm(), limits));
+            linear.extend(turn_rows(jet, limits));
         }
+        let changes = |_: &f64| jet.spin_change != Vector::zeros();
+        let turn = limits.turn_acceleration.filter(changes);
+        let turn = turn.and_then(|most| Ellipse::limiting([jet.spin, jet.spin_change], most, &mut linear));
         for cable in winches.cables() {
             let arm = cable.arm(&jet.orientation);
             let [first, second] = jet.of_point(&arm);
@@ -107,25 +117,25 @@ impl Rows {
                 linear.push(Row { a: -rate, b: -bend, c: most });
             }
         }
-        // A turn on the spot does not accelerate the platform's origin.
-        let moves = jet.first.norm_squared() > 0.0;
-        let ellipse = limits.acceleration.filter(|_| moves);
-        let ellipse = ellipse.map(|radius| Ellipse { first: jet.first, second: jet.second, radius });
-        Rows { linear, ellipse }
+        let ellipse = limits.acceleration;
+        let ellipse = ellipse.and_then(|most| Ellipse::limiting([jet.first, jet.second], most, &mut linear));
+        Rows { linear, ellipse, turn }
     }
 
     /// The same limits, divided by a factor: motions that keep them may exceed them by the factor, in forces and squared
     /// speeds.
     pub fn tighten(&mut self, factor: f64) {
         self.linear.iter_mut().for_each(|row| row.c /= factor);
-        self.ellipse.iter_mut().for_each(|ellipse| ellipse.radius /= factor);
+        self.ellipse.iter_mut().chain(&mut self.turn).for_each(|ellipse| ellipse.radius /= factor);
     }
 }
 
-/// The limits of angular speed and acceleration where the platform turns by this angle per parameter, rad/m.
-fn turn_rows(spin: f64, limits: &Limits) -> impl Iterator<Item = Row> {
+/// The limits of angular speed and, where the angular rate does not change, acceleration.
+fn turn_rows(jet: &Jet, limits: &Limits) -> impl Iterator<Item = Row> {
+    let (spin, steady) = (jet.spin.norm(), jet.spin_change == Vector::zeros());
     let speed = limits.turn_speed.map(|speed| Row { a: 0.0, b: spin * spin, c: speed * speed });
-    let acceleration = limits.turn_acceleration.map(|most| [spin, -spin].map(|a| Row { a, b: 0.0, c: most }));
+    let acceleration =
+        limits.turn_acceleration.filter(|_| steady).map(|most| [spin, -spin].map(|a| Row { a, b: 0.0, c: most }));
     speed.into_iter().chain(acceleration.into_iter().flatten())
 }
 
@@ -140,7 +150,7 @@ pub struct Interval {
     upper: Vec<[f64; 2]>,
     /// u ≥ α − β x: lower limits.
     lower: Vec<[f64; 2]>,
-    ellipses: [Option<Ellipse>; 2],
+    ellipses: [Option<Ellipse>; 4],
     /// The largest x that rows without u allow.
     most: f64,
 }
@@ -170,7 +180,7 @@ impl Interval {
         self.push(2.0 * step, 1.0, reach);
         self.push(-2.0 * step, -1.0, 0.0);
         let moved = |ellipse: Ellipse| Ellipse { first: ellipse.first + ellipse.second * (2.0 * step), ..ellipse };
-        self.ellipses = [first.ellipse, second.ellipse.map(moved)];
+        self.ellipses = [first.ellipse, second.ellipse.map(moved), first.turn, second.turn.map(moved)];
         for ellipse in self.ellipses.iter().flatten() {
             self.most = self.most.min(ellipse.widest());
         }
@@ -261,6 +271,18 @@ const LARGEST: f64 = 1e12;
 const ROOT: f64 = 1e-13;
 
 impl Ellipse {
+    /// The limit of first u + second x. Without a first vector, as at a turn on the spot, u has no effect: what is left is a row.
+    fn limiting([first, second]: [Vector; 2], radius: f64, linear: &mut Vec<Row>) -> Option<Self> {
+        if first.norm_squared() > 0.0 {
+            return Some(Ellipse { first, second, radius });
+        }
+        let bend = second.norm();
+        if bend > 0.0 {
+            linear.push(Row { a: 0.0, b: bend, c: radius });
+        }
+        None
+    }
+
     /// The largest x that it allows.
     fn widest(&self) -> f64 {
         // The part of `second` across `first`, which no u can compensate.

@@ -47,11 +47,28 @@ impl Stretch {
             watch.check()?;
             rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
         }
-        if !rows.iter().any(Rows::limits_acceleration) {
-            return Err(unlimited(&jets[0].position));
+        if let Some(k) = unlimited_from(curve, &places, &rows) {
+            return Err(unlimited(&jets[k].position));
         }
         Ok(Stretch { grid: places.into_iter().map(|(_, s)| s).collect(), rows })
     }
+}
+
+/// The first place of a stretch on which nothing limits how fast the progress accelerates: the whole stretch, or a line on which the
+/// platform turns.
+fn unlimited_from(curve: &Curve, places: &[(usize, f64)], rows: &[Rows]) -> Option<usize> {
+    if !rows.iter().any(Rows::limits_acceleration) {
+        return Some(0);
+    }
+    let (mut start, turns) = (0, |piece: usize| curve.pieces()[piece].turns());
+    for some in places.chunk_by(|a, b| a.0 == b.0) {
+        let own = start..start + some.len();
+        if turns(some[0].0) && !rows[own.clone()].iter().any(Rows::limits_acceleration) {
+            return Some(own.start);
+        }
+        start = own.end;
+    }
+    None
 }
 
 impl<'a> Schedule<'a> {

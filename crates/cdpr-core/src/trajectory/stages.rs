@@ -1,9 +1,9 @@
-//! The curve along a path of poses: parts at one orientation, whose corners are rounded, and turns, between which the platform
-//! stops.
+//! The curve along a path of poses: parts at one orientation, whose corners are rounded, and turns.
 //!
 //! A motion between two poses turns about a fixed axis at a constant rate per length. At a waypoint where a turn begins, ends or
-//! changes, this rate jumps, as the direction does at a corner. So the platform stops there. Waypoints that the motion between their
-//! neighbours passes anyway change nothing.
+//! changes, this rate jumps, as the direction does at a corner. So a bend leads from one to the other
+//! ([`turning_corners`](super::turning_corners)), or the platform stops there. Waypoints that the motion between their neighbours passes
+//! anyway change nothing.
 
 use std::ops::Range;
 
@@ -11,6 +11,7 @@ use super::attitude::Attitude;
 use super::corners::{Corner, Part, PartCorner, Passing, rounded};
 use super::curve::{Curve, Piece};
 use super::free_space::FreeSpace;
+use super::turning_corners::rounded_turns;
 use crate::collision::{Engine, Interference, Validity};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, wxyz};
@@ -29,8 +30,8 @@ enum Stage {
     Turn(usize, usize),
 }
 
-/// The curve along a path of poses, which must be free, and how it passes each corner. Corners at one orientation deviate by at
-/// most `blend`, m. `engine` proves turns that pass several waypoints.
+/// The curve along a path of poses, which must be free, and how it passes each corner. Bends deviate by at most `blend`, m.
+/// `engine` proves turns that pass several waypoints.
 ///
 /// # Errors
 /// A path that does not move; [`Error::interrupted`], [`Error::out_of_time`].
@@ -43,9 +44,13 @@ pub fn along_poses(
 ) -> Result<(Curve, Vec<Corner>), Error> {
     let mut whole = Part::default();
     let mut reached = 0;
-    for stage in stages(poses, |from, to| engine.motion_valid(from, to)) {
-        let (part, first, last) = match &stage {
-            Stage::Held(range) => (held(scene, &poses[range.clone()], blend, watch)?, range.start, range.end - 1),
+    let stages = stages(poses, |from, to| engine.motion_valid(from, to));
+    for (k, stage) in stages.iter().enumerate() {
+        let joined = [k > 0, k + 1 < stages.len()];
+        let (part, first, last) = match stage {
+            Stage::Held(range) => {
+                (held(scene, &poses[range.clone()], blend, joined, watch)?, range.start, range.end - 1)
+            }
             Stage::Turn(from, to) => (turn(scene, &poses[*from], &poses[*to]), *from, *to),
         };
         if !whole.pieces.is_empty() && !part.pieces.is_empty() {
@@ -60,7 +65,7 @@ pub fn along_poses(
     if whole.pieces.is_empty() {
         return Err(Error::invalid("waypoints", "found only one pose, expected a path that moves"));
     }
-    Ok(whole.curve())
+    Ok(rounded_turns(scene, whole, blend, watch)?.curve())
 }
 
 /// The stages of a path, in order; neighbours share a waypoint. The first and the last one are at one orientation. A turn that
@@ -111,8 +116,9 @@ fn is_one_turn(poses: &[Pose]) -> bool {
     })
 }
 
-/// Lines and bends at the orientation of the first of these poses; nothing if they do not move.
-fn held(scene: &Scene, poses: &[Pose], blend: f64, watch: &Watch) -> Result<Part, Error> {
+/// Lines and bends at the orientation of the first of these poses; nothing if they do not move. Turns are `joined` to the start and
+/// the end.
+fn held(scene: &Scene, poses: &[Pose], blend: f64, joined: [bool; 2], watch: &Watch) -> Result<Part, Error> {
     let points: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
     if !points.iter().any(|point| (point - points[0]).norm() > SAME_POINT) {
         return Ok(Part::default());
@@ -123,7 +129,7 @@ fn held(scene: &Scene, poses: &[Pose], blend: f64, watch: &Watch) -> Result<Part
     }
     let bare = at_orientation(scene, orientation)?.without_clearance()?;
     let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
-    let part = rounded(&points, blend, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
+    let part = rounded(&points, blend, joined, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
     Ok(Part { pieces: part.pieces.into_iter().map(|piece| piece.held_at(*orientation)).collect(), ..part })
 }
 

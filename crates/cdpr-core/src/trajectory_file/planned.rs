@@ -9,6 +9,7 @@ use crate::model::{Scene, body};
 use crate::numerics::MOST_SAMPLES;
 use crate::path_file::SceneId;
 use crate::trajectory::timing::{Phase, Timing};
+use crate::trajectory::turning_bend::TurningBend;
 use crate::trajectory::{Attitude, Bound, Curve, Motion, Passing, Sample, Trajectory, curve};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
@@ -156,9 +157,14 @@ fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
 }
 
 /// Lines as `{"line": [from, to]}`, bends as `{"bend": [six control points]}`, m; if the platform turns somewhere, with the
-/// `orientations` at both ends and, where it does, the `length` of the parameter, m.
+/// `orientations` at both ends and, where it does, the `length` of the parameter, m. Bends from one turn to another are
+/// `{"turning_bend": [position, orientation]}` of the waypoint, with the rates of both along the lines before and after it,
+/// `velocities`, m/m, and `spins`, rad/m, and the `length`.
 fn exact_curve(curve: &Curve, turns: bool) -> Value {
     let piece = |piece: &curve::Piece| {
+        if let Some(bend) = piece.turning() {
+            return exact_bend(bend);
+        }
         let control: Vec<[f64; 3]> = piece.control().iter().map(|point| (*point).into()).collect();
         let mut json = if piece.is_line() { json!({ "line": control }) } else { json!({ "bend": control }) };
         if turns {
@@ -170,6 +176,12 @@ fn exact_curve(curve: &Curve, turns: bool) -> Value {
         json
     };
     curve.pieces().iter().map(piece).collect()
+}
+
+fn exact_bend(bend: &TurningBend) -> Value {
+    let corner = json!([<[f64; 3]>::from(bend.corner().position), wxyz(&bend.corner().orientation)]);
+    let [velocities, spins] = [bend.velocities(), bend.spins()].map(|rates| rates.map(<[f64; 3]>::from));
+    json!({ "turning_bend": corner, "velocities": velocities, "spins": spins, "length": bend.length() })
 }
 
 /// Rows of time, s, and the parameter of the curve with its first three derivatives then, m, m/s, m/s², m/s³.
@@ -209,6 +221,9 @@ fn strange(place: &str) -> Error {
 
 /// A piece; where it has no orientations, the platform is held at this one.
 fn read_piece(piece: &Value, held: &Rotation) -> Option<curve::Piece> {
+    if let Some(corner) = piece.get("turning_bend") {
+        return read_bend(corner, piece);
+    }
     let points = |key: &str| serde_json::from_value::<Vec<[f64; 3]>>(piece.get(key)?.clone()).ok();
     let attitude = match piece.get("orientations") {
         Some(ends) => {
@@ -221,7 +236,7 @@ fn read_piece(piece: &Value, held: &Rotation) -> Option<curve::Piece> {
     if let Some([from, to]) = points("line").as_deref() {
         let (from, to): (Point, Point) = ((*from).into(), (*to).into());
         if attitude.turns() {
-            let length = piece.get("length")?.as_f64().filter(|length| *length > 0.0 && length.is_finite())?;
+            let length = read_length(piece)?;
             return Some(curve::Piece::turning_line([from, to], attitude, length));
         }
         let line = || curve::Piece::line(from, to).held_at(attitude.ends()[0]);
@@ -230,4 +245,19 @@ fn read_piece(piece: &Value, held: &Rotation) -> Option<curve::Piece> {
     let control: [[f64; 3]; curve::CONTROL] = points("bend")?.try_into().ok()?;
     let bend = || curve::Piece::bend(control.map(Point::from)).held_at(attitude.ends()[0]);
     (control[0] != control[1] && !attitude.turns()).then(bend)
+}
+
+/// A bend from one turn to another.
+fn read_bend(corner: &Value, piece: &Value) -> Option<curve::Piece> {
+    let (position, orientation) = serde_json::from_value::<([f64; 3], [f64; 4])>(corner.clone()).ok()?;
+    body::unit_quaternion("", orientation).ok()?;
+    let rates = |key: &str| serde_json::from_value::<[[f64; 3]; 2]>(piece.get(key)?.clone()).ok();
+    let (velocities, spins) = (rates("velocities")?.map(Vector::from), rates("spins")?.map(Vector::from));
+    let corner = Pose::new(position.into(), rotation_as_written(orientation));
+    Some(curve::Piece::turning_bend(TurningBend::new(corner, velocities, spins, read_length(piece)?)))
+}
+
+/// The range of the parameter of a piece, m.
+fn read_length(piece: &Value) -> Option<f64> {
+    piece.get("length")?.as_f64().filter(|length| *length > 0.0 && length.is_finite())
 }

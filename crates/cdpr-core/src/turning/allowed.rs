@@ -42,6 +42,17 @@ impl AllowedTurns {
         self.line.dot(&at.turned(&self.line)) >= self.cosine
     }
 
+    /// Unit direction of the line at the orientation of the scene, world.
+    pub fn line(&self) -> &Vector {
+        &self.line
+    }
+
+    /// Whether all poses keep it at which the line is turned by at most `by`, rad, farther than at this one.
+    pub fn keeps_within(&self, at: &Placed, by: f64) -> bool {
+        let turned = self.line.dot(&at.turned(&self.line)).clamp(-1.0, 1.0);
+        libm::acos(turned) + by <= libm::acos(self.cosine)
+    }
+
     /// Whether a motion keeps it, in closed form.
     pub fn keeps(&self, motion: &Turning) -> bool {
         motion.least_along(&self.line) >= self.cosine
