@@ -15,6 +15,7 @@ pub mod corners;
 pub mod curve;
 pub mod fastest;
 mod free_space;
+pub mod jet;
 mod kept;
 mod limits;
 pub mod motion;

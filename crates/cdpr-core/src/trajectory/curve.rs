@@ -2,6 +2,7 @@
 //! may turn as well, and on bends between such lines ([`TurningBend`]).
 
 use super::attitude::Attitude;
+use super::jet::Jet;
 use super::turning_bend::TurningBend;
 use crate::geometry::{Point, Rotation, Vector};
 
@@ -24,33 +25,6 @@ pub struct Piece {
     pub length: f64,
     /// Upper bounds of the norms of the first five derivatives with respect to the parameter.
     pub derivative_bounds: [f64; DEGREE],
-}
-
-/// A position on a curve and its derivatives with respect to the parameter.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Jet {
-    /// The position, m.
-    pub position: Point,
-    /// Orientation of the platform.
-    pub orientation: Rotation,
-    /// First derivative; its norm is 1 on lines on which the platform does not turn.
-    pub first: Vector,
-    /// Second derivative, 1/m.
-    pub second: Vector,
-    /// Third derivative, 1/m².
-    pub third: Vector,
-    /// Derivative of the orientation: the axis of the turn, world axes, times its angle per parameter, rad/m.
-    pub spin: Vector,
-    /// Derivative of that, rad/m²; zero on lines.
-    pub spin_change: Vector,
-}
-
-impl Jet {
-    /// First and second derivative of a point of the platform at `arm` from its origin, world axes.
-    pub fn of_point(&self, arm: &Vector) -> [Vector; 2] {
-        let turning = self.spin.cross(arm);
-        [self.first + turning, self.second + self.spin.cross(&turning) + self.spin_change.cross(arm)]
-    }
 }
 
 impl Piece {

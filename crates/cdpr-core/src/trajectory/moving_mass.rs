@@ -18,7 +18,7 @@ use std::borrow::Cow;
 
 use nalgebra::{Matrix3, Matrix6, Matrix6xX, Vector6};
 
-use super::curve::Jet;
+use super::jet::Jet;
 use super::limits::Limits;
 use super::motion::{Motion, Rates};
 use crate::error::Error;

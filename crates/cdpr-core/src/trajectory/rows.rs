@@ -9,7 +9,7 @@
 //! International Journal of Robotics Research 4(3), 1985; tensions as facets of the available wrench set as in
 //! [`crate::wrench::zonotope`].
 
-use super::curve::Jet;
+use super::jet::Jet;
 use super::limits::Limits;
 use super::winches::Winches;
 use crate::geometry::Vector;

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use super::between::{BETWEEN_CHECKS, not_held, shares, tension_shares, without_tensions};
 use super::corners::{Corner, Passing};
-use super::curve::{Curve, Jet};
+use super::curve::Curve;
 use super::fastest::{fastest, grid};
+use super::jet::Jet;
 use super::limits::Limits;
 use super::rows::Rows;
 use super::timing::Timing;

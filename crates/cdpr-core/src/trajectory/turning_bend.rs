@@ -18,7 +18,7 @@
 //! is between 0 and 1. A unit vector of the platform has the first derivative Ω × a; the bounds of the others follow by the
 //! product rule.
 
-use super::curve::Jet;
+use super::jet::Jet;
 use crate::geometry::{Apart, Point, Pose, Rotation, TurningPiece, Vector, turn_about};
 
 /// A bend between two lines on which the platform may turn.

@@ -1,6 +1,6 @@
 //! The cables of a robot during a motion: lengths, speeds, accelerations and tensions.
 
-use super::curve::Jet;
+use super::jet::Jet;
 use super::limits::Limits;
 use super::motion::Motion;
 use super::moving_mass::MovingMass;
