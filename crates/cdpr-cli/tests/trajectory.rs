@@ -204,8 +204,11 @@ fn a_turning_path_is_planned_timed_checked_and_shown() {
         cdpr_in(at, &[&["plan", &turn, "-o", "path.json", "--trajectory", "motion.json"][..], &TURNING].concat());
     assert_eq!(status(&planned), 0, "{}", stderr(&planned));
     let said = stdout(&planned);
-    assert!(said.contains("passed with a stop, since the platform begins or ends a turn there: "), "{said}");
-    assert!(said.contains("rounded where the platform begins or ends a turn: waypoints "), "{said}");
+    assert!(said.contains("passed with a stop, since no curve within --blend is proved free there: "), "{said}");
+    assert!(said.contains(" corners rounded: waypoints "), "{said}");
+    let sharp = cdpr_in(at, &[&["trajectory", &turn, "path.json"], &TURNING[..4], &TURNING[6..]].concat());
+    let said = stdout(&sharp);
+    assert!(said.contains(" corners passed with a stop; with --blend they may be rounded: waypoints 1, 2"), "{said}");
     let timed = cdpr_in(at, &[&["trajectory", &turn, "path.json", "-o", "again.json"][..], &TURNING].concat());
     assert_eq!(status(&timed), 0, "{}", stderr(&timed));
     let [first, again] = ["motion.json", "again.json"].map(|name| fs::read_to_string(at.join(name)).unwrap());

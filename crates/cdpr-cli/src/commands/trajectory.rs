@@ -143,7 +143,7 @@ impl Timed {
         let rest = format!(" {} s along {} m, {}", short(*duration), short(*length), count(times.len(), "sample"));
         out.verdict(&Verdict::yes("timed:", rest));
         self.choice.iter().for_each(|choice| out.result(&choice.sentence()));
-        corner_lines(&self.file.corners).iter().for_each(|line| out.result(line));
+        corner_lines(&self.file.corners, self.file.limits.blend).iter().for_each(|line| out.result(line));
         let shares = self.shares();
         if !shares.is_empty() {
             let words = |(kind, share): &(LimitKind, f64)| format!("{} {:.0} %", limit_words(*kind), 100.0 * share);
@@ -234,15 +234,13 @@ fn limit_words(kind: LimitKind) -> &'static str {
 }
 
 /// How corners are passed: one line for each way.
-fn corner_lines(corners: &[TrajectoryCorner]) -> Vec<String> {
-    let ways = [
-        (CornerKind::Rounded, false, "rounded"),
-        (CornerKind::Rounded, true, "rounded where the platform begins or ends a turn"),
-        (CornerKind::Outward, false, "passed outside"),
-        (CornerKind::Stop, false, "passed with a stop"),
-        (CornerKind::Stop, true, "passed with a stop, since the platform begins or ends a turn there"),
-    ];
-    ways.into_iter().filter_map(|(kind, turn, words)| corner_line(corners, (kind, turn), words)).collect()
+fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
+    let stop = match blend > 0.0 {
+        true => "passed with a stop, since no curve within --blend is proved free there",
+        false => "passed with a stop; with --blend they may be rounded",
+    };
+    let ways = [(CornerKind::Rounded, "rounded"), (CornerKind::Outward, "passed outside"), (CornerKind::Stop, stop)];
+    ways.into_iter().filter_map(|(kind, words)| corner_line(corners, kind, words)).collect()
 }
 
 /// Limits that determine the motion for less than this share of the time are not printed.
@@ -251,9 +249,8 @@ const LEAST_SHARE: f64 = 0.005;
 /// Waypoints named in a line.
 const MOST_NAMED: usize = 8;
 
-fn corner_line(corners: &[TrajectoryCorner], (kind, turn): (CornerKind, bool), words: &str) -> Option<String> {
-    let of_kind = |corner: &&TrajectoryCorner| corner.kind == kind && corner.turn == turn;
-    let found: Vec<&TrajectoryCorner> = corners.iter().filter(of_kind).collect();
+fn corner_line(corners: &[TrajectoryCorner], kind: CornerKind, words: &str) -> Option<String> {
+    let found: Vec<&TrajectoryCorner> = corners.iter().filter(|corner| corner.kind == kind).collect();
     let deviation = found.iter().map(|corner| corner.deviation).fold(0.0, f64::max);
     let names: Vec<String> = found.iter().take(MOST_NAMED).map(|corner| corner.waypoint.to_string()).collect();
     let more = if found.len() > MOST_NAMED { " and more" } else { "" };
