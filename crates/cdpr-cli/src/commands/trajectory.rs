@@ -144,13 +144,7 @@ impl Timed {
         out.verdict(&Verdict::yes("timed:", rest));
         self.choice.iter().for_each(|choice| out.result(&choice.sentence()));
         corner_lines(&self.file.corners, self.file.limits.blend).iter().for_each(|line| out.result(line));
-        let shares = self.shares();
-        if !shares.is_empty() {
-            let words = |(kind, share): &(LimitKind, f64)| format!("{} {:.0} %", limit_words(*kind), 100.0 * share);
-            let list =
-                shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect::<Vec<_>>().join(", ");
-            out.result(&format!("limited by: {list} of the time"));
-        }
+        limited_by(&self.shares()).iter().for_each(|line| out.result(line));
         self.note.iter().chain(&self.assumption).for_each(|note| out.note(note));
     }
 
@@ -243,6 +237,13 @@ fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
     ways.into_iter().filter_map(|(kind, words)| corner_line(corners, kind, words)).collect()
 }
 
+/// Which limits determine the motion; nothing if none does for long enough to be named.
+fn limited_by(shares: &[(LimitKind, f64)]) -> Option<String> {
+    let words = |(kind, share): &(LimitKind, f64)| format!("{} {:.0} %", limit_words(*kind), 100.0 * share);
+    let list: Vec<String> = shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect();
+    (!list.is_empty()).then(|| format!("limited by: {} of the time", list.join(", ")))
+}
+
 /// Limits that determine the motion for less than this share of the time are not printed.
 const LEAST_SHARE: f64 = 0.005;
 
@@ -262,4 +263,17 @@ fn corner_line(corners: &[TrajectoryCorner], kind: CornerKind, words: &str) -> O
     let line =
         || format!("{} {words}: {waypoints} {}{more}{deviation}", count(found.len(), "corner"), names.join(", "));
     (!found.is_empty()).then(line)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_hardly_ever_determine_the_motion_are_not_named() {
+        assert_eq!(limited_by(&[]), None);
+        assert_eq!(limited_by(&[(LimitKind::Jerk, 0.001)]), None);
+        let both = limited_by(&[(LimitKind::Speed, 0.5), (LimitKind::Jerk, 0.001)]);
+        assert_eq!(both.unwrap(), format!("limited by: {} 50 % of the time", limit_words(LimitKind::Speed)));
+    }
 }

@@ -179,8 +179,14 @@ impl Interval {
         }
         self.push(2.0 * step, 1.0, reach);
         self.push(-2.0 * step, -1.0, 0.0);
-        let moved = |ellipse: Ellipse| Ellipse { first: ellipse.first + ellipse.second * (2.0 * step), ..ellipse };
-        self.ellipses = [first.ellipse, second.ellipse.map(moved), first.turn, second.turn.map(moved)];
+        // Where an angular rate turns back, nothing may be left of its first vector.
+        let mut rows = Vec::new();
+        let mut moved = |Ellipse { first, second, radius }| {
+            Ellipse::limiting([first + second * (2.0 * step), second], radius, &mut rows)
+        };
+        let later = [second.ellipse, second.turn].map(|ellipse| ellipse.and_then(&mut moved));
+        self.ellipses = [first.ellipse, later[0], first.turn, later[1]];
+        rows.iter().for_each(|row| self.push(row.a, row.b, row.c));
         for ellipse in self.ellipses.iter().flatten() {
             self.most = self.most.min(ellipse.widest());
         }
@@ -302,6 +308,24 @@ impl Ellipse {
             low_slope: (-r + slope) / p,
             high: (-r * x + root) / p,
             high_slope: (-r - slope) / p,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ellipse_whose_first_vector_vanishes_at_the_next_parameter_still_limits() {
+        let step = 0.25;
+        // Its acceleration is u − (x + 2 step u) / (2 step), in which u cancels.
+        let vanishing = Ellipse { first: Vector::x(), second: Vector::x() * (-0.5 / step), radius: 1.0 };
+        for [ellipse, turn] in [[Some(vanishing), None], [None, Some(vanishing)]] {
+            let later = Rows { linear: Vec::new(), ellipse, turn };
+            let mut interval = Interval::default();
+            interval.set(&Rows::default(), &later, step, f64::INFINITY);
+            assert!((interval.most_x() - 2.0 * step).abs() < 1e-9, "{}", interval.most_x());
         }
     }
 }
