@@ -80,8 +80,8 @@ impl HPolyhedra {
         self.near_within(corners, 0.0, near).iter().map(|&index| &self.list[index as usize])
     }
 
-    /// The indices of the hulls within some distance, m, of the convex hull of one, two or three points, as far as that is in the box
-    /// of positions.
+    /// The indices of the hulls within some distance, m, of the convex hull of one, two or three points, as far as that
+    /// is in the box of positions.
     pub fn near_within<'n>(&self, corners: &[Point], distance: f64, near: &'n mut Near) -> &'n [u32] {
         near.begin(self.list.len());
         let query = Query::new(corners, distance);

@@ -237,8 +237,9 @@ impl Interval {
         self.edge.map(|edge| (edge.number as usize, edge.range))
     }
 
-    /// How many of the segments between two intervals a polyhedron blocks. It blocks all if there is a fraction of the way at
-    /// which the segments between the ends, and so all others, are inside; none if there is no fraction at which any might be.
+    /// How many of the segments between two intervals a polyhedron blocks. It blocks all if there is a fraction of the
+    /// way at which the segments between the ends, and so all others, are inside; none if there is no fraction at which
+    /// any might be.
     pub fn sight(&self, other: &Interval, hull: &HPolyhedron) -> Sight {
         let (mut all, mut any) = ([0.0, 1.0], [0.0, 1.0]);
         for plane in hull.planes() {
@@ -264,8 +265,8 @@ pub enum Sight {
     Blocked,
 }
 
-/// The part of a range of fractions of a way in which it is below zero, given its heights at both ends; empty if its first bound is
-/// not below its second.
+/// The part of a range of fractions of a way in which it is below zero, given its heights at both ends; empty if its
+/// first bound is not below its second.
 #[inline]
 fn narrowed([low, high]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     if a >= 0.0 && b >= 0.0 {

@@ -1,7 +1,8 @@
 //! Which intervals a straight segment may connect.
 //!
-//! Most of the time of a bound goes into this question, and most of that into polyhedra that might block the segment. So each link
-//! remembers the polyhedra that may block a part of it, and between parts of its intervals only these are tried: soon few are left.
+//! Most of the time of a bound goes into this question, and most of that into polyhedra that might block the segment.
+//! So each link remembers the polyhedra that may block a part of it, and between parts of its intervals only these are
+//! tried: soon few are left.
 
 use rayon::prelude::*;
 
