@@ -77,10 +77,16 @@ impl HPolyhedra {
         corners: &[Point],
         near: &'n mut Near,
     ) -> impl Iterator<Item = &'h HPolyhedron> + use<'h, 'n> {
+        self.near_within(corners, 0.0, near).iter().map(|&index| &self.list[index as usize])
+    }
+
+    /// The indices of the hulls within some distance, m, of the convex hull of one, two or three points, as far as that
+    /// is in the box of positions.
+    pub fn near_within<'n>(&self, corners: &[Point], distance: f64, near: &'n mut Near) -> &'n [u32] {
         near.begin(self.list.len());
-        let query = Query::new(corners);
+        let query = Query::new(corners, distance);
         self.root.search(&self.root_members, &self.list, &query, 0, near);
-        near.found.iter().map(|&index| &self.list[index as usize])
+        &near.found
     }
 
     /// A promising point on a free piece of an edge; `None` if none is found soon. First draws a promising point on an
@@ -199,6 +205,8 @@ struct Query {
     low: Point,
     high: Point,
     extent: f64,
+    /// Boxes closer than this count as met, m.
+    distance: f64,
     /// The start of a segment, and the reciprocal of the vector to its end.
     segment: Option<(Point, Vector)>,
     /// A triangle's plane: unit normal and offset.
@@ -206,7 +214,7 @@ struct Query {
 }
 
 impl Query {
-    fn new(corners: &[Point]) -> Self {
+    fn new(corners: &[Point], distance: f64) -> Self {
         let low = corners.iter().fold(corners[0], |low, p| low.inf(p));
         let high = corners.iter().fold(corners[0], |high, p| high.sup(p));
         let segment = if let [a, b] = corners { Some((*a, (b - a).map(|way| 1.0 / way))) } else { None };
@@ -214,10 +222,12 @@ impl Query {
             [a, b, c] => (b - a).cross(&(c - a)).try_normalize(0.0).map(|normal| (normal, normal.dot(&a.coords))),
             _ => None,
         };
-        Query { low, high, extent: (high - low).max(), segment, plane }
+        let extent = (high - low).max() + 2.0 * distance;
+        Query { low, high, extent, distance, segment, plane }
     }
 
     fn apart(&self, center: &Point, half: &Vector) -> bool {
+        let half = &half.add_scalar(self.distance);
         let beside =
             |axis: usize| self.low[axis] > center[axis] + half[axis] || self.high[axis] < center[axis] - half[axis];
         if (0..3).any(beside) {

@@ -63,11 +63,22 @@ impl Ellipsoid {
 
     /// Whether one of some planes has all of the ellipsoid outside.
     pub fn misses(&self, planes: &[HalfSpace]) -> bool {
+        planes.iter().any(|plane| self.heights(plane)[0] >= SAME_POINT)
+    }
+
+    /// Whether a plane may cut it.
+    fn meets(&self, plane: &HalfSpace) -> bool {
+        let [lowest, highest] = self.heights(plane);
+        lowest <= SAME_POINT && highest >= -SAME_POINT
+    }
+
+    /// Its smallest and largest height above a plane, m.
+    fn heights(&self, plane: &HalfSpace) -> [f64; 2] {
         let way = self.goal - self.start;
         let minor = 0.25 * (self.length * self.length - way.norm_squared()).max(0.0);
-        let reach = |normal: &Vector| (minor + 0.25 * normal.dot(&way).powi(2)).sqrt();
-        let center = nalgebra::center(&self.start, &self.goal);
-        planes.iter().any(|plane| plane.height(&center) - reach(&plane.normal) >= SAME_POINT)
+        let reach = (minor + 0.25 * plane.normal.dot(&way).powi(2)).sqrt();
+        let center = plane.height(&nalgebra::center(&self.start, &self.goal));
+        [center - reach, center + reach]
     }
 }
 
@@ -83,7 +94,7 @@ pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Resu
     let mut lines = Lines::default();
     for hull in hulls.list() {
         watch.check()?;
-        for face in 0..hull.planes().len() {
+        for face in (0..hull.planes().len()).filter(|face| within.meets(&hull.planes()[*face])) {
             hulls.edges(hull, face, &mut polygon, &mut edges);
             for edge in &edges {
                 let [from, to] = edge.ends();

@@ -15,6 +15,7 @@ pub struct Interval {
     pub length: f64,
     /// Unit vector from the first end to the second; zero for a point.
     along: Vector,
+    middle: Point,
     /// Its edge; `None` for start and goal, where a path need not bend.
     edge: Option<Edge>,
 }
@@ -51,6 +52,7 @@ impl Label {
     }
 
     /// Its smallest value, m.
+    #[inline]
     pub fn least(&self) -> f64 {
         self.0[0].min(self.0[1])
     }
@@ -61,6 +63,7 @@ impl Label {
     }
 
     /// The sum with another function.
+    #[inline]
     pub fn plus(&self, other: &Label) -> Label {
         Label([self.0[0] + other.0[0], self.0[1] + other.0[1]])
     }
@@ -107,15 +110,17 @@ impl Interval {
     fn new([a, b]: [Point; 2], edge: Option<Edge>) -> Self {
         let length = (b - a).norm();
         let along = if length > SAME_POINT { (b - a) / length } else { Vector::zeros() };
-        Interval { ends: [a, b], along, length, edge }
+        Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge }
     }
 
     /// Its middle.
+    #[inline]
     pub fn middle(&self) -> Point {
-        self.at(0.5)
+        self.middle
     }
 
     /// The point at a fraction of its length.
+    #[inline]
     pub fn at(&self, share: f64) -> Point {
         self.ends[0] + (self.ends[1] - self.ends[0]) * share
     }
@@ -195,10 +200,14 @@ impl Interval {
     /// faces of the edge is visible. If both are, the string would come off; if none is, the body is in the way.
     pub fn may_bend_towards(&self, other: &Interval) -> bool {
         let Some(Edge { planes, .. }) = &self.edge else { return true };
-        let [a, b] = planes.each_ref().map(|plane| other.ends.map(|end| plane.height(&end)));
-        let below = |heights: [f64; 2]| Label(heights).below(ON_SURFACE);
-        let above = |heights: [f64; 2]| below(heights.map(|height| -height));
-        overlap(below(a), above(b)) || overlap(below(b), above(a))
+        let (a, b) = (other.heights(&planes[0]), other.heights(&planes[1]));
+        is_between(a, b) || is_between(b, a)
+    }
+
+    /// The heights of both ends above a plane, m.
+    #[inline]
+    fn heights(&self, plane: &HalfSpace) -> [f64; 2] {
+        [plane.height(&self.ends[0]), plane.height(&self.ends[1])]
     }
 
     /// Whether a shortest path may run along an edge from one of these intervals to the other, if they are on the same edge. It meets
@@ -228,27 +237,60 @@ impl Interval {
         self.edge.map(|edge| (edge.number as usize, edge.range))
     }
 
-    /// Whether the polyhedron blocks every segment between two intervals. It does if there is a fraction of the way at which
-    /// the segments between the ends, and so all others, are inside.
-    pub fn blocked_by(&self, other: &Interval, hull: &HPolyhedron) -> bool {
-        let [mut low, mut high] = [0.0f64, 1.0f64];
+    /// How many of the segments between two intervals a polyhedron blocks. It blocks all if there is a fraction of the
+    /// way at which the segments between the ends, and so all others, are inside; none if there is no fraction at which
+    /// any might be.
+    pub fn sight(&self, other: &Interval, hull: &HPolyhedron) -> Sight {
+        let (mut all, mut any) = ([0.0, 1.0], [0.0, 1.0]);
         for plane in hull.planes() {
-            let highest = |ends: &[Point; 2]| plane.height(&ends[0]).max(plane.height(&ends[1])) + BLOCKED_DEPTH;
-            let (a, b) = (highest(&self.ends), highest(&other.ends));
-            if a >= 0.0 && b >= 0.0 {
-                return false;
+            let [[a, b], [c, d]] = [self.heights(plane), other.heights(plane)];
+            any = narrowed(any, [a.min(b) + BLOCKED_DEPTH, c.min(d) + BLOCKED_DEPTH]);
+            if any[0] >= any[1] {
+                return Sight::Free;
             }
-            if a > 0.0 {
-                low = low.max(a / (a - b));
-            } else if b > 0.0 {
-                high = high.min(a / (a - b));
-            }
-            if low >= high {
-                return false;
-            }
+            all = narrowed(all, [a.max(b) + BLOCKED_DEPTH, c.max(d) + BLOCKED_DEPTH]);
         }
-        true
+        if all[0] < all[1] { Sight::Blocked } else { Sight::Partial }
     }
+}
+
+/// How many of the segments between two intervals a polyhedron blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sight {
+    /// None, and so none between parts of the intervals.
+    Free,
+    /// Perhaps some of them.
+    Partial,
+    /// All.
+    Blocked,
+}
+
+/// The part of a range of fractions of a way in which it is below zero, given its heights at both ends; empty if its
+/// first bound is not below its second.
+#[inline]
+fn narrowed([low, high]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
+    if a >= 0.0 && b >= 0.0 {
+        return [1.0, 0.0];
+    }
+    if a > 0.0 {
+        [low.max(a / (a - b)), high]
+    } else if b > 0.0 {
+        [low, high.min(a / (a - b))]
+    } else {
+        [low, high]
+    }
+}
+
+/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both.
+#[inline]
+fn is_between(under: [f64; 2], over: [f64; 2]) -> bool {
+    let (below, above) = (Label(under), Label([-over[0], -over[1]]));
+    if below.least() >= ON_SURFACE || above.least() >= ON_SURFACE {
+        return false;
+    }
+    // Mostly one of the two is so everywhere, and no place has to be computed.
+    let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < ON_SURFACE;
+    is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(ON_SURFACE), above.below(ON_SURFACE))
 }
 
 /// Whether two ranges have a common place.

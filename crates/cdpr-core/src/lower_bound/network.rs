@@ -1,16 +1,17 @@
 //! Intervals of free edges, and which of them a straight segment may connect.
 
+mod linking;
+
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use rayon::prelude::*;
-
 use super::interval::{Interval, Label};
 use crate::error::Error;
-use crate::forbidden::{HPolyhedra, Near};
+use crate::forbidden::HPolyhedra;
 use crate::geometry::Point;
 use crate::numerics::{LABEL_STEP, SAME_POINT};
 use crate::watch::Watch;
+use linking::Links;
 
 /// Indices of the two intervals that are points.
 pub const START: usize = 0;
@@ -22,8 +23,6 @@ const MOST_CHANGES: u8 = 12;
 const MOST_CHANGES_CERTIFIED: u8 = 200;
 /// Changes of a label after which it is what constant labels everywhere give.
 const MOST_CHANGES_IN_ALL: u8 = 60;
-/// Number of intervals from which on links are searched in parallel.
-const IN_PARALLEL: usize = 200;
 /// Rounds in which the points of a path slide along their intervals.
 const SLIDES: usize = 8;
 /// The rest of an interval, beside the part that matters, becomes a part of its own from this share of the length on.
@@ -52,6 +51,8 @@ pub struct Network<'h> {
     labels: [Vec<Label>; 2],
     /// For each interval those with a larger or smaller index to which a segment may lead.
     links: Vec<Vec<u32>>,
+    /// The same links, each once, with the polyhedra that may block a part of them.
+    onward: Vec<Links>,
     /// For each interval the one from which its label from the start comes.
     before: Vec<u32>,
     /// The largest number of intervals so far.
@@ -76,9 +77,10 @@ impl<'h> Network<'h> {
         let intervals: Vec<Interval> = ends.into_iter().chain(intervals).collect();
         let labels = ends.each_ref().map(|end| straight(end, &intervals));
         let (most, links) = (intervals.len(), vec![Vec::new(); intervals.len()]);
-        let (before, examined) = (Vec::new(), 0);
-        let mut network = Network { hulls, certified, enough, intervals, labels, links, before, most, examined };
-        network.link(|network, at| Vec::from_iter(at + 1..network.intervals.len()), watch)?;
+        let (onward, before, examined) = (Vec::new(), Vec::new(), 0);
+        let mut network =
+            Network { hulls, certified, enough, intervals, labels, links, onward, before, most, examined };
+        network.link_all(watch)?;
         Ok(network)
     }
 
@@ -90,65 +92,6 @@ impl<'h> Network<'h> {
     /// Number of pairs of intervals examined so far.
     pub fn examined(&self) -> usize {
         self.examined
-    }
-
-    /// Sets the links of each interval to those out of candidates with larger indices.
-    fn link(&mut self, candidates: impl Fn(&Self, usize) -> Vec<usize> + Sync, watch: &Watch) -> Result<(), Error> {
-        let this = &*self;
-        let linked = |near: &mut Near, at: usize| -> Result<(usize, Vec<u32>), Error> {
-            watch.check()?;
-            let all = candidates(this, at);
-            let open = all.iter().filter(|&&other| this.may_connect(at, other, near));
-            Ok((all.len(), open.map(|&other| other as u32).collect()))
-        };
-        let found: Vec<(usize, Vec<u32>)> = if this.len() < IN_PARALLEL {
-            let mut near = Near::default();
-            (0..this.len()).map(|at| linked(&mut near, at)).collect::<Result<_, _>>()?
-        } else {
-            (0..this.len()).into_par_iter().map_init(Near::default, linked).collect::<Result<_, _>>()?
-        };
-        self.links = vec![Vec::new(); self.intervals.len()];
-        for (at, (examined, others)) in found.into_iter().enumerate() {
-            self.examined += examined;
-            for other in others {
-                self.links[at].push(other);
-                self.links[other as usize].push(at as u32);
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether a path that is short enough may lead straight from one interval to another, in either direction.
-    fn may_connect(&self, a: usize, b: usize, near: &mut Near) -> bool {
-        let (from, to) = (&self.intervals[a], &self.intervals[b]);
-        if self.certified {
-            return from.may_connect(to) && !self.is_blocked(from, to, near);
-        }
-        let middles = [from.middle(), to.middle()];
-        let apart = (middles[0] - middles[1]).norm();
-        let gap = (apart - 0.5 * (from.length + to.length)).max(0.0);
-        let [f, g] = &self.labels;
-        let around = (f[a].least() + g[b].least()).min(f[b].least() + g[a].least());
-        around + gap < self.limit()
-            && from.may_run_along(to)
-            && from.may_bend_towards(to)
-            && to.may_bend_towards(from)
-            && self.through(a, b) < self.limit()
-            && !self.is_blocked(from, to, near)
-    }
-
-    /// Whether one polyhedron blocks every segment between two intervals.
-    fn is_blocked(&self, from: &Interval, to: &Interval, near: &mut Near) -> bool {
-        let middles = [from.middle(), to.middle()];
-        let apart = (middles[0] - middles[1]).norm();
-        apart >= SAME_POINT && self.hulls.near(&middles, near).any(|hull| from.blocked_by(to, hull))
-    }
-
-    /// A lower bound of the length of all paths with a segment between two intervals, m.
-    fn through(&self, a: usize, b: usize) -> f64 {
-        let [f, g] = &self.labels;
-        let one_way = |a: usize, b: usize| self.intervals[b].continued(&self.intervals[a], &f[a]).plus(&g[b]).least();
-        one_way(a, b).min(one_way(b, a))
     }
 
     /// What sums of labels have to reach for a path to be long enough: labels may be too large by [`LABEL_STEP`] for each
@@ -315,7 +258,6 @@ impl<'h> Network<'h> {
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn refine(&mut self, least: f64, watch: &Watch) -> Result<bool, Error> {
-        let mut parents = vec![START as u32, GOAL as u32];
         let mut children: Vec<Vec<usize>> = vec![vec![START], vec![GOAL]];
         let mut intervals = self.intervals[..2].to_vec();
         let mut labels = self.labels.each_ref().map(|labels| labels[..2].to_vec());
@@ -331,24 +273,14 @@ impl<'h> Network<'h> {
             for part in parts {
                 intervals.push(self.intervals[at].part(part));
                 (0..2).for_each(|end| labels[end].push(own[end].part(part)));
-                parents.push(at as u32);
             }
             halved |= intervals.len() > first + 1;
             children.push((first..intervals.len()).collect());
         }
-        let still_open = |a: usize| {
-            let all = self.links[a].iter().copied();
-            all.filter(|&b| self.certified || self.through(a, b as usize) < self.limit()).collect()
-        };
-        let open: Vec<Vec<u32>> = (0..self.len()).map(still_open).collect();
+        let still_open = self.still_open();
         (self.intervals, self.labels) = (intervals, labels);
         self.most = self.most.max(self.len());
-        let candidates = |_: &Self, at: usize| {
-            let parent = parents[at];
-            let beside = open[parent as usize].iter().chain([&parent]).flat_map(|&other| &children[other as usize]);
-            beside.copied().filter(|&other| other > at).collect()
-        };
-        self.link(candidates, watch)?;
+        self.link_parts(&children, &still_open, watch)?;
         Ok(halved)
     }
 
