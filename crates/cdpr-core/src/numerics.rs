@@ -153,6 +153,9 @@ pub const FACET_ROUNDING: f64 = 3e-14;
 /// Share by which a largest scale is reduced if rounding puts it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;
 
+/// Largest such share where rounding decides farther inside, as for cables that are much shorter than others.
+pub const MOST_SCALE_ROUNDING: f64 = 1e-7;
+
 /// Maximum ratio of two lengths that statics accept, characteristic length to metre: beyond it forces and moments
 /// are not comparable in `f64`.
 pub const MOST_SCALE: f64 = 1e6;

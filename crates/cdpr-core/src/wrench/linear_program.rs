@@ -12,7 +12,7 @@ use super::active_set::{Nearest, nearest};
 use super::interior_point::InteriorPoint;
 use super::slice::{Ranges, Slice, check, check_numbers};
 use crate::error::Error;
-use crate::numerics::{PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING, SCALE_STEPS};
+use crate::numerics::{MOST_SCALE_ROUNDING, PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING, SCALE_STEPS};
 
 /// Whether tensions within limits balance a wrench.
 #[derive(Debug, Clone, PartialEq)]
@@ -268,11 +268,17 @@ impl ScaleLp {
         {
             s = s.min(bound);
         }
+        let mut back = SCALE_ROUNDING;
         for _ in 0..SCALE_STEPS {
             match ray.at(s) {
                 Nearest::At(_) => return Some(s),
                 // If a plane moves the end only by rounding, move it slightly farther.
                 Nearest::Nowhere(normal) => s = ray.bound(&normal)?.min(s * (1.0 - SCALE_ROUNDING)),
+                // So close to the end that rounding decides: go back, twice as far each time, to where it does not.
+                Nearest::Unsettled if back <= MOST_SCALE_ROUNDING => {
+                    s *= 1.0 - back;
+                    back *= 2.0;
+                }
                 Nearest::Unsettled => return None,
             }
         }
