@@ -9,22 +9,19 @@ use cdpr_core::model::spec::{ClearancesSpec, MotionSpec, RobotSource};
 use cdpr_core::model::{BodySpec, Scene, SceneSpec};
 use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
 use cdpr_core::testing::{block, empty};
-use cdpr_core::trajectory::motion::Rates;
 use cdpr_core::trajectory::rows::Rows;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::turning_bend::TurningBend;
 use cdpr_core::trajectory::turning_corners::TurningSpace;
-use cdpr_core::trajectory::winches::Span;
 use cdpr_core::trajectory::{Curve, Limits, Motion, Passing, Trajectory, Winches, curve::Piece};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::TensionQp;
 use cdpr_tests::built_scene;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use super::turning_motions::{FREE, at, check, excess, file, lopsided, motion, planned_turn};
+use super::turning_motions::{FREE, TensionsBetween, at, check, excess, file, motion, planned_turn};
 
 /// A bend about a place, with turns of these sizes, rad/m: it begins, ends or changes a turn.
 fn random_bend(rng: &mut ChaCha8Rng, place: Point, [tilt, spin]: [f64; 2]) -> TurningBend {
@@ -213,11 +210,8 @@ fn rows_limit_the_angular_acceleration_of_a_bend() {
 
 #[test]
 fn tensions_between_two_instants_on_a_bend_are_as_bounded() {
-    let scene = lopsided();
-    let start = Pose::new(Point::new(-2.0, 0.0, 2.5), Rotation::identity());
-    let winches = Winches::turning(&scene, &Limits::default(), &start).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(11);
-    let (mut solver, mut bounded, mut held) = (TensionQp::default(), 0, 0);
+    let mut check = TensionsBetween::new();
     for k in 0..600 {
         let bend = random_bend(&mut rng, Point::new(-2.0, 0.0, 2.0), [0.2, 1.0]);
         let curve = Curve::new(vec![Piece::turning_bend(bend)]);
@@ -225,29 +219,9 @@ fn tensions_between_two_instants_on_a_bend_are_as_bounded() {
         let (s, speed) = ((0.25 + any(0.2)) * bend.length(), 1.0 + any(0.9));
         let phase = Phase { time: 0.0, s, speed, acceleration: any(3.0), jerk: [0.0, any(20.0)][k % 2] };
         let time = 10_f64.powf(-2.2 + any(1.3));
-        let state = |share: f64| phase.after(share * time);
-        if !(state(1.0).s < bend.length() && (0..=8).all(|n| state(f64::from(n) / 8.0).speed > 0.0)) {
-            continue;
-        }
-        let motion_at = |share: f64| Motion::on(&curve, 0, &state(share));
-        let ends = [motion_at(0.0), motion_at(1.0)];
-        let rates = Rates::new(&curve.pieces()[0], &phase, &state(1.0), time);
-        let span = Span { ends: &ends, rates: &rates, time };
-        let slack = |motion: Motion| winches.tension_shares(&[motion]).ok().map(|shares| shares[0].slack);
-        let inner = || (1..12).map(|n| motion_at(f64::from(n) / 12.0));
-        if let [Some(a), Some(b)] = ends.map(slack) {
-            let sag = winches.sag(&span);
-            bounded += usize::from(sag < 100.0);
-            for motion in inner() {
-                assert!(slack(motion).is_none_or(|slack| slack >= a.min(b) - sag - 1e-6), "{k}: {a} {b} {sag}");
-            }
-        }
-        if winches.hold_between(&mut solver, &span).unwrap() {
-            held += 1;
-            inner().for_each(|motion| assert!(winches.tensions(&mut solver, &motion).unwrap().is_some(), "{k}"));
-        }
+        check.at(k, &curve, &phase, time);
     }
-    assert!(bounded > 50 && held > 20, "{bounded} {held}");
+    assert!(check.bounded > 50 && check.held > 20, "{} {}", check.bounded, check.held);
 }
 
 fn stops(motion: &Trajectory) -> usize {

@@ -501,13 +501,54 @@ pub fn lopsided() -> Scene {
     Scene::new(spec).unwrap()
 }
 
+/// Compares what is bounded between two instants of a motion of the [`lopsided`] robot with the motions between them.
+pub struct TensionsBetween {
+    winches: Winches,
+    solver: TensionQp,
+    /// How many bounds said something.
+    pub bounded: usize,
+    /// How many motions were proved to be held.
+    pub held: usize,
+}
+
+impl TensionsBetween {
+    pub fn new() -> Self {
+        let start = Pose::new(Point::new(-2.0, 0.0, 2.5), Rotation::identity());
+        let winches = Winches::turning(&lopsided(), &Limits::default(), &start).unwrap();
+        Self { winches, solver: TensionQp::default(), bounded: 0, held: 0 }
+    }
+
+    /// Checks case `k`: `time` seconds from `phase` on, if the curve is long enough and the motion never stands.
+    pub fn at(&mut self, k: usize, curve: &Curve, phase: &Phase, time: f64) {
+        let state = |share: f64| phase.after(share * time);
+        if !(state(1.0).s < curve.length() && (0..=8).all(|n| state(f64::from(n) / 8.0).speed > 0.0)) {
+            return;
+        }
+        let winches = &self.winches;
+        let motion_at = |share: f64| Motion::on(curve, 0, &state(share));
+        let ends = [motion_at(0.0), motion_at(1.0)];
+        let rates = Rates::new(&curve.pieces()[0], phase, &state(1.0), time);
+        let span = Span { ends: &ends, rates: &rates, time };
+        let slack = |motion: Motion| winches.tension_shares(&[motion]).ok().map(|shares| shares[0].slack);
+        let inner = || (1..12).map(|n| motion_at(f64::from(n) / 12.0));
+        if let [Some(a), Some(b)] = ends.map(slack) {
+            let sag = winches.sag(&span);
+            self.bounded += usize::from(sag < 100.0);
+            for motion in inner() {
+                assert!(slack(motion).is_none_or(|slack| slack >= a.min(b) - sag - 1e-6), "{k}: {a} {b} {sag}");
+            }
+        }
+        if winches.hold_between(&mut self.solver, &span).unwrap() {
+            self.held += 1;
+            inner().for_each(|motion| assert!(winches.tensions(&mut self.solver, &motion).unwrap().is_some(), "{k}"));
+        }
+    }
+}
+
 #[test]
 fn slack_and_tensions_between_two_instants_are_as_bounded() {
-    let scene = lopsided();
-    let start = Pose::new(Point::new(-2.0, 0.0, 2.5), Rotation::identity());
-    let winches = Winches::turning(&scene, &Limits::default(), &start).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(11);
-    let (mut solver, mut bounded, mut held) = (TensionQp::default(), 0, 0);
+    let mut check = TensionsBetween::new();
     for k in 0..600 {
         let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
         let from = Pose::new(Point::new(-2.0, 0.0, 2.0) + any(0.8), Rotation::from_scaled_axis(any(0.3)));
@@ -523,27 +564,7 @@ fn slack_and_tensions_between_two_instants_are_as_bounded() {
             jerk: [0.0, rng.random_range(-20.0..20.0)][k % 2],
         };
         let time = 10_f64.powf(rng.random_range(-3.5..-0.7));
-        let at = |share: f64| phase.after(share * time);
-        if !(at(1.0).s < length && (0..=8).all(|n| at(f64::from(n) / 8.0).speed > 0.0)) {
-            continue;
-        }
-        let motion_at = |share: f64| Motion::on(&curve, 0, &at(share));
-        let ends = [motion_at(0.0), motion_at(1.0)];
-        let rates = Rates::new(&curve.pieces()[0], &phase, &at(1.0), time);
-        let span = Span { ends: &ends, rates: &rates, time };
-        let slack = |motion: Motion| winches.tension_shares(&[motion]).ok().map(|shares| shares[0].slack);
-        let inner = || (1..12).map(|n| motion_at(f64::from(n) / 12.0));
-        if let [Some(a), Some(b)] = ends.map(slack) {
-            let sag = winches.sag(&span);
-            bounded += usize::from(sag < 100.0);
-            for motion in inner() {
-                assert!(slack(motion).is_none_or(|slack| slack >= a.min(b) - sag - 1e-6), "{k}: {a} {b} {sag}");
-            }
-        }
-        if winches.hold_between(&mut solver, &span).unwrap() {
-            held += 1;
-            inner().for_each(|motion| assert!(winches.tensions(&mut solver, &motion).unwrap().is_some(), "{k}"));
-        }
+        check.at(k, &curve, &phase, time);
     }
-    assert!(bounded > 100 && held > 20, "{bounded} {held}");
+    assert!(check.bounded > 100 && check.held > 20, "{} {}", check.bounded, check.held);
 }
