@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cdpr_core::Error;
 use cdpr_core::geometry::{Point, Rotation};
 use cdpr_core::kinematics::{condition, rank, wrench_matrix};
-use cdpr_core::model::Robot;
+use cdpr_core::model::{InertiaSpec, Robot};
 use cdpr_files::{ImportOptions, Imported, import_robot, load_robot, save_imported};
 
 fn testdata(name: &str) -> PathBuf {
@@ -102,9 +102,7 @@ fn one_file_finds_the_other_and_bodies_may_stand_elsewhere() {
 #[test]
 fn what_is_left_behind_is_listed() {
     let notes = imported(&caspr("CAROCA"), Some("with_rotating_pulleys")).notes.join("\n");
-    for expected in
-        ["joint SPATIAL_EULER_XYZ: q_initial \"0 0 1 0 0 0\"", "inertia", "radius 0.045 m", "original, gazebo_sim"]
-    {
+    for expected in ["joint SPATIAL_EULER_XYZ: q_initial \"0 0 1 0 0 0\"", "radius 0.045 m", "original, gazebo_sim"] {
         assert!(notes.contains(expected), "no {expected} in {notes}");
     }
 }
@@ -136,6 +134,25 @@ fn attachments_against_the_centre_of_mass_are_moved_to_the_joint() {
 }
 
 #[test]
+fn inertia_is_about_the_centre_of_mass() {
+    let tensor = [[36.598, -0.453, 3.012], [-0.453, 35.982, -1.539], [3.012, -1.539, 25.439]];
+    assert_eq!(imported(&caspr("CoGiRo"), None).robot.inertia, Some(InertiaSpec::Tensor(tensor)));
+    assert_eq!(imported(&caspr("CAROCA"), None).robot.inertia, Some(InertiaSpec::Diagonal([6.5, 20.0, 22.5])));
+    // By hand: 1 kg at (0.1645, 0.177, 0.149) has Ixx = 0.177² + 0.149² = 0.05353 and Ixy = -0.1645 · 0.177 = -0.0291165.
+    let by_joint = changed(&[], &[("ref=\"com\"", "ref=\"joint\"")]).unwrap().robot.inertia;
+    let Some(InertiaSpec::Tensor(moved)) = by_joint else { panic!("{by_joint:?}") };
+    assert!((moved[0][0] - (1.0 - 0.05353)).abs() < 1e-12 && (moved[0][1] - 0.0291165).abs() < 1e-12, "{moved:?}");
+}
+
+#[test]
+fn an_inertia_that_no_body_has_is_left_out_with_a_note() {
+    let placeholder = changed(&[], &[("<Izz>1.0</Izz>", "<Izz>0.0</Izz>")]).unwrap();
+    assert_eq!(placeholder.robot.inertia, None);
+    let notes = placeholder.notes.join("\n");
+    assert!(notes.contains("inertia, since no body has it (found a principal moment of 0 kg·m²"), "{notes}");
+}
+
+#[test]
 fn models_that_make_no_sense_are_refused_with_element_and_line() {
     let second = "</link_rigid><link_rigid num=\"2\"></link_rigid>";
     for (cables, bodies, expected) in [
@@ -156,6 +173,8 @@ fn models_that_make_no_sense_are_refused_with_element_and_line() {
         (vec![], vec![("<mass>1.0</mass>", "")], "found no <mass>"),
         (vec![], vec![("<mass>1.0</mass>", "<mass>x</mass>")], "<mass>: found \"x\""),
         (vec![], vec![("bodies_system>", "robot>")], "expected <bodies_system>"),
+        (vec![], vec![("<Ixy>0.0</Ixy>", "")], "<inertia>: found no <Ixy>"),
+        (vec![], vec![("ref=\"com\"", "ref=\"base\"")], "<inertia>: found ref \"base\", expected com or joint"),
     ] {
         let message = changed(&cables, &bodies).unwrap_err().to_string();
         assert!(message.contains(expected), "expected \"{expected}\" in: {message}");
@@ -210,7 +229,7 @@ fn truncated_models_are_refused_wherever_they_end() {
 fn the_yaml_of_the_gazebo_simulation_is_carocas_cable_set_of_that_name() {
     let gazebo = imported(&testdata("gazebo/caroca.yaml"), None).robot;
     let caspr = imported(&caspr("CAROCA"), Some("gazebo_sim")).robot;
-    assert_eq!(gazebo.mass, caspr.mass);
+    assert_eq!((gazebo.mass, gazebo.inertia), (caspr.mass, caspr.inertia));
     for (a, b) in gazebo.cables.iter().zip(&caspr.cables) {
         assert_eq!((a.outlet, a.attachment), (b.outlet, b.attachment));
         assert_eq!((a.tension, a.diameter), (b.tension, Some(0.01)));
@@ -234,6 +253,7 @@ fn yaml_that_makes_no_sense_is_refused() {
         good.replace("frame: [-3.5, -2.0, 3.5]", "frame: [-3.5, -2.0]"),
         good.replace("min: 0, effort: 1000", "min: 0, effort: .nan"),
         good.replace("points:", "point:"),
+        good.replace("inertia: [6.5, 20.0, 22.5, 0.0, 0.0, 0.0]", "inertia: [6.5, 20.0, 22.5]"),
         good[..700].to_string(),
         String::new(),
         bomb,

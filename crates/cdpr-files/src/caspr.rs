@@ -9,11 +9,12 @@ use std::path::{Path, PathBuf};
 
 use roxmltree::Node;
 
-use super::import_source::{ImportOptions, Source, platform_of};
+use super::import_source::{ImportOptions, Source, inertia_of, platform_of};
 use super::text::extension;
 use super::xml::{at, attribute, child, children, numbers, parse, read};
 use cdpr_core::error::{Error, nearest_name};
-use cdpr_core::model::{CableSpec, RobotSpec};
+use cdpr_core::geometry::Vector;
+use cdpr_core::model::{CableSpec, InertiaSpec, RobotSpec};
 
 /// Joints with which the link moves freely in space.
 const FREE_JOINTS: [&str; 2] = ["SPATIAL_", "T_XYZ"];
@@ -33,7 +34,7 @@ pub(super) fn import(path: &Path, options: &ImportOptions) -> Result<Source, Err
         name: Some(name),
         mass: Some(link.mass),
         center_of_mass: Some(link.center_of_mass),
-        inertia: None,
+        inertia: link.inertia,
         platform: platform_of(&attachments),
         cables: set.cables,
     };
@@ -100,6 +101,7 @@ fn only_cables_file(folder: &Path) -> Result<PathBuf, Error> {
 struct Link {
     mass: f64,
     center_of_mass: [f64; 3],
+    inertia: Option<InertiaSpec>,
     notes: Vec<String>,
 }
 
@@ -122,11 +124,30 @@ fn link(text: &str) -> Result<Link, Error> {
         ));
     }
     let physical = child(link, "physical")?;
-    Ok(Link {
-        mass: numbers::<1>(child(physical, "mass")?)?[0],
-        center_of_mass: numbers(child(physical, "com_location")?)?,
-        notes: link_notes(links, link, joint, physical)?,
-    })
+    let [mass] = numbers(child(physical, "mass")?)?;
+    let center_of_mass = numbers(child(physical, "com_location")?)?;
+    let mut notes = link_notes(links, link, joint, physical)?;
+    let given = child(physical, "inertia").ok().map(|node| inertia(node, mass, center_of_mass.into())).transpose()?;
+    let inertia = given.and_then(|given| inertia_of(given).map_err(|note| notes.push(note)).ok());
+    Ok(Link { mass, center_of_mass, inertia, notes })
+}
+
+/// Moments and products of inertia about the centre of mass. CASPR gives them about that point or about the joint, and the
+/// products as entries of the tensor (its `BodyModelRigid`).
+fn inertia(node: Node, mass: f64, center: Vector) -> Result<[f64; 6], Error> {
+    let mut entries = [0.0; 6];
+    for (entry, name) in entries.iter_mut().zip(["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"]) {
+        [*entry] = numbers(child(node, name)?)?;
+    }
+    let [x, y, z] = center.into();
+    // The parallel axis theorem.
+    let of_the_mass =
+        [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|product| mass * product);
+    match attribute(node, "ref")? {
+        "com" => Ok(entries),
+        "joint" => Ok(std::array::from_fn(|k| entries[k] - of_the_mass[k])),
+        other => Err(at(node, format!("found ref \"{other}\", expected com or joint"))),
+    }
 }
 
 fn link_notes(links: Node, link: Node, joint: Node, physical: Node) -> Result<Vec<String>, Error> {
@@ -144,7 +165,7 @@ fn link_notes(links: Node, link: Node, joint: Node, physical: Node) -> Result<Ve
         let base = format!("location of the joint {place:?}: positions here are in the frame of the outlets");
         notes.extend((place != [0.0; 3]).then_some(base));
     }
-    let known = ["mass", "com_location", "end_location"];
+    let known = ["mass", "com_location", "end_location", "inertia"];
     let unread = children(physical).filter(|n| !known.contains(&n.tag_name().name()));
     let outside = children(link).filter(|n| !["joint", "physical", "parent"].contains(&n.tag_name().name()));
     notes.extend(unread.chain(outside).map(|n| n.tag_name().name().to_string()));

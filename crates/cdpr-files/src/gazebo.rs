@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::import_source::{Source, platform_of};
+use super::import_source::{Source, inertia_of, platform_of};
 use super::text;
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::fixed_length::FixedLength;
@@ -28,7 +28,8 @@ struct Platform {
     kind: Option<String>,
     size: Option<[f64; 3]>,
     mass: Option<f64>,
-    inertia: Option<serde::de::IgnoredAny>,
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz, about the origin of the platform, which is its centre of mass.
+    inertia: Option<[f64; 6]>,
     position: Option<Pose>,
 }
 
@@ -72,18 +73,19 @@ pub(super) fn import(path: &Path) -> Result<Source, Error> {
     let cable =
         |p: &Points| CableSpec { name: None, outlet: p.frame, attachment: p.platform, tension, diameter, length: None };
     let attachments: Vec<_> = model.points.iter().map(|p| p.platform).collect();
+    let inertia = model.platform.inertia.map(inertia_of);
     let robot = RobotSpec {
         version: Some(cdpr_core::model::spec::FORMAT_VERSION),
         name: name_of_file(path),
         mass: model.platform.mass,
         center_of_mass: None,
-        inertia: None,
+        inertia: inertia.as_ref().and_then(|found| found.as_ref().ok()).copied(),
         platform: platform(&model.platform).unwrap_or_else(|| platform_of(&attachments)),
         cables: model.points.iter().map(cable).collect(),
     };
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     let origin = format!("Imported from {file} (cdpr for Gazebo)");
-    Ok(Source { robot, origin, notes: notes(&model) })
+    Ok(Source { robot, origin, notes: notes(&model, inertia.and_then(Result::err)) })
 }
 
 fn platform(platform: &Platform) -> Option<Vec<BodySpec>> {
@@ -91,7 +93,7 @@ fn platform(platform: &Platform) -> Option<Vec<BodySpec>> {
     Some(vec![BodySpec { cuboid: Some(size), ..BodySpec::default() }])
 }
 
-fn notes(model: &Model) -> Vec<String> {
+fn notes(model: &Model, inertia: Option<String>) -> Vec<String> {
     let mut notes = Vec::new();
     if let Some(Pose { xyz, rpy }) = &model.platform.position {
         notes.push(format!(
@@ -101,7 +103,7 @@ fn notes(model: &Model) -> Vec<String> {
     if platform(&model.platform).is_none() {
         notes.push("the platform has no box with a size: the hull of the attachments is used".to_string());
     }
-    notes.extend(model.platform.inertia.map(|_| "inertia".to_string()));
+    notes.extend(inertia);
     notes.extend(model.frame.map(|_| "frame: its bars are not imported as obstacles".to_string()));
     notes.push("speeds and damping of joints, masses of cables, colours".to_string());
     notes

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use cdpr_core::model::{BodySpec, RobotSpec, Unit};
+use cdpr_core::model::inertia::checked;
+use cdpr_core::model::{BodySpec, InertiaSpec, RobotSpec, Unit};
 
 /// Options of an import.
 #[derive(Debug, Clone, Default)]
@@ -25,4 +26,16 @@ pub(super) struct Source {
 /// The hull of the attachments, where the source says nothing of the platform's shape.
 pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
     vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
+}
+
+/// An inertia about the centre of mass from Ixx, Iyy, Izz and the entries Ixy, Ixz, Iyz of the tensor. An inertia that no body
+/// has is often a placeholder: a note says why it is left out.
+pub(super) fn inertia_of([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Result<InertiaSpec, String> {
+    let inertia = match [xy, xz, yz] {
+        [0.0, 0.0, 0.0] => InertiaSpec::Diagonal([xx, yy, zz]),
+        _ => InertiaSpec::Tensor([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
+    };
+    let note =
+        |problem| format!("inertia, since no body has it ({problem}): that of the parts at uniform density is used");
+    checked("", &inertia).map(|_| inertia).map_err(|error| note(error.to_string()))
 }
