@@ -2,7 +2,9 @@
 
 use cdpr_core::Robot;
 use cdpr_core::geometry::{Point, Vector};
-use cdpr_core::wrench::{CapacityMargin, Loads, Measure, Required, Statics, certified, first_failure, least_slack};
+use cdpr_core::wrench::{
+    CapacityMargin, Loads, Measure, Required, Statics, certified, first_failure, least_slack, slack_reaches,
+};
 use cdpr_tests::{built_robot, direction, rng};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -85,6 +87,27 @@ fn a_motion_is_refused_iff_it_dips_and_the_place_is_told() {
             told += 1;
         }
         assert!(dips > 20 && told > 20, "{dips} dip, {told} told");
+    }
+}
+
+#[test]
+fn slack_reaches_what_its_least_value_reaches() {
+    let mut rng = rng(14);
+    for (measure, box_) in robots() {
+        let tolerance = 1e-6 * measure.statics().largest_tension();
+        let mut reached = 0;
+        for _ in 0..300 {
+            let from = within(&mut rng, &box_);
+            let to = from + (within(&mut rng, &box_) - from) * 10_f64.powf(rng.random_range(-3.0..0.0));
+            let (least, _) = least_slack(&measure, &from, &to);
+            for share in [0.0, 0.5, 0.9, 0.999, 1.001, 1.5] {
+                let floor = (share * least).max(0.0);
+                let reaches = slack_reaches(&measure, &from, &to, floor);
+                reached += usize::from(reaches);
+                assert!(reaches == (least >= floor) || (least - floor).abs() <= tolerance, "{least} {floor}");
+            }
+        }
+        assert!(reached > 100, "{reached} reached");
     }
 }
 

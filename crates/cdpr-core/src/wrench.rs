@@ -25,10 +25,10 @@ pub mod tensions;
 pub mod zonotope;
 
 pub use capacity::CapacityMargin;
-pub use certify::{Verdict, certified, first_failure, least_slack, verdict};
+pub use certify::{Verdict, certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
-pub use demand_facets::{Demand, DemandFacets, FacetPair, Turned};
+pub use demand_facets::{Demand, DemandFacets, FacetPair, TensionShare, Turned};
 pub use hold::{FreeMotion, Hold, Holding};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 pub use map::{MapOptions, MapSummary, WrenchMap};

@@ -3,6 +3,8 @@
 //! During a time h in which the motion is smooth, a quantity f exceeds the larger of its values at both ends by at most
 //! h²/8 max |f''|. [`Rates`] bounds the derivatives of the position, of the turn and of each attachment.
 
+use std::ops::Range;
+
 use super::curve::Curve;
 use super::limits::Limits;
 use super::motion::{Derivatives, Motion, Rates};
@@ -47,7 +49,10 @@ struct Smooth {
 
 impl Smooth {
     fn new(curve: &Curve, piece: usize, phase: Phase, time: f64) -> Self {
-        let end = phase.after(time);
+        Self::between(curve, piece, [phase, phase.after(time)], time)
+    }
+
+    fn between(curve: &Curve, piece: usize, [phase, end]: [Phase; 2], time: f64) -> Self {
         let ends = [Motion::on(curve, piece, &phase), Motion::on(curve, piece, &end)];
         Smooth { piece, phase, time, ends, rates: Rates::new(&curve.pieces()[piece], &phase, &end, time) }
     }
@@ -68,11 +73,12 @@ impl Smooth {
     }
 }
 
-/// Calls `visit` with the index of each phase and the smooth times within it.
-fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, Smooth)) {
-    for (k, phase) in timing.phases().iter().enumerate() {
-        let end = timing.end_of(k);
-        let to = phase.after(end - phase.time).s;
+/// Calls `visit` with the index of each of some phases and the smooth times within it.
+fn for_each_smooth(curve: &Curve, timing: &Timing, phases: Range<usize>, mut visit: impl FnMut(usize, Smooth)) {
+    for k in phases {
+        let (phase, end) = (&timing.phases()[k], timing.end_of(k));
+        // Where the next phase begins, to the last digit: what depends on the place alone is then the same for both.
+        let to = timing.phases().get(k + 1).map_or_else(|| phase.after(end - phase.time).s, |next| next.s);
         let middle = |from: f64, to: f64| curve.piece_at(0.5 * (from + to));
         let mut now = *phase;
         let (first, last) = (curve.piece_at(phase.s), middle(to.min(curve.end()), to.min(curve.end())));
@@ -85,7 +91,8 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, 
             }
         }
         if end > now.time {
-            visit(k, Smooth::new(curve, middle(now.s, to), now, end - now.time));
+            let (time, piece) = (end - now.time, middle(now.s, to));
+            visit(k, Smooth::between(curve, piece, [now, Phase { s: to, ..now.after(time) }], time));
         }
     }
 }
@@ -94,7 +101,7 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, mut visit: impl FnMut(usize, 
 /// squared speeds: a motion with a share r keeps the limit if it is slowed down by √r.
 pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Bound>)> {
     let mut shares = vec![(0.0, None); timing.phases().len()];
-    for_each_smooth(curve, timing, |k, smooth| {
+    for_each_smooth(curve, timing, 0..timing.phases().len(), |k, smooth| {
         for_each_share(&smooth, limits, winches, |share, bound| {
             if share > shares[k].0 {
                 shares[k] = (share, Some(bound));
@@ -125,9 +132,12 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
     if limits.cable_speed.is_none() && limits.cable_acceleration.is_none() {
         return;
     }
-    let [before, after] = smooth.ends.each_ref().map(|motion| winches.windings(motion));
-    for (cable, (before, after)) in before.zip(after).enumerate() {
-        let arm = winches.cables()[cable].arm(&smooth.ends[0].orientation);
+    let [start, end] = &smooth.ends;
+    let held = start.orientation == end.orientation;
+    for (cable, line) in winches.cables().iter().enumerate() {
+        let arm = line.arm(&start.orientation);
+        let before = line.winding(start, &arm);
+        let after = line.winding(end, &if held { arm } else { line.arm(&end.orientation) });
         let [third, fourth] = winding_derivatives(&smooth.rates.of_point(&arm), smooth.time, &before, &after);
         if let Some(limit) = limits.cable_speed {
             let speed = before.speed.abs().max(after.speed.abs()) + smooth.sag(third);
@@ -172,31 +182,38 @@ fn winding_derivatives([m1, m2, m3, m4, _]: &Derivatives, time: f64, before: &Wi
 /// As [`without_tensions`].
 pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches, watch: &Watch) -> Result<Vec<f64>, Error> {
     let mut shares = vec![0.0_f64; timing.phases().len()];
-    for (k, _, ends) in &tension_ends(curve, timing, winches, watch)? {
-        shares[*k] = shares[*k].max(ends[0].share).max(ends[1].share);
-    }
+    for_each_end(curve, timing, winches, watch, |k, _, ends| {
+        shares[k] = shares[k].max(ends[0].share).max(ends[1].share);
+        Ok(())
+    })?;
     Ok(shares)
 }
 
-/// All smooth times of a timing with the index of their phase and what inertia needs of the available wrenches at both ends.
-fn tension_ends(
+/// Calls `visit` with the index of each phase of a timing, the smooth times within it and what inertia needs of the available wrenches
+/// at both ends of these.
+fn for_each_end(
     curve: &Curve,
     timing: &Timing,
     winches: &Winches,
     watch: &Watch,
-) -> Result<Vec<(usize, Smooth, [TensionShare; 2])>, Error> {
+    mut visit: impl FnMut(usize, &Smooth, [TensionShare; 2]) -> Result<(), Error>,
+) -> Result<(), Error> {
     let (mut smooths, mut motions) = (Vec::new(), Vec::new());
-    for_each_smooth(curve, timing, |k, smooth| {
-        motions.extend(smooth.ends);
-        smooths.push((k, smooth));
-    });
-    let mut shares = Vec::with_capacity(motions.len());
-    for some in motions.chunks(BETWEEN_CHECKS) {
+    let last = timing.phases().len();
+    for first in (0..last).step_by(BETWEEN_CHECKS) {
         watch.check()?;
-        shares.extend(winches.tension_shares(some).map_err(|k| not_held(&some[k].position))?);
+        for_each_smooth(curve, timing, first..last.min(first + BETWEEN_CHECKS), |k, smooth| {
+            motions.extend(smooth.ends);
+            smooths.push((k, smooth));
+        });
+        let shares = winches.tension_shares(&motions).map_err(|k| not_held(&motions[k].position))?;
+        for ((k, smooth), ends) in smooths.iter().zip(shares.chunks_exact(2)) {
+            visit(*k, smooth, [ends[0], ends[1]])?;
+        }
+        smooths.clear();
+        motions.clear();
     }
-    let ends = shares.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
-    Ok(smooths.into_iter().zip(ends).map(|((k, smooth), ends)| (k, smooth, ends)).collect())
+    Ok(())
 }
 
 /// The phases of a timing in which it is not proved that tensions within their limits move the platform. Where the slack of
@@ -210,16 +227,17 @@ pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches, watch
     if winches.tension_limits().is_none() {
         return Ok(lacking);
     }
-    for (k, smooth, shares) in &tension_ends(curve, timing, winches, watch)? {
+    for_each_end(curve, timing, winches, watch, |k, smooth, ends| {
         let sag = winches.sag(&smooth.span());
-        if shares[0].slack.min(shares[1].slack) >= sag || lacking.last() == Some(k) {
-            continue;
+        if ends[0].slack.min(ends[1].slack) >= sag || lacking.last() == Some(&k) {
+            return Ok(());
         }
         watch.check()?;
         if !has_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS)? {
-            lacking.push(*k);
+            lacking.push(k);
         }
-    }
+        Ok(())
+    })?;
     Ok(lacking)
 }
 

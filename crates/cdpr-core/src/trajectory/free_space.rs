@@ -11,7 +11,7 @@ use crate::geometry::{Cuboid, HalfSpace, Point, path_length};
 use crate::model::{RuleSpec, Scene};
 use crate::numerics::{BEND_HALVINGS, CHORD_OF_CELLS, TOUCH_DEPTH};
 use crate::watch::Watch;
-use crate::wrench::{Measure, least_slack, measures};
+use crate::wrench::{Measure, measures, slack_reaches};
 
 /// What is forbidden to the curve of a trajectory.
 pub struct FreeSpace<'a> {
@@ -90,7 +90,7 @@ impl<'a> FreeSpace<'a> {
         let [from, to] = [&control[0], &control[CONTROL - 1]];
         let away = control.iter().map(|p| distance_from_segment(p, from, to)).fold(0.0, f64::max);
         let reach = path_length(control);
-        let holds = |measure: &Measure| least_slack(measure, from, to).0 >= away * measure.steepness(from, reach);
+        let holds = |measure: &Measure| slack_reaches(measure, from, to, away * measure.steepness(from, reach));
         match &self.wrench {
             Requirement::Everywhere(measures) => measures.iter().all(holds),
             Requirement::Cells => away <= CHORD_OF_CELLS && self.checker.motion_valid(from, to),

@@ -26,22 +26,8 @@ use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
 use crate::model::Scene;
 use crate::numerics::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVE, TURNING};
 use crate::wrench::{
-    Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, Turned,
+    Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, TensionShare, Turned,
 };
-
-/// What a motion needs of the available wrenches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TensionShare {
-    /// The largest share of the slack at rest.
-    pub share: f64,
-    /// The least slack that is left, N.
-    pub slack: f64,
-}
-
-impl TensionShare {
-    /// Of a motion that needs nothing.
-    pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
-}
 
 /// The time between two instants.
 #[derive(Debug, Clone, Copy)]
@@ -173,6 +159,9 @@ impl MovingMass {
 
     /// The inertia, in world axes, times a vector.
     fn inertia_times(&self, orientation: &Rotation, v: &Vector) -> Vector {
+        if *v == Vector::zeros() {
+            return *v;
+        }
         orientation * (self.inertia * orientation.inverse_transform_vector(v))
     }
 
@@ -181,64 +170,57 @@ impl MovingMass {
         self.wrench(&motion.orientation, &motion.acceleration, turn)
     }
 
-    /// Visits the facets at each demand, at these orientations.
-    fn visit(
-        &self,
-        demands: &[Demand],
-        orientations: &[Rotation],
-        visit: impl FnMut(usize, &FacetPair),
-    ) -> Result<(), usize> {
-        let lacking = match orientations.iter().all(|orientation| self.is_level(orientation)) {
-            true => self.facets.for_each(demands, visit),
-            false => {
-                let turned: Vec<Turned> = orientations.iter().map(|orientation| self.turned(orientation)).collect();
-                self.facets.for_each_turned(demands, &turned, visit)
-            }
-        };
-        lacking.map_or(Ok(()), Err)
+    /// The turns to these orientations, unless all of them are that of the statics.
+    fn turns<'a>(&self, orientations: impl Iterator<Item = &'a Rotation> + Clone) -> Option<Vec<Turned>> {
+        let level = orientations.clone().all(|orientation| self.is_level(orientation));
+        (!level).then(|| orientations.map(|orientation| self.turned(orientation)).collect())
     }
 
     /// See [`super::Winches::for_each_tension_limit`].
-    pub fn for_each_limit(&self, jets: &[Jet], mut visit: impl FnMut(usize, [f64; 3])) -> Result<(), usize> {
+    pub fn for_each_limit(
+        &self,
+        places: &[(Jet, [f64; 2])],
+        mut visit: impl FnMut(usize, [f64; 3]),
+    ) -> Result<(), usize> {
         let nothing = Vector::zeros();
-        let demand = |jet: &Jet| {
+        let demand = |(jet, most): &(Jet, [f64; 2])| {
             let by_u = self.wrench(&jet.orientation, &jet.first, [&jet.spin, &nothing]);
-            (jet.position, [by_u, self.wrench(&jet.orientation, &jet.second, [&jet.spin_change, &jet.spin])])
+            let by_x = self.wrench(&jet.orientation, &jet.second, [&jet.spin_change, &jet.spin]);
+            Demand { position: jet.position, wrenches: [by_u, by_x], most: *most }
         };
-        let demands: Vec<Demand> = jets.iter().map(demand).collect();
-        let orientations: Vec<Rotation> = jets.iter().map(|jet| jet.orientation).collect();
-        self.visit(&demands, &orientations, |k, FacetPair { heights: [a, b], slack, .. }| {
-            visit(k, [*a, *b, slack[0]]);
-            visit(k, [-a, -b, slack[1]]);
-        })
+        let demands: Vec<Demand> = places.iter().map(demand).collect();
+        let turns = self.turns(places.iter().map(|(jet, _)| &jet.orientation));
+        let lacking =
+            self.facets.for_each(&demands, turns.as_deref(), |k, FacetPair { heights: [a, b], slack, .. }| {
+                visit(k, [*a, *b, slack[0]]);
+                visit(k, [-a, -b, slack[1]]);
+            });
+        lacking.map_or(Ok(()), Err)
     }
 
     /// See [`super::Winches::tension_shares`].
     pub fn shares(&self, motions: &[Motion]) -> Result<Vec<TensionShare>, usize> {
-        let mut shares = vec![TensionShare::NOTHING; motions.len()];
-        let nothing = Vector6::zeros();
-        let demands: Vec<Demand> =
-            motions.iter().map(|motion| (motion.position, [self.wrench_of(motion), nothing])).collect();
-        let orientations: Vec<Rotation> = motions.iter().map(|motion| motion.orientation).collect();
-        self.visit(&demands, &orientations, |k, facets| {
-            for (needed, slack) in [facets.heights[0], -facets.heights[0]].into_iter().zip(facets.slack) {
-                let found = &mut shares[k];
-                if needed > 0.0 {
-                    found.share = found.share.max(needed / slack);
-                }
-                found.slack = found.slack.min((slack - needed) / facets.norm);
-            }
-        })?;
-        Ok(shares)
+        // Facets depend on the pose alone: where one motion ends, the next one begins.
+        let same_pose = |a: &Motion, b: &Motion| a.position == b.position && a.orientation == b.orientation;
+        let pairs: Vec<&[Motion]> = motions.chunk_by(same_pose).flat_map(|same| same.chunks(2)).collect();
+        let demand = |pair: &&[Motion]| {
+            let wrenches = [0, pair.len() - 1].map(|k| self.wrench_of(&pair[k]));
+            Demand { position: pair[0].position, wrenches, most: [f64::INFINITY; 2] }
+        };
+        let demands: Vec<Demand> = pairs.iter().map(demand).collect();
+        let turns = self.turns(pairs.iter().map(|pair| &pair[0].orientation));
+        let shares = self.facets.shares(&demands, turns.as_deref());
+        let shares = shares.map_err(|k| pairs[..k].iter().map(|pair| pair.len()).sum::<usize>())?;
+        Ok(pairs.iter().zip(shares).flat_map(|(pair, shares)| shares.into_iter().take(pair.len())).collect())
     }
 
     /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N;
     /// compare [`crate::wrench::Measure::sag`]. A column u, r × u/ℓ of the wrench matrix, with r the arm of the cable, has the
     /// second derivative u″, (r″ × u + 2 r′ × u′ + r × u″)/ℓ.
     pub fn sag(&self, Span { ends, rates, time }: &Span) -> f64 {
-        let (bounds, lengths) = (self.bounds(ends, rates), ends.each_ref().map(|motion| self.lengths(motion)));
-        let cable = |(k, line): (usize, &StaticCable)| {
-            let (bounds, [before, after]) = (&bounds[k], lengths.each_ref().map(|lengths| lengths[k]));
+        let [before, after] = ends.each_ref().map(|motion| self.lengths(motion));
+        let bounds = self.bounds(&ends[0], rates).zip(before.zip(after));
+        let cable = |(line, (bounds, (before, after))): (&StaticCable, (CableBounds, (f64, f64)))| {
             let [speed, acceleration] = bounds.attachment;
             let shortest = 0.5 * (before + after - speed * time);
             if !(shortest > 0.0) {
@@ -253,7 +235,7 @@ impl MovingMass {
                 + 0.125 * largest * time * time * (jolt + 2.0 * swing * speed / shortest);
             straight + turned
         };
-        let cables: f64 = self.statics.cables().iter().enumerate().map(cable).sum();
+        let cables: f64 = self.statics.cables().iter().zip(bounds).map(cable).sum();
         cables + time * time / 8.0 * self.second_derivative(&ends[0], rates)
     }
 
@@ -269,7 +251,7 @@ impl MovingMass {
         let time = *time;
         let reserved = self.facets.statics().limits();
         let mut densities: [Vec<f64>; 2] = Default::default();
-        let lengths = ends.each_ref().map(|motion| self.lengths(motion));
+        let lengths = ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
         for (k, motion) in ends.iter().enumerate() {
             // At a limit the solver may not be able to decide; then nothing is proved.
             let Some(Balance::Feasible(tensions)) = self.balance(solver, motion, &reserved)? else {
@@ -278,7 +260,7 @@ impl MovingMass {
             densities[k] = tensions.iter().zip(&lengths[k]).map(|(t, l)| t / l).collect();
         }
         let eighth = time * time / 8.0;
-        let cables = self.bounds(ends, rates);
+        let cables: Vec<CableBounds> = self.bounds(&ends[0], rates).collect();
         // What the turn of the arms adds to the first and second derivative of a cable's vector and moment.
         let turned = |k: usize| {
             let CableBounds { attachment: [speed, _], arm: [swing, jolt], .. } = &cables[k];
@@ -308,14 +290,20 @@ impl MovingMass {
     }
 
     /// The bounds for each cable; those of a platform that turns do not depend on the instant.
-    fn bounds(&self, ends: &[Motion; 2], rates: &Rates) -> Vec<CableBounds> {
-        let (length, statics) = (self.statics.characteristic_length(), self.statics_at(&ends[0].orientation));
-        let cable = |cable: &StaticCable| {
-            let ([speed, acceleration, ..], [swing, jolt, ..]) = (rates.of_point(&cable.arm), rates.turned(&cable.arm));
-            let lever = (cable.arm / length).norm().hypot(1.0);
+    fn bounds<'a>(&'a self, motion: &Motion, rates: &'a Rates) -> impl Iterator<Item = CableBounds> + 'a {
+        let length = self.statics.characteristic_length();
+        self.arms(&motion.orientation).map(move |arm| {
+            let ([speed, acceleration, ..], [swing, jolt, ..]) = (rates.of_point(&arm), rates.turned(&arm));
+            let lever = (1.0 + (arm / length).norm_squared()).sqrt();
             CableBounds { attachment: [speed, acceleration], arm: [swing / length, jolt / length], lever }
-        };
-        statics.cables().iter().map(cable).collect()
+        })
+    }
+
+    /// From the origin to each attachment at an orientation, world axes, m.
+    fn arms<'a>(&'a self, orientation: &Rotation) -> impl Iterator<Item = Vector> + 'a {
+        let turn = (!self.is_level(orientation)).then(|| self.turned(orientation).0);
+        let arm = move |cable: &StaticCable| turn.as_ref().map_or(cable.arm, |turn| turn.turned(&cable.arm));
+        self.statics.cables().iter().map(arm)
     }
 
     /// A bound of the second time derivative of what must be balanced, as [force; moment / ℓ], N/s².
@@ -348,11 +336,9 @@ impl MovingMass {
     }
 
     /// Lengths of the cables, m.
-    fn lengths(&self, motion: &Motion) -> Vec<f64> {
-        let turn = (!self.is_level(&motion.orientation)).then(|| self.turned(&motion.orientation).0);
-        let arm = |cable: &StaticCable| turn.as_ref().map_or(cable.arm, |turn| turn.turned(&cable.arm));
-        let length = |cable: &StaticCable| (cable.outlet - (motion.position + arm(cable))).norm();
-        self.statics.cables().iter().map(length).collect()
+    fn lengths<'a>(&'a self, motion: &Motion) -> impl Iterator<Item = f64> + 'a {
+        let (position, cables) = (motion.position, self.statics.cables().iter());
+        cables.zip(self.arms(&motion.orientation)).map(move |(cable, arm)| (cable.outlet - (position + arm)).norm())
     }
 
     /// The tensions within these limits that balance loads and inertia and are nearest to the middle; `None` if there are

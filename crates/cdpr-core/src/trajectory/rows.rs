@@ -59,18 +59,27 @@ impl Rows {
     /// at rest.
     pub fn along(jets: &[Jet], limits: &Limits, winches: &Winches) -> Result<Vec<Self>, usize> {
         let mut rows: Vec<Rows> = jets.iter().map(|jet| Rows::kinematic(jet, limits, winches)).collect();
-        winches.for_each_tension_limit(jets, |k, [a, b, c]| rows[k].linear.push(Row { a, b, c }))?;
+        let places: Vec<(Jet, [f64; 2])> = jets.iter().zip(&rows).map(|(jet, rows)| (*jet, rows.most())).collect();
+        winches.for_each_tension_limit(&places, |k, [a, b, c]| rows[k].linear.push(Row { a, b, c }))?;
         rows.iter_mut().for_each(Rows::prune);
         Ok(rows)
     }
 
-    /// Removes rows that the limits of speed and acceleration never let come into effect.
-    fn prune(&mut self) {
-        let Some(ellipse) = &self.ellipse else { return };
+    /// The largest |u| and x that the limits of speed and acceleration allow; infinite if these do not limit x.
+    fn most(&self) -> [f64; 2] {
+        let Some(ellipse) = &self.ellipse else { return [f64::INFINITY; 2] };
         let alone = self.linear.iter().filter(|row| row.limits_x()).map(|row| row.c / row.b);
         let most_x = alone.fold(ellipse.widest(), f64::min);
+        if !most_x.is_finite() {
+            return [f64::INFINITY; 2];
+        }
+        [(ellipse.radius + ellipse.second.norm() * most_x) / ellipse.first.norm(), most_x]
+    }
+
+    /// Removes rows that the limits of speed and acceleration never let come into effect.
+    fn prune(&mut self) {
+        let [most_u, most_x] = self.most();
         if most_x.is_finite() {
-            let most_u = (ellipse.radius + ellipse.second.norm() * most_x) / ellipse.first.norm();
             let reached = |row: &Row| row.a.abs() * most_u + row.b.max(0.0) * most_x > row.c;
             self.linear.retain(|row| row.limits_x() && row.c / row.b <= most_x || !row.limits_x() && reached(row));
         }
@@ -88,7 +97,7 @@ impl Rows {
 
     /// All limits at a place but those of tensions.
     fn kinematic(jet: &Jet, limits: &Limits, winches: &Winches) -> Self {
-        let mut linear = Vec::new();
+        let mut linear = Vec::with_capacity(ROWS_OF_PLATFORM + ROWS_OF_CABLE * winches.cables().len());
         if let Some(speed) = limits.speed {
             linear.push(Row { a: 0.0, b: jet.first.norm_squared(), c: speed * speed });
         }
@@ -138,6 +147,10 @@ fn turn_rows(jet: &Jet, limits: &Limits) -> impl Iterator<Item = Row> {
         limits.turn_acceleration.filter(|_| steady).map(|most| [spin, -spin].map(|a| Row { a, b: 0.0, c: most }));
     speed.into_iter().chain(acceleration.into_iter().flatten())
 }
+
+/// About as many rows as there are for the platform and for each cable.
+const ROWS_OF_PLATFORM: usize = 8;
+const ROWS_OF_CABLE: usize = 3;
 
 /// Coefficients of u below this share of those of x count as zero: the row limits x alone.
 const NEGLIGIBLE: f64 = 1e-12;

@@ -99,9 +99,9 @@ impl<'a> Schedule<'a> {
     /// # Errors
     /// A place where the cables cannot hold or accelerate the platform; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn timing(self, watch: &Watch) -> Result<Timing, Error> {
-        let mut best: Option<Timing> = None;
-        for window in self.windows() {
-            let timing = self.clone().slowed(window, watch)?;
+        let (mut best, windows): (Option<Timing>, _) = (None, self.windows());
+        for (own, window) in std::iter::repeat_n(self, windows.len()).zip(windows) {
+            let timing = own.slowed(window, watch)?;
             if best.as_ref().is_none_or(|best| timing.duration() < best.duration()) {
                 best = Some(timing);
             }

@@ -4,11 +4,12 @@ use super::jet::Jet;
 use super::limits::Limits;
 use super::motion::Motion;
 use super::moving_mass::MovingMass;
-pub use super::moving_mass::{Span, TensionShare};
+pub use super::moving_mass::Span;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::model::Scene;
 use crate::wrench::TensionQp;
+pub use crate::wrench::TensionShare;
 
 /// A cable between a fixed outlet and the platform.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +29,16 @@ impl Line {
     /// From the outlet to the attachment at a pose, m.
     pub fn vector(&self, position: &Point, orientation: &Rotation) -> Vector {
         position + self.arm(orientation) - self.outlet
+    }
+
+    /// Length, speed and acceleration during a motion, given [`Line::arm`] at its orientation.
+    pub fn winding(&self, motion: &Motion, arm: &Vector) -> Winding {
+        let [velocity, acceleration] = motion.of_point(arm);
+        let line = motion.position + arm - self.outlet;
+        let length = line.norm();
+        let speed = line.dot(&velocity) / length;
+        let turning = (velocity.norm_squared() - speed * speed).max(0.0) / length;
+        Winding { length, speed, acceleration: line.dot(&acceleration) / length + turning }
     }
 }
 
@@ -105,21 +116,18 @@ impl Winches {
 
     /// Length, speed and acceleration of each cable during a motion.
     pub fn windings<'a>(&'a self, motion: &'a Motion) -> impl Iterator<Item = Winding> + 'a {
-        self.cables.iter().map(move |cable| {
-            let arm = cable.arm(&motion.orientation);
-            let [velocity, acceleration] = motion.of_point(&arm);
-            let line = motion.position + arm - cable.outlet;
-            let length = line.norm();
-            let speed = line.dot(&velocity) / length;
-            let turning = (velocity.norm_squared() - speed * speed).max(0.0) / length;
-            Winding { length, speed, acceleration: line.dot(&acceleration) / length + turning }
-        })
+        self.cables.iter().map(move |cable| cable.winding(motion, &cable.arm(&motion.orientation)))
     }
 
     /// Calls `visit` with the index of a place of a curve and each of the limits of tensions there: coefficients of s̈ and ṡ²,
-    /// and the limit. An error is the index of the first place at which the cables cannot hold the platform at rest.
-    pub fn for_each_tension_limit(&self, jets: &[Jet], visit: impl FnMut(usize, [f64; 3])) -> Result<(), usize> {
-        self.tensions.as_ref().map_or(Ok(()), |mass| mass.for_each_limit(jets, visit))
+    /// and the limit. Each place has the largest |s̈| and ṡ² that other limits allow, which may be infinite; what these never let come
+    /// into effect may be left out. An error is the index of the first place at which the cables cannot hold the platform at rest.
+    pub fn for_each_tension_limit(
+        &self,
+        places: &[(Jet, [f64; 2])],
+        visit: impl FnMut(usize, [f64; 3]),
+    ) -> Result<(), usize> {
+        self.tensions.as_ref().map_or(Ok(()), |mass| mass.for_each_limit(places, visit))
     }
 
     /// For each motion the largest share of the slack at rest that its inertia uses, over all facets of the available wrenches

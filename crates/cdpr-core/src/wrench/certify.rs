@@ -196,17 +196,16 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
         return if enough(measure.slack(from)) { Verdict::Holds } else { Verdict::Fails(0.0) };
     }
     let mut way = Way::new(measure, from, to);
-    let fractions = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-    let slack = way.slack_at_four(&fractions);
+    let slack = way.slack_at_four(&THIRDS);
     if let Some(k) = slack.iter().position(|slack| !enough(*slack)) {
-        return Verdict::Fails(fractions[k]);
+        return Verdict::Fails(THIRDS[k]);
     }
     // The undecided interval.
     let mut open: Option<[f64; 2]> = None;
     let mut leave = |from: f64, to: f64| open = Some([open.map_or(from, |[start, _]| start), to]);
     let mut divisions = if measure.by_kernel() { DIVISIONS } else { 0 };
     for k in 0..WIDTH - 1 {
-        let ends = [fractions[k], fractions[k + 1]];
+        let ends = [THIRDS[k], THIRDS[k + 1]];
         if way.proved_by_ends(ends, [slack[k], slack[k + 1]]) {
             continue;
         }
@@ -275,15 +274,31 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
     Some(end)
 }
 
+/// Whether [`least_slack`] along a motion is at least a nonnegative number. Mostly the slack at a few places decides.
+pub fn slack_reaches(measure: &Measure, from: &Point, to: &Point, least: f64) -> bool {
+    let way = Way::new(measure, from, to);
+    let slack = way.slack_at_four(&THIRDS);
+    if !slack.iter().all(|slack| *slack >= least) {
+        return false;
+    }
+    let between = |k: usize| {
+        let [start, end] = [THIRDS[k], THIRDS[k + 1]].map(|t| way.at(t));
+        sagging(slack[k], slack[k + 1], measure.sag(&start, &end)) >= least
+    };
+    (0..WIDTH - 1).all(between) || least_slack(measure, from, to).0 >= least
+}
+
+/// Fractions of a motion at which its slack is computed first.
+const THIRDS: [f64; WIDTH] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+
 /// The smallest slack along a motion and its fraction, to within [`LEAST_SLACK_RELATIVE`] of the largest tension
 /// unless the slack stays almost zero over a long distance; NaN if a cable has no direction.
 pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
     let tolerance = LEAST_SLACK_RELATIVE * measure.statics().largest_tension();
     let mut way = Way::new(measure, from, to);
-    let fractions = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
-    let slack = way.slack_at_four(&fractions);
+    let slack = way.slack_at_four(&THIRDS);
     let mut least = (slack[0], 0.0);
-    for (slack, at) in slack.into_iter().zip(fractions) {
+    for (slack, at) in slack.into_iter().zip(THIRDS) {
         if slack < least.0 || slack.is_nan() {
             least = (slack, at);
         }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::{SVector, Vector6};
 
-use super::kernel::{AllFacets, KernelRobot};
+use super::kernel::{FACETS, FourDemands, FourFacets, KernelRobot, ReachedFacets};
 use super::statics::Statics;
 use super::zonotope::{Span, for_each_normal};
 use crate::geometry::{Placed, Point};
@@ -22,8 +22,37 @@ pub struct FacetPair {
     pub norm: f64,
 }
 
-/// A position and two wrenches [force; moment / ℓ], N.
-pub type Demand = (Point, [Vector6<f64>; 2]);
+/// Two wrenches w at a position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Demand {
+    /// The position.
+    pub position: Point,
+    /// [force; moment / ℓ], N.
+    pub wrenches: [Vector6<f64>; 2],
+    /// Only u w₀ + x w₁ with |u| ≤ `most[0]`, 0 ≤ x ≤ `most[1]` matters; both may be infinite.
+    pub most: [f64; 2],
+}
+
+/// What a wrench needs of the available wrenches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TensionShare {
+    /// The largest share of the slack at rest.
+    pub share: f64,
+    /// The least slack that is left, N.
+    pub slack: f64,
+}
+
+impl TensionShare {
+    /// Of a wrench that needs nothing.
+    pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
+
+    /// With a pair of facets, on which the wrench has this height.
+    fn and(self, height: f64, facets: &FacetPair) -> Self {
+        let [out, back] = facets.slack;
+        let share = self.share.max(height / out).max(-height / back);
+        TensionShare { share, slack: self.slack.min((out - height).min(back + height) / facets.norm) }
+    }
+}
 
 /// A turn of the platform from the orientation of the statics, and the wrench to balance there, [force; moment / ℓ], N.
 pub type Turned = (Placed, Vector6<f64>);
@@ -50,84 +79,100 @@ impl DemandFacets {
         self
     }
 
+    /// The same without SIMD instructions, for comparison.
+    pub fn portable(mut self) -> Self {
+        self.kernel = Kernel::Portable;
+        self
+    }
+
     /// The robot.
     pub fn statics(&self) -> &Statics {
         &self.statics
     }
 
-    /// Calls `visit` with the index of each demand and the facets at its position. Returns the index of the first demand at
-    /// whose position the cables cannot hold the platform.
-    pub fn for_each(&self, demands: &[Demand], visit: impl FnMut(usize, &FacetPair)) -> Option<usize> {
-        self.visit(demands, None, visit)
-    }
-
-    /// As [`DemandFacets::for_each`] with another orientation at each position.
-    pub fn for_each_turned(
-        &self,
-        demands: &[Demand],
-        turned: &[Turned],
-        visit: impl FnMut(usize, &FacetPair),
-    ) -> Option<usize> {
-        self.visit(demands, Some(turned), visit)
-    }
-
-    fn visit(
+    /// Calls `visit` with the index of each demand and the facets at its position; those that the demand does not reach may be left
+    /// out. At other orientations than that of the statics, `turned` has one turn for each demand. Returns the index of the first
+    /// demand at whose position the cables cannot hold the platform.
+    pub fn for_each(
         &self,
         demands: &[Demand],
         turned: Option<&[Turned]>,
         mut visit: impl FnMut(usize, &FacetPair),
     ) -> Option<usize> {
-        let mut lacking: Option<usize> = None;
-        let mut see = |k: usize, facets: FacetPair| {
-            let slack = facets.slack.map(|slack| slack - self.margin * facets.norm);
-            if !(slack[0].min(slack[1]) >= 0.0) {
-                lacking = Some(lacking.map_or(k, |first| first.min(k)));
-            }
-            visit(k, &FacetPair { slack, ..facets });
-        };
-        for (group, four) in demands.chunks(WIDTH).enumerate() {
-            let first = group * WIDTH;
-            let turns = turned.map(|turned| &turned[first..first + four.len()]);
-            let robot = self.robot.as_ref().map(|robot| self.at_turns(robot, turns));
-            let sure = robot.map_or([-1.0; WIDTH], |robot| self.by_kernel(&robot, first, four, &mut see));
-            for (lane, (position, wrenches)) in four.iter().enumerate().filter(|(lane, _)| !(sure[*lane] >= 0.0)) {
-                let statics = turns.map(|turns| self.statics.turned(&turns[lane].0, turns[lane].1));
-                let statics = statics.as_ref().unwrap_or(&self.statics);
-                if !self.defined(statics, position, wrenches, &mut |facets| see(first + lane, facets)) {
-                    see(first + lane, FacetPair { heights: [0.0; 2], slack: [f64::NAN; 2], norm: 0.0 });
+        let (mut lacking, mut found) = (Lacking(None), [FourFacets::default(); FACETS]);
+        for (first, four, turns) in groups(demands, turned) {
+            let most = [0, 1].map(|side| lanes(four, |demand| demand.most[side]));
+            let facets = &mut found;
+            let kernel = |demands: FourDemands| self.kernel.run(ReachedFacets { demands, most, found: facets });
+            let sure = self.by_kernel(four, turns, kernel).map_or([-1.0; WIDTH], |(count, signs)| {
+                for lane in (0..four.len()).filter(|lane| signs.sure[*lane] >= 0.0) {
+                    lacking.unless(signs.held[lane], first + lane);
+                    for facet in found[..count].iter().filter(|facet| facet.norm[lane] > 0.0) {
+                        let (heights, slack) = (facet.heights.map(|h| h[lane]), facet.slack.map(|s| s[lane]));
+                        visit(first + lane, &FacetPair { heights, slack, norm: facet.norm[lane] });
+                    }
                 }
+                signs.sure
+            });
+            for lane in (0..four.len()).filter(|lane| !(sure[*lane] >= 0.0)) {
+                let visit = |facet: &FacetPair| visit(first + lane, facet);
+                lacking.unless(self.by_facets(&four[lane], turns.map(|turns| &turns[lane]), visit), first + lane);
             }
         }
-        lacking
+        lacking.0
+    }
+
+    /// What each wrench of each demand needs alone; arguments as in [`DemandFacets::for_each`]. An error is the index of the first
+    /// demand at whose position the cables cannot hold the platform.
+    pub fn shares(&self, demands: &[Demand], turned: Option<&[Turned]>) -> Result<Vec<[TensionShare; 2]>, usize> {
+        let (mut lacking, mut shares) = (Lacking(None), vec![[TensionShare::NOTHING; 2]; demands.len()]);
+        for (first, four, turns) in groups(demands, turned) {
+            let own = &mut shares[first..first + four.len()];
+            let kernel = |demands: FourDemands| self.kernel.run(demands);
+            let sure = self.by_kernel(four, turns, kernel).map_or([-1.0; WIDTH], |(found, signs)| {
+                for lane in (0..four.len()).filter(|lane| signs.sure[*lane] >= 0.0) {
+                    lacking.unless(signs.held[lane], first + lane);
+                    own[lane] =
+                        [0, 1].map(|k| TensionShare { share: found.share[k][lane], slack: found.slack[k][lane] });
+                }
+                signs.sure
+            });
+            for lane in (0..four.len()).filter(|lane| !(sure[*lane] >= 0.0)) {
+                let add = |facets: &FacetPair| {
+                    own[lane] = [0, 1].map(|k| own[lane][k].and(facets.heights[k], facets));
+                };
+                lacking.unless(self.by_facets(&four[lane], turns.map(|turns| &turns[lane]), add), first + lane);
+            }
+        }
+        lacking.0.map_or(Ok(shares), Err)
+    }
+
+    /// What a kernel finds for up to four demands; `None` for robots that it does not support.
+    fn by_kernel<T>(&self, four: &[Demand], turns: Option<&[Turned]>, run: impl FnOnce(FourDemands) -> T) -> Option<T> {
+        let robot = self.at_turns(self.robot.as_ref()?, turns);
+        let positions = lanes(four, |demand| demand.position);
+        let wrenches = lanes(four, |demand| demand.wrenches.map(Into::into));
+        Some(run(FourDemands { robot: &robot, positions, wrenches, margin: self.margin }))
     }
 
     /// The robot at up to four turns.
     fn at_turns<'a>(&self, robot: &'a KernelRobot, turns: Option<&[Turned]>) -> Cow<'a, KernelRobot> {
         let Some(turns) = turns else { return Cow::Borrowed(robot) };
-        let at = |lane: usize| &turns[lane.min(turns.len() - 1)];
-        let (poses, balances) = (std::array::from_fn(|lane| at(lane).0), std::array::from_fn(|lane| at(lane).1.into()));
+        let (poses, balances) = (lanes(turns, |turn| turn.0), lanes(turns, |turn| turn.1.into()));
         Cow::Owned(robot.at_orientations(&self.statics, &poses, &balances))
     }
 
-    /// The facets of up to four demands by the kernel, where it is sure.
-    fn by_kernel(
-        &self,
-        robot: &KernelRobot,
-        first: usize,
-        four: &[Demand],
-        see: &mut impl FnMut(usize, FacetPair),
-    ) -> [f64; WIDTH] {
-        let at = |lane: usize| &four[lane.min(four.len() - 1)];
-        let positions = std::array::from_fn(|lane| at(lane).0);
-        let wrenches = std::array::from_fn(|lane| at(lane).1.map(Into::into));
-        let (facets, sure) = self.kernel.run(AllFacets { robot, positions, wrenches });
-        for lane in (0..four.len()).filter(|lane| sure[*lane] >= 0.0) {
-            for facet in facets.iter().filter(|facet| facet.norm[lane] > 0.0) {
-                let (heights, slack) = (facet.heights.map(|h| h[lane]), facet.slack.map(|s| s[lane]));
-                see(first + lane, FacetPair { heights, slack, norm: facet.norm[lane] });
-            }
-        }
-        sure
+    /// Visits all facets of a demand by definition. The result is nonnegative if the cables hold the platform there.
+    fn by_facets(&self, demand: &Demand, turn: Option<&Turned>, mut visit: impl FnMut(&FacetPair)) -> f64 {
+        let turned = turn.map(|(pose, balance)| self.statics.turned(pose, *balance));
+        let mut least = f64::INFINITY;
+        let statics = turned.as_ref().unwrap_or(&self.statics);
+        let directed = self.defined(statics, &demand.position, &demand.wrenches, &mut |facet| {
+            let slack = facet.slack.map(|slack| slack - self.margin * facet.norm);
+            least = least.min(slack[0]).min(slack[1]);
+            visit(&FacetPair { slack, ..facet });
+        });
+        if directed { least } else { f64::NAN }
     }
 
     /// The facets at a position by definition; false if a cable has no direction.
@@ -178,4 +223,32 @@ impl DemandFacets {
             facets(normal, [nothing; 2]);
         }
     }
+}
+
+/// The first demand at whose position the cables cannot hold the platform.
+struct Lacking(Option<usize>);
+
+impl Lacking {
+    /// Notes a demand unless a number is nonnegative.
+    fn unless(&mut self, held: f64, demand: usize) {
+        if !(held >= 0.0) {
+            self.0 = Some(self.0.map_or(demand, |first| first.min(demand)));
+        }
+    }
+}
+
+/// Demands in groups of four with their turns; the first number is the index of the first of them.
+fn groups<'a>(
+    demands: &'a [Demand],
+    turned: Option<&'a [Turned]>,
+) -> impl Iterator<Item = (usize, &'a [Demand], Option<&'a [Turned]>)> {
+    demands.chunks(WIDTH).enumerate().map(move |(group, four)| {
+        let first = group * WIDTH;
+        (first, four, turned.map(|turned| &turned[first..first + four.len()]))
+    })
+}
+
+/// A quantity of up to four items, the last one repeated.
+fn lanes<T, U>(items: &[T], of: impl Fn(&T) -> U) -> [U; WIDTH] {
+    std::array::from_fn(|lane| of(&items[lane.min(items.len() - 1)]))
 }

@@ -45,7 +45,7 @@ const fn triples() -> [[usize; 3]; 56] {
 }
 
 /// A number for each of four poses.
-type Four = [f64; WIDTH];
+pub type Four = [f64; WIDTH];
 
 /// A robot in the kernel's layout, at four poses.
 #[derive(Debug, Clone, PartialEq)]
@@ -132,61 +132,163 @@ impl Task for FourMargins<'_> {
 /// Number of pairs of parallel facets.
 pub const FACETS: usize = TRIPLES.len();
 
+/// Four positions, two wrenches [force; moment / ℓ] at each, N, and a capacity margin that the cables keep, N.
+pub struct FourDemands<'a> {
+    pub robot: &'a KernelRobot,
+    pub positions: [Point; WIDTH],
+    pub wrenches: [[[f64; ROWS]; 2]; WIDTH],
+    pub margin: f64,
+}
+
+/// At which of the four positions the kernel is sure of its result, and at which it found no negative slack at rest; others are
+/// negative.
+#[derive(Debug, Clone, Copy)]
+pub struct FourSigns {
+    pub sure: Four,
+    pub held: Four,
+}
+
 /// A pair of parallel facets at four positions, in units of its normal, whose length is arbitrary.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct FourFacets {
     /// Heights of two wrenches over the plane through the origin, in the direction of the first facet.
-    pub heights: [[f64; WIDTH]; 2],
-    /// What the cables provide beyond the balance of the loads, in the direction of the first facet and of the second.
-    pub slack: [[f64; WIDTH]; 2],
+    pub heights: [Four; 2],
+    /// What the cables provide beyond the balance of the loads and the margin, in the direction of the first facet and of the
+    /// second.
+    pub slack: [Four; 2],
     /// Length of the normal; 0 if the facet does not exist.
-    pub norm: [f64; WIDTH],
+    pub norm: Four,
 }
 
-/// The facets at four positions, and for each position two wrenches [force; moment / ℓ], N. The second part of the result
-/// is negative where the kernel is not sure.
-pub struct AllFacets<'a> {
-    pub robot: &'a KernelRobot,
-    pub positions: [Point; WIDTH],
-    pub wrenches: [[[f64; ROWS]; 2]; WIDTH],
+/// The facets at four positions that may limit u w₀ + x w₁ with the two wrenches w and |u| ≤ `most[0]`, 0 ≤ x ≤ `most[1]`. The
+/// result is their number in `found`.
+pub struct ReachedFacets<'a> {
+    pub demands: FourDemands<'a>,
+    pub most: [[f64; WIDTH]; 2],
+    pub found: &'a mut [FourFacets; FACETS],
 }
 
-impl Task for AllFacets<'_> {
-    type Output = ([FourFacets; FACETS], [f64; WIDTH]);
+impl Task for ReachedFacets<'_> {
+    type Output = (usize, FourSigns);
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) -> Self::Output {
-        let mut sure = l.splat(1.0);
-        let mut rows = transposed_wrench_matrix(l, self.robot, &self.positions, &mut sure);
+        let mut at = Places::new(l, &self.demands);
+        let [most_u, most_x] = [l.load(&self.most[0]), l.load(&self.most[1])];
+        let mut count = 0;
+        for triple in TRIPLES {
+            let Facet { heights: [a, b], slack, norm, missing } = at.facet(l, triple);
+            let (by_u, zero) = (l.mul(l.abs(a), most_u), l.splat(0.0));
+            let out = l.sub(slack[0], l.add(by_u, l.mul(l.max(b, zero), most_x)));
+            let back = l.sub(slack[1], l.add(by_u, l.mul(l.max(l.sub(zero, b), zero), most_x)));
+            let beyond = (l.not_negative(out) & l.not_negative(back)) | l.not_negative(missing);
+            if beyond != ALL {
+                self.found[count] = FourFacets {
+                    heights: [l.store(a), l.store(b)],
+                    slack: [l.store(slack[0]), l.store(slack[1])],
+                    norm: l.store(l.where_not_negative(missing, zero, norm)),
+                };
+                count += 1;
+            }
+        }
+        (count, at.signs(l))
+    }
+}
+
+/// One bit for each of the four positions.
+const ALL: u32 = (1 << WIDTH) - 1;
+
+/// What each of two wrenches needs of the slack at four positions.
+#[derive(Debug, Clone, Copy)]
+pub struct FourShares {
+    /// The largest share of the slack at rest.
+    pub share: [Four; 2],
+    /// The least slack that is left, N.
+    pub slack: [Four; 2],
+}
+
+impl Task for FourDemands<'_> {
+    type Output = (FourShares, FourSigns);
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> Self::Output {
+        let mut at = Places::new(l, &self);
+        let (zero, infinity) = (l.splat(0.0), l.splat(f64::INFINITY));
+        let (mut share, mut least) = ([zero; 2], [infinity; 2]);
+        for triple in TRIPLES {
+            let Facet { heights, slack: [out, back], norm, missing } = at.facet(l, triple);
+            for k in 0..2 {
+                let opposite = l.sub(zero, heights[k]);
+                let needed = l.max(l.div(heights[k], out), l.max(l.div(opposite, back), zero));
+                share[k] = l.max(l.where_not_negative(missing, zero, needed), share[k]);
+                let left = l.div(l.min(l.sub(out, heights[k]), l.sub(back, opposite)), norm);
+                least[k] = l.min(l.where_not_negative(missing, infinity, left), least[k]);
+            }
+        }
+        let four = |[a, b]: [L::Four; 2]| [l.store(a), l.store(b)];
+        (FourShares { share: four(share), slack: four(least) }, at.signs(l))
+    }
+}
+
+/// What the facets at four positions are computed from.
+struct Places<L: Lanes> {
+    factors: Factors<L>,
+    sides: Sides<L>,
+    wrenches: [[L::Four; ROWS]; 2],
+    margin: L::Four,
+    sure: L::Four,
+    held: L::Four,
+}
+
+/// A pair of facets; see [`FourFacets`]. `missing` is nonnegative where it does not exist.
+struct Facet<L: Lanes> {
+    heights: [L::Four; 2],
+    slack: [L::Four; 2],
+    norm: L::Four,
+    missing: L::Four,
+}
+
+impl<L: Lanes> Places<L> {
+    #[inline(always)]
+    fn new(l: L, demands: &FourDemands) -> Self {
+        let (mut sure, held) = (l.splat(1.0), l.splat(1.0));
+        let mut rows = transposed_wrench_matrix(l, demands.robot, &demands.positions, &mut sure);
         let factors = Factors::new(l, &mut rows, &mut sure);
-        let [a, b, c, d] = &self.wrenches;
+        let [a, b, c, d] = &demands.wrenches;
         let mut wrenches = [[l.splat(0.0); ROWS]; 2];
         for k in 0..2 {
             for row in 0..ROWS {
                 wrenches[k][row] = l.load(&[a[k][row], b[k][row], c[k][row], d[k][row]]);
             }
         }
-        let mut facets = [FourFacets::default(); FACETS];
-        let Factors { dual, .. } = &factors;
-        let sides = Sides::new(l, self.robot, &factors);
-        for (facet, triple) in facets.iter_mut().zip(TRIPLES) {
-            let [i, j, k] = triple;
-            let v = sides.normal(l, triple);
-            let mut c = [l.splat(0.0); ROWS];
-            for r in 0..ROWS {
-                c[r] = dot(l, &v, &[dual[i][r], dual[j][r], dual[k][r]]);
-            }
-            let [out, off] = sides.reach(l, triple, &v);
-            let (slack, norm) = ([l.sub(out, off), l.add(out, off)], l.sqrt(dot(l, &c, &c)));
-            let size = dot(l, &v, &v);
-            let no_normal = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);
-            let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
-            sure = unless(l, l.max(no_normal, clear), sure);
-            facet.heights = [l.store(dot(l, &c, &wrenches[0])), l.store(dot(l, &c, &wrenches[1]))];
-            facet.slack = [l.store(slack[0]), l.store(slack[1])];
-            facet.norm = l.store(l.where_not_negative(no_normal, l.splat(0.0), norm));
+        let (sides, margin) = (Sides::new(l, demands.robot, &factors), l.splat(demands.margin));
+        Places { factors, sides, wrenches, margin, sure, held }
+    }
+
+    #[inline(always)]
+    fn facet(&mut self, l: L, triple: [usize; 3]) -> Facet<L> {
+        let ([i, j, k], dual) = (triple, &self.factors.dual);
+        let v = self.sides.normal(l, triple);
+        let mut c = [l.splat(0.0); ROWS];
+        for r in 0..ROWS {
+            c[r] = dot(l, &v, &[dual[i][r], dual[j][r], dual[k][r]]);
         }
-        (facets, l.store(sure))
+        let ([out, off], norm) = (self.sides.reach(l, triple, &v), l.sqrt(dot(l, &c, &c)));
+        let size = dot(l, &v, &v);
+        let missing = l.sub(l.splat(KERNEL_NO_NORMAL * KERNEL_NO_NORMAL), size);
+        let clear = l.sub(size, l.splat(KERNEL_NORMAL * KERNEL_NORMAL));
+        self.sure = unless(l, l.max(missing, clear), self.sure);
+        let kept = l.mul(self.margin, norm);
+        let slack = [l.sub(l.sub(out, off), kept), l.sub(l.add(out, off), kept)];
+        let held = l.where_not_negative(missing, l.splat(0.0), l.min(slack[0], slack[1]));
+        self.held = unless(l, held, self.held);
+        let heights = [dot(l, &c, &self.wrenches[0]), dot(l, &c, &self.wrenches[1])];
+        Facet { heights, slack, norm, missing }
+    }
+
+    #[inline(always)]
+    fn signs(&self, l: L) -> FourSigns {
+        FourSigns { sure: l.store(self.sure), held: l.store(self.held) }
     }
 }
 
