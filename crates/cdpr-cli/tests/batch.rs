@@ -16,25 +16,39 @@ fn bytes_of_rows(run: &Path) -> u64 {
     rows.map(|entry| entry.unwrap().metadata().unwrap().len()).sum()
 }
 
+/// Runs of which all but `kills` may end before they can be killed.
+const RUNS: usize = 100;
+
 /// Runs a batch into the folder `torn` with two threads, and kills it several times after it has written another few bytes, at
-/// most so many each time.
+/// most so many each time. A run that ends before that starts again from nothing.
 fn run_and_kill(folder: &Path, arguments: &[&str], kills: usize, most: u64) {
-    let mut random = 12345u64;
-    for _ in 0..kills {
-        let written = bytes_of_rows(&folder.join("torn"));
-        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
-        command.current_dir(folder).args(arguments).args(["torn", "--resume", "--threads", "2"]);
-        let mut child =
-            command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
+    let (mut random, mut killed) = (12345u64, 0);
+    for _ in 0..RUNS {
         random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        let wanted = written + 1 + (random >> 32) % most;
-        while bytes_of_rows(&folder.join("torn")) < wanted {
-            assert!(child.try_wait().unwrap().is_none(), "the run ended before it was killed");
-            std::thread::sleep(std::time::Duration::from_micros(200));
+        if is_killed(folder, arguments, 1 + (random >> 32) % most) {
+            killed += 1;
+        } else {
+            fs::remove_dir_all(folder.join("torn")).unwrap();
+            killed = 0;
         }
-        child.kill().unwrap();
-        assert_eq!(child.wait().unwrap().code(), KILLED, "the run ended before it was killed");
+        if killed == kills {
+            return;
+        }
     }
+    panic!("{RUNS} runs ended before they were killed");
+}
+
+/// Resumes a batch in the folder `torn` until it has written so many bytes more; whether it could be killed then.
+fn is_killed(folder: &Path, arguments: &[&str], more: u64) -> bool {
+    let wanted = bytes_of_rows(&folder.join("torn")) + more;
+    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));
+    command.current_dir(folder).args(arguments).args(["torn", "--resume", "--threads", "2"]);
+    let mut child = command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
+    while child.try_wait().unwrap().is_none() && bytes_of_rows(&folder.join("torn")) < wanted {
+        std::thread::sleep(std::time::Duration::from_micros(200));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap().code() == KILLED
 }
 
 #[test]
