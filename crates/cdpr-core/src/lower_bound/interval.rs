@@ -1,6 +1,6 @@
 //! Intervals of free edges, linear functions on them, and how such a function continues from one interval to another.
 
-use super::free_edges::FreeEdge;
+use super::free_edges::{Corner, FreeEdge};
 use crate::forbidden::HPolyhedron;
 use crate::geometry::segment_segment::closest;
 use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
@@ -13,10 +13,12 @@ pub struct Interval {
     pub ends: [Point; 2],
     /// Its length, m.
     pub length: f64,
+    /// It stands for all positions within this distance of it, m.
+    radius: f64,
     /// Unit vector from the first end to the second; zero for a point.
     along: Vector,
     middle: Point,
-    /// Its edge; `None` for start and goal, where a path need not bend.
+    /// Its edge; `None` for corners, and for start and goal, where a path need not bend.
     edge: Option<Edge>,
 }
 
@@ -107,10 +109,15 @@ impl Interval {
         Interval::new([place, place], None)
     }
 
+    /// A corner, where paths may bend in any way.
+    pub fn corner(Corner { center, radius }: &Corner) -> Self {
+        Interval { radius: *radius, ..Interval::point(*center) }
+    }
+
     fn new([a, b]: [Point; 2], edge: Option<Edge>) -> Self {
         let length = (b - a).norm();
         let along = if length > SAME_POINT { (b - a) / length } else { Vector::zeros() };
-        Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge }
+        Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge, radius: 0.0 }
     }
 
     /// Its middle.
@@ -130,12 +137,19 @@ impl Interval {
         let within =
             |[from, to]: [f64; 2]| part.map(|share| if share == 1.0 { to } else { from + share * (to - from) });
         let edge = self.edge.map(|edge| Edge { range: within(edge.range), ..edge });
-        Interval::new(part.map(|share| self.at(share)), edge)
+        Interval { radius: self.radius, ..Interval::new(part.map(|share| self.at(share)), edge) }
     }
 
     /// The distance from another interval, m.
     pub fn distance(&self, other: &Interval) -> f64 {
-        closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance
+        let distance = closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance;
+        (distance - self.blur(other)).max(0.0)
+    }
+
+    /// By how much the distance of two positions may be less than that of the points of the intervals that stand for them, m.
+    #[inline]
+    pub fn blur(&self, other: &Interval) -> f64 {
+        self.radius + other.radius
     }
 
     /// The point through which the way between two positions is shortest.
@@ -157,6 +171,7 @@ impl Interval {
     pub fn continued_at(&self, share: f64, from: &Interval, label: &Label) -> Label {
         let y = self.at(share);
         let (value, gradient) = from.reach(label, &y);
+        let value = value - self.blur(from);
         Label(self.ends.map(|end| value + gradient.dot(&(end - y))))
     }
 
@@ -201,7 +216,8 @@ impl Interval {
     pub fn may_bend_towards(&self, other: &Interval) -> bool {
         let Some(Edge { planes, .. }) = &self.edge else { return true };
         let (a, b) = (other.heights(&planes[0]), other.heights(&planes[1]));
-        is_between(a, b) || is_between(b, a)
+        let near = ON_SURFACE + other.radius;
+        is_between(a, b, near) || is_between(b, a, near)
     }
 
     /// The heights of both ends above a plane, m.
@@ -242,13 +258,14 @@ impl Interval {
     /// any might be.
     pub fn sight(&self, other: &Interval, hull: &HPolyhedron) -> Sight {
         let (mut all, mut any) = ([0.0, 1.0], [0.0, 1.0]);
+        let depth = BLOCKED_DEPTH + self.radius.max(other.radius);
         for plane in hull.planes() {
             let [[a, b], [c, d]] = [self.heights(plane), other.heights(plane)];
-            any = narrowed(any, [a.min(b) + BLOCKED_DEPTH, c.min(d) + BLOCKED_DEPTH]);
+            any = narrowed(any, [a.min(b) + depth, c.min(d) + depth]);
             if any[0] >= any[1] {
                 return Sight::Free;
             }
-            all = narrowed(all, [a.max(b) + BLOCKED_DEPTH, c.max(d) + BLOCKED_DEPTH]);
+            all = narrowed(all, [a.max(b) + depth, c.max(d) + depth]);
         }
         if all[0] < all[1] { Sight::Blocked } else { Sight::Partial }
     }
@@ -281,19 +298,60 @@ fn narrowed([low, high]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both.
+/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both and what
+/// they may be wrong by.
 #[inline]
-fn is_between(under: [f64; 2], over: [f64; 2]) -> bool {
+fn is_between(under: [f64; 2], over: [f64; 2], near: f64) -> bool {
     let (below, above) = (Label(under), Label([-over[0], -over[1]]));
-    if below.least() >= ON_SURFACE || above.least() >= ON_SURFACE {
+    if below.least() >= near || above.least() >= near {
         return false;
     }
     // Mostly one of the two is so everywhere, and no place has to be computed.
-    let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < ON_SURFACE;
-    is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(ON_SURFACE), above.below(ON_SURFACE))
+    let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < near;
+    is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(near), above.below(near))
 }
 
 /// Whether two ranges have a common place.
 fn overlap(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> bool {
     a.zip(b).is_some_and(|(a, b)| a[0].max(b[0]) <= a[1].min(b[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    fn vector(rng: &mut ChaCha8Rng) -> Vector {
+        Vector::from_fn(|_, _| rng.random_range(-1.0..1.0))
+    }
+
+    fn place(rng: &mut ChaCha8Rng) -> Point {
+        Point::from(vector(rng))
+    }
+
+    #[test]
+    fn a_label_holds_for_all_positions_for_which_an_interval_stands() {
+        let mut rng = ChaCha8Rng::seed_from_u64(2);
+        for _ in 0..3000 {
+            let edge = Interval::new([place(&mut rng), place(&mut rng)], None);
+            let corner = Interval::corner(&Corner { center: place(&mut rng), radius: rng.random_range(0.0..0.3) });
+            let position = |rng: &mut ChaCha8Rng, interval: &Interval, share: f64| {
+                interval.at(share) + vector(rng).normalize() * interval.radius * rng.random_range(0.0..1.0)
+            };
+            for [from, to] in [[&edge, &corner], [&corner, &edge], [&corner, &corner]] {
+                let first = rng.random_range(0.0..2.0);
+                let second = if from.length > 0.0 { rng.random_range(0.0..2.0) } else { first };
+                let label = Label([first, second]);
+                let continued = to.continued(from, &label);
+                for _ in 0..20 {
+                    let [s, t] = [rng.random(), rng.random()];
+                    let (x, y) = (position(&mut rng, from, s), position(&mut rng, to, t));
+                    let way = label.part([s; 2]).least() + (y - x).norm();
+                    assert!(continued.part([t; 2]).least() <= way + 1e-12);
+                    assert!(label.least() + to.distance(from) <= way + 1e-12);
+                }
+            }
+        }
+    }
 }

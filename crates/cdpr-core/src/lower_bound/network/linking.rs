@@ -194,7 +194,7 @@ impl Network<'_> {
     fn nearly_through(&self, a: usize, b: usize) -> [bool; 2] {
         let (from, to) = (&self.intervals[a], &self.intervals[b]);
         let apart = (from.middle() - to.middle()).norm();
-        let left = self.limit() - (apart - 0.5 * (from.length + to.length)).max(0.0);
+        let left = self.limit() - (apart - 0.5 * (from.length + to.length) - from.blur(to)).max(0.0);
         let [f, g] = &self.labels;
         [f[a].least() + g[b].least() < left, f[b].least() + g[a].least() < left]
     }
