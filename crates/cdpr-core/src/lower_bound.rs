@@ -8,8 +8,9 @@
 //!   one ball, in which a path may bend in any way.
 //! - Two intervals are linked unless one polyhedron blocks every segment between them, or no shortest path that bends at
 //!   one of them can come from the other.
-//! - Each interval has a *label*: a linear function, and the distance from the start is at least that everywhere on the
-//!   interval. Labels fall until none exceeds what its neighbours allow. The label of the goal is a lower bound.
+//! - Each interval has a *label* for each side of its edge: a linear function, and the length of a path from the start that arrives
+//!   on that side is at least that everywhere on the interval. A shortest path leaves on the other side. Labels fall until none
+//!   exceeds what its neighbours allow. The label of the goal is a lower bound.
 //! - With labels from both ends, whatever lies only on longer paths than of interest is cut away. What is left is halved,
 //!   and so on, until nothing is left. Errors are of second order in the length of the intervals.
 //!

@@ -33,6 +33,9 @@ struct Edge {
     range: [f64; 2],
 }
 
+/// Whether only the first face of an edge is visible from somewhere, and whether only the second is.
+pub type Sides = [bool; 2];
+
 /// A linear function on an interval, by its values at both ends: a lower bound of the distance from start or goal, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Label(pub [f64; 2]);
@@ -82,6 +85,9 @@ impl Label {
 
     /// The function on a part of the interval, given as fractions.
     pub fn part(&self, part: [f64; 2]) -> Label {
+        if *self == Label::UNKNOWN {
+            return *self;
+        }
         Label(part.map(|share| self.0[0] + share * (self.0[1] - self.0[0])))
     }
 
@@ -211,13 +217,14 @@ impl Interval {
         if nearest.distance > NEAR * self.length { 0.5 } else { nearest.s.clamp(BESIDE, 1.0 - BESIDE) }
     }
 
-    /// Whether a shortest path that bends here may come straight from another interval: from there exactly one of the two
-    /// faces of the edge is visible. If both are, the string would come off; if none is, the body is in the way.
-    pub fn may_bend_towards(&self, other: &Interval) -> bool {
-        let Some(Edge { planes, .. }) = &self.edge else { return true };
+    /// From which sides of the edge a shortest path that bends here may come straight from another interval: exactly one of
+    /// the two faces of the edge is visible from there. If both are, the string would come off; if none is, the body is in
+    /// the way. The path goes on to the other side.
+    pub fn sides_towards(&self, other: &Interval) -> Sides {
+        let Some(Edge { planes, .. }) = &self.edge else { return [true; 2] };
         let (a, b) = (other.heights(&planes[0]), other.heights(&planes[1]));
         let near = ON_SURFACE + other.radius;
-        is_between(a, b, near) || is_between(b, a, near)
+        [is_between(b, a, near), is_between(a, b, near)]
     }
 
     /// The heights of both ends above a plane, m.
@@ -245,7 +252,8 @@ impl Interval {
             (Some(a), Some(b)) => a.planes.iter().all(|plane| b.planes.contains(plane)),
             _ => false,
         };
-        !on_one_line && self.may_bend_towards(other) && other.may_bend_towards(self)
+        let may_bend_towards = |a: &Interval, b: &Interval| a.sides_towards(b).contains(&true);
+        !on_one_line && may_bend_towards(self, other) && may_bend_towards(other, self)
     }
 
     /// The number of its edge and its part of it, as fractions; `None` for a point.
@@ -328,6 +336,42 @@ mod tests {
 
     fn place(rng: &mut ChaCha8Rng) -> Point {
         Point::from(vector(rng))
+    }
+
+    /// A long edge through the origin, between planes with these normals.
+    fn edge_between(normals: [Vector; 2]) -> Interval {
+        let along = normals[0].cross(&normals[1]).normalize() * 10.0;
+        let planes = normals.map(|normal| HalfSpace::through(&Point::origin(), normal));
+        Interval::of((0, &FreeEdge { from: Point::from(-along), to: Point::from(along), planes }))
+    }
+
+    /// Whether the way between two places over an edge through the origin has the wedge on its inner side.
+    fn bends_round(normals: [Vector; 2], along: &Vector, places: [&Point; 2]) -> bool {
+        let [a, b] = places.map(|place| place.coords - along * along.dot(&place.coords));
+        let turn = |v: &Vector, w: &Vector| along.dot(&v.cross(w));
+        let between = |ray: &Vector| turn(&a, ray) * turn(&a, &b) > 0.0 && turn(ray, &b) * turn(&a, &b) > 0.0;
+        let face = |k: usize| {
+            let ray = along.cross(&normals[k]);
+            if ray.dot(&normals[1 - k]) < 0.0 { ray } else { -ray }
+        };
+        between(&face(0)) && between(&face(1))
+    }
+
+    #[test]
+    fn a_taut_path_passes_from_one_side_of_an_edge_to_the_other() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut taut = 0;
+        for _ in 0..3000 {
+            let normals = [(); 2].map(|_| vector(&mut rng).normalize());
+            let (edge, places) = (edge_between(normals), [place(&mut rng), place(&mut rng)]);
+            if !bends_round(normals, &edge.along, places.each_ref()) {
+                continue;
+            }
+            let [from, to] = places.map(|place| edge.sides_towards(&Interval::point(place)));
+            assert!([[true, false], [false, true]].contains(&from) && to == [from[1], from[0]], "{from:?} {to:?}");
+            taut += 1;
+        }
+        assert!(taut > 100, "{taut}");
     }
 
     #[test]
