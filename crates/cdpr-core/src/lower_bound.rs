@@ -4,10 +4,13 @@
 //! no other polyhedron covers them (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces", SIAM J. Comput. 15,
 //! 1986; where two overlap, the edge of their union is concave). So the search for a bound looks at *intervals of free edges*.
 //!
+//! - Where several polyhedra share a corner, rounding leaves tiny edges, far more than there are others. All near a corner count as
+//!   one ball, in which a path may bend in any way.
 //! - Two intervals are linked unless one polyhedron blocks every segment between them, or no shortest path that bends at
 //!   one of them can come from the other.
-//! - Each interval has a *label*: a linear function, and the distance from the start is at least that everywhere on the
-//!   interval. Labels fall until none exceeds what its neighbours allow. The label of the goal is a lower bound.
+//! - Each interval has a *label* for each side of its edge: a linear function, and the length of a path from the start that arrives
+//!   on that side is at least that everywhere on the interval. A shortest path leaves on the other side. Labels fall until none
+//!   exceeds what its neighbours allow. The label of the goal is a lower bound.
 //! - With labels from both ends, whatever lies only on longer paths than of interest is cut away. What is left is halved,
 //!   and so on, until nothing is left. Errors are of second order in the length of the intervals.
 //!
@@ -39,7 +42,7 @@ use crate::watch::{Watch, in_time};
 use bends::{FreePart, bends};
 use bound_file::Parts;
 pub use bound_file::{Certificate, EdgeRow, FORMAT, VERSION};
-use free_edges::{Ellipsoid, FreeEdge, free_edges};
+use free_edges::{Ellipsoid, FreeEdge, FreeEdges, free_edges};
 use interval::Interval;
 use network::Network;
 use snapping::{Moved, snapped};
@@ -124,11 +127,12 @@ impl<'c> Forbidden<'c> {
         let within = Ellipsoid { start: *start, goal: *goal, length: enough };
         let hulls = self.moved(&within, &|_| true, watch)?;
         let hulls = HPolyhedra::new(hulls.into_iter().map(|(_, hull)| hull), self.low, self.high);
-        let edges = free_edges(&hulls, &within, watch)?;
-        if edges.len().saturating_mul(edges.len()) / 2 > effort {
+        let FreeEdges { edges, corners } = free_edges(&hulls, &within, watch)?;
+        let count = edges.len() + corners.len();
+        if count.saturating_mul(count) / 2 > effort {
             return Ok(());
         }
-        let intervals = edges.iter().enumerate().map(Interval::of);
+        let intervals = corners.iter().map(Interval::corner).chain(edges.iter().enumerate().map(Interval::of));
         let mut network = Network::new(&hulls, [start, goal], intervals, (enough, false), watch)?;
         loop {
             let left = effort.saturating_sub(network.examined());

@@ -447,6 +447,10 @@ pub const LEAST_INTERVAL: f64 = 1e-7;
 /// Planes whose coordinates agree to this accuracy become one before lengths are bounded.
 pub const SAME_PLANE: f64 = 1e-8;
 
+/// Free edges shorter than this count as a corner when lengths are bounded, m. Planes that are moved by a quarter of [`BOUND_MARGIN`]
+/// leave edges of 1e-9 to 1e-7 m where several polyhedra share a corner.
+pub const TINY_EDGE: f64 = 1e-6;
+
 /// Lines whose coordinates agree to this accuracy are compared more closely.
 pub const SIMILAR_LINE: f64 = 1e-6;
 

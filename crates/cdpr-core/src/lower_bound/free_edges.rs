@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Polygon, gaps};
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::{SAME_POINT, SIMILAR_LINE};
+use crate::numerics::{SAME_POINT, SIMILAR_LINE, TINY_EDGE};
 use crate::watch::Watch;
 
 /// A free part of an edge, and the planes that meet in it.
@@ -15,6 +15,21 @@ pub struct FreeEdge {
     pub from: Point,
     pub to: Point,
     pub planes: [HalfSpace; 2],
+}
+
+/// A ball around all free edges near a corner that are tiny. Where planes of several polyhedra should meet in one point, they do so
+/// only up to rounding, and after being moved outward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corner {
+    pub center: Point,
+    pub radius: f64,
+}
+
+/// Where shortest paths may bend.
+#[derive(Debug, Default)]
+pub struct FreeEdges {
+    pub edges: Vec<FreeEdge>,
+    pub corners: Vec<Corner>,
 }
 
 /// All positions x with |x - start| + |x - goal| ≤ `length`.
@@ -85,11 +100,11 @@ impl Ellipsoid {
 /// Steps of a search along an edge.
 const SEARCH_STEPS: usize = 60;
 
-/// The free edges within an ellipsoid.
+/// The free edges within an ellipsoid, of which tiny ones are gathered in corners.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Result<Vec<FreeEdge>, Error> {
+pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Result<FreeEdges, Error> {
     let (mut polygon, mut edges, mut near) = (Polygon::default(), Vec::new(), Near::default());
     let mut lines = Lines::default();
     for hull in hulls.list() {
@@ -108,7 +123,25 @@ pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Resu
             }
         }
     }
-    Ok(lines.free)
+    Ok(gathered(lines.free))
+}
+
+/// Edges of which those shorter than [`TINY_EDGE`] are replaced by corners.
+fn gathered(edges: Vec<FreeEdge>) -> FreeEdges {
+    let (tiny, edges): (Vec<FreeEdge>, _) =
+        edges.into_iter().partition(|edge| (edge.to - edge.from).norm() < TINY_EDGE);
+    let mut corners: Vec<Corner> = Vec::new();
+    let mut known = HashMap::new();
+    for FreeEdge { from, to, .. } in tiny {
+        let place = from.coords.map(|x| (x / TINY_EDGE).round() as i64);
+        let at = *known.entry(<[i64; 3]>::from(place)).or_insert(corners.len());
+        if at == corners.len() {
+            corners.push(Corner { center: from, radius: 0.0 });
+        }
+        let Corner { center, radius } = &mut corners[at];
+        *radius = radius.max((from - *center).norm()).max((to - *center).norm());
+    }
+    FreeEdges { edges, corners }
 }
 
 /// The parts of an edge outside of polyhedra, including single points between two of them. Where the edge lies in a face of
@@ -177,4 +210,29 @@ fn beyond([from, to]: [Point; 2], edge: &FreeEdge) -> Vec<[Point; 2]> {
         left.push([if first >= length { first_end } else { edge.to }, last_end]);
     }
     left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+
+    #[test]
+    fn corners_contain_the_tiny_edges_that_they_replace() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+        let mut some = |extent: f64| Vector::from_fn(|_, _| rng.random_range(-extent..extent));
+        let places: Vec<Point> = (0..30).map(|_| Point::from(some(3.0))).collect();
+        let planes = [Vector::x(), Vector::y()].map(|normal| HalfSpace::through(&Point::origin(), normal));
+        let mut edge = |from: Point, extent: f64| FreeEdge { from, to: from + some(extent), planes };
+        let long: Vec<FreeEdge> = places.iter().map(|place| edge(*place, 1.0)).collect();
+        let tiny: Vec<FreeEdge> = places.iter().cycle().take(300).map(|place| edge(*place, 1e-7)).collect();
+        let FreeEdges { edges, corners } = gathered(long.iter().chain(&tiny).copied().collect());
+        assert_eq!(edges, long);
+        assert!((30..60).contains(&corners.len()) && corners.iter().all(|corner| corner.radius < TINY_EDGE));
+        for FreeEdge { from, to, .. } in tiny {
+            let holds =
+                |Corner { center, radius }: &Corner| (from - center).norm().max((to - center).norm()) <= *radius;
+            assert!(corners.iter().any(holds));
+        }
+    }
 }

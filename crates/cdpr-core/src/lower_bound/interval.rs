@@ -1,6 +1,6 @@
 //! Intervals of free edges, linear functions on them, and how such a function continues from one interval to another.
 
-use super::free_edges::FreeEdge;
+use super::free_edges::{Corner, FreeEdge};
 use crate::forbidden::HPolyhedron;
 use crate::geometry::segment_segment::closest;
 use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
@@ -13,10 +13,12 @@ pub struct Interval {
     pub ends: [Point; 2],
     /// Its length, m.
     pub length: f64,
+    /// It stands for all positions within this distance of it, m.
+    radius: f64,
     /// Unit vector from the first end to the second; zero for a point.
     along: Vector,
     middle: Point,
-    /// Its edge; `None` for start and goal, where a path need not bend.
+    /// Its edge; `None` for corners, and for start and goal, where a path need not bend.
     edge: Option<Edge>,
 }
 
@@ -30,6 +32,9 @@ struct Edge {
     /// The part of the edge, as fractions.
     range: [f64; 2],
 }
+
+/// Whether only the first face of an edge is visible from somewhere, and whether only the second is.
+pub type Sides = [bool; 2];
 
 /// A linear function on an interval, by its values at both ends: a lower bound of the distance from start or goal, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,6 +85,9 @@ impl Label {
 
     /// The function on a part of the interval, given as fractions.
     pub fn part(&self, part: [f64; 2]) -> Label {
+        if *self == Label::UNKNOWN {
+            return *self;
+        }
         Label(part.map(|share| self.0[0] + share * (self.0[1] - self.0[0])))
     }
 
@@ -107,10 +115,15 @@ impl Interval {
         Interval::new([place, place], None)
     }
 
+    /// A corner, where paths may bend in any way.
+    pub fn corner(Corner { center, radius }: &Corner) -> Self {
+        Interval { radius: *radius, ..Interval::point(*center) }
+    }
+
     fn new([a, b]: [Point; 2], edge: Option<Edge>) -> Self {
         let length = (b - a).norm();
         let along = if length > SAME_POINT { (b - a) / length } else { Vector::zeros() };
-        Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge }
+        Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge, radius: 0.0 }
     }
 
     /// Its middle.
@@ -130,12 +143,19 @@ impl Interval {
         let within =
             |[from, to]: [f64; 2]| part.map(|share| if share == 1.0 { to } else { from + share * (to - from) });
         let edge = self.edge.map(|edge| Edge { range: within(edge.range), ..edge });
-        Interval::new(part.map(|share| self.at(share)), edge)
+        Interval { radius: self.radius, ..Interval::new(part.map(|share| self.at(share)), edge) }
     }
 
     /// The distance from another interval, m.
     pub fn distance(&self, other: &Interval) -> f64 {
-        closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance
+        let distance = closest(&self.ends[0], &self.ends[1], &other.ends[0], &other.ends[1]).distance;
+        (distance - self.blur(other)).max(0.0)
+    }
+
+    /// By how much the distance of two positions may be less than that of the points of the intervals that stand for them, m.
+    #[inline]
+    pub fn blur(&self, other: &Interval) -> f64 {
+        self.radius + other.radius
     }
 
     /// The point through which the way between two positions is shortest.
@@ -157,6 +177,7 @@ impl Interval {
     pub fn continued_at(&self, share: f64, from: &Interval, label: &Label) -> Label {
         let y = self.at(share);
         let (value, gradient) = from.reach(label, &y);
+        let value = value - self.blur(from);
         Label(self.ends.map(|end| value + gradient.dot(&(end - y))))
     }
 
@@ -196,12 +217,14 @@ impl Interval {
         if nearest.distance > NEAR * self.length { 0.5 } else { nearest.s.clamp(BESIDE, 1.0 - BESIDE) }
     }
 
-    /// Whether a shortest path that bends here may come straight from another interval: from there exactly one of the two
-    /// faces of the edge is visible. If both are, the string would come off; if none is, the body is in the way.
-    pub fn may_bend_towards(&self, other: &Interval) -> bool {
-        let Some(Edge { planes, .. }) = &self.edge else { return true };
+    /// From which sides of the edge a shortest path that bends here may come straight from another interval: exactly one of
+    /// the two faces of the edge is visible from there. If both are, the string would come off; if none is, the body is in
+    /// the way. The path goes on to the other side.
+    pub fn sides_towards(&self, other: &Interval) -> Sides {
+        let Some(Edge { planes, .. }) = &self.edge else { return [true; 2] };
         let (a, b) = (other.heights(&planes[0]), other.heights(&planes[1]));
-        is_between(a, b) || is_between(b, a)
+        let near = ON_SURFACE + other.radius;
+        [is_between(b, a, near), is_between(a, b, near)]
     }
 
     /// The heights of both ends above a plane, m.
@@ -229,7 +252,8 @@ impl Interval {
             (Some(a), Some(b)) => a.planes.iter().all(|plane| b.planes.contains(plane)),
             _ => false,
         };
-        !on_one_line && self.may_bend_towards(other) && other.may_bend_towards(self)
+        let may_bend_towards = |a: &Interval, b: &Interval| a.sides_towards(b).contains(&true);
+        !on_one_line && may_bend_towards(self, other) && may_bend_towards(other, self)
     }
 
     /// The number of its edge and its part of it, as fractions; `None` for a point.
@@ -242,13 +266,14 @@ impl Interval {
     /// any might be.
     pub fn sight(&self, other: &Interval, hull: &HPolyhedron) -> Sight {
         let (mut all, mut any) = ([0.0, 1.0], [0.0, 1.0]);
+        let depth = BLOCKED_DEPTH + self.radius.max(other.radius);
         for plane in hull.planes() {
             let [[a, b], [c, d]] = [self.heights(plane), other.heights(plane)];
-            any = narrowed(any, [a.min(b) + BLOCKED_DEPTH, c.min(d) + BLOCKED_DEPTH]);
+            any = narrowed(any, [a.min(b) + depth, c.min(d) + depth]);
             if any[0] >= any[1] {
                 return Sight::Free;
             }
-            all = narrowed(all, [a.max(b) + BLOCKED_DEPTH, c.max(d) + BLOCKED_DEPTH]);
+            all = narrowed(all, [a.max(b) + depth, c.max(d) + depth]);
         }
         if all[0] < all[1] { Sight::Blocked } else { Sight::Partial }
     }
@@ -281,19 +306,96 @@ fn narrowed([low, high]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both.
+/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both and what
+/// they may be wrong by.
 #[inline]
-fn is_between(under: [f64; 2], over: [f64; 2]) -> bool {
+fn is_between(under: [f64; 2], over: [f64; 2], near: f64) -> bool {
     let (below, above) = (Label(under), Label([-over[0], -over[1]]));
-    if below.least() >= ON_SURFACE || above.least() >= ON_SURFACE {
+    if below.least() >= near || above.least() >= near {
         return false;
     }
     // Mostly one of the two is so everywhere, and no place has to be computed.
-    let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < ON_SURFACE;
-    is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(ON_SURFACE), above.below(ON_SURFACE))
+    let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < near;
+    is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(near), above.below(near))
 }
 
 /// Whether two ranges have a common place.
 fn overlap(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> bool {
     a.zip(b).is_some_and(|(a, b)| a[0].max(b[0]) <= a[1].min(b[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    fn vector(rng: &mut ChaCha8Rng) -> Vector {
+        Vector::from_fn(|_, _| rng.random_range(-1.0..1.0))
+    }
+
+    fn place(rng: &mut ChaCha8Rng) -> Point {
+        Point::from(vector(rng))
+    }
+
+    /// A long edge through the origin, between planes with these normals.
+    fn edge_between(normals: [Vector; 2]) -> Interval {
+        let along = normals[0].cross(&normals[1]).normalize() * 10.0;
+        let planes = normals.map(|normal| HalfSpace::through(&Point::origin(), normal));
+        Interval::of((0, &FreeEdge { from: Point::from(-along), to: Point::from(along), planes }))
+    }
+
+    /// Whether the way between two places over an edge through the origin has the wedge on its inner side.
+    fn bends_round(normals: [Vector; 2], along: &Vector, places: [&Point; 2]) -> bool {
+        let [a, b] = places.map(|place| place.coords - along * along.dot(&place.coords));
+        let turn = |v: &Vector, w: &Vector| along.dot(&v.cross(w));
+        let between = |ray: &Vector| turn(&a, ray) * turn(&a, &b) > 0.0 && turn(ray, &b) * turn(&a, &b) > 0.0;
+        let face = |k: usize| {
+            let ray = along.cross(&normals[k]);
+            if ray.dot(&normals[1 - k]) < 0.0 { ray } else { -ray }
+        };
+        between(&face(0)) && between(&face(1))
+    }
+
+    #[test]
+    fn a_taut_path_passes_from_one_side_of_an_edge_to_the_other() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut taut = 0;
+        for _ in 0..3000 {
+            let normals = [(); 2].map(|_| vector(&mut rng).normalize());
+            let (edge, places) = (edge_between(normals), [place(&mut rng), place(&mut rng)]);
+            if !bends_round(normals, &edge.along, places.each_ref()) {
+                continue;
+            }
+            let [from, to] = places.map(|place| edge.sides_towards(&Interval::point(place)));
+            assert!([[true, false], [false, true]].contains(&from) && to == [from[1], from[0]], "{from:?} {to:?}");
+            taut += 1;
+        }
+        assert!(taut > 100, "{taut}");
+    }
+
+    #[test]
+    fn a_label_holds_for_all_positions_for_which_an_interval_stands() {
+        let mut rng = ChaCha8Rng::seed_from_u64(2);
+        for _ in 0..3000 {
+            let edge = Interval::new([place(&mut rng), place(&mut rng)], None);
+            let corner = Interval::corner(&Corner { center: place(&mut rng), radius: rng.random_range(0.0..0.3) });
+            let position = |rng: &mut ChaCha8Rng, interval: &Interval, share: f64| {
+                interval.at(share) + vector(rng).normalize() * interval.radius * rng.random_range(0.0..1.0)
+            };
+            for [from, to] in [[&edge, &corner], [&corner, &edge], [&corner, &corner]] {
+                let first = rng.random_range(0.0..2.0);
+                let second = if from.length > 0.0 { rng.random_range(0.0..2.0) } else { first };
+                let label = Label([first, second]);
+                let continued = to.continued(from, &label);
+                for _ in 0..20 {
+                    let [s, t] = [rng.random(), rng.random()];
+                    let (x, y) = (position(&mut rng, from, s), position(&mut rng, to, t));
+                    let way = label.part([s; 2]).least() + (y - x).norm();
+                    assert!(continued.part([t; 2]).least() <= way + 1e-12);
+                    assert!(label.least() + to.distance(from) <= way + 1e-12);
+                }
+            }
+        }
+    }
 }

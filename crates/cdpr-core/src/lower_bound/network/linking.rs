@@ -6,8 +6,8 @@
 
 use rayon::prelude::*;
 
-use super::super::interval::Sight;
-use super::Network;
+use super::super::interval::{Label, Sides, Sight};
+use super::{GOAL, Neighbour, Network, START, node};
 use crate::error::Error;
 use crate::forbidden::Near;
 use crate::numerics::SAME_POINT;
@@ -28,10 +28,11 @@ pub struct Links {
     examined: usize,
 }
 
-/// A link: the other interval, and the range of its polyhedra.
+/// A link: the other interval, on which sides of their edges the two intervals see each other, and the range of its polyhedra.
 #[derive(Clone, Copy)]
 struct Link {
     to: u32,
+    sides: [Sides; 2],
     hulls: [u32; 2],
 }
 
@@ -95,7 +96,7 @@ impl Network<'_> {
 
     /// For each interval, which of its links are on paths that are short enough.
     pub(super) fn still_open(&self) -> Vec<Vec<bool>> {
-        let is_open = |at: usize, link: &Link| self.certified || self.through(at, link.to as usize);
+        let is_open = |at: usize, link: &Link| self.certified || self.through([at, link.to as usize], link.sides);
         let of = |(at, links): (usize, &Links)| links.links.iter().map(|link| is_open(at, link)).collect();
         self.onward.iter().enumerate().map(of).collect()
     }
@@ -104,9 +105,9 @@ impl Network<'_> {
         self.links = vec![Vec::new(); self.intervals.len()];
         for (at, links) in found.iter().enumerate() {
             self.examined += links.examined;
-            for Link { to, .. } in &links.links {
-                self.links[at].push(*to);
-                self.links[*to as usize].push(at as u32);
+            for &Link { to, sides: [leaving, arriving], .. } in &links.links {
+                self.links[at].push(Neighbour { at: to, leaving, arriving });
+                self.links[to as usize].push(Neighbour { at: at as u32, leaving: arriving, arriving: leaving });
             }
         }
         self.onward = found;
@@ -116,33 +117,35 @@ impl Network<'_> {
     fn link_anew(&self, links: &mut Links, [at, to]: [usize; 2], hint: &mut Option<u32>, near: &mut Near) {
         let (from, other, list) = (&self.intervals[at], &self.intervals[to], self.hulls.list());
         let blocks = |hull: u32| self.sight([at, to], hull) == Sight::Blocked;
-        if !self.may_connect(at, to) || hint.is_some_and(blocks) {
-            links.examined += 1;
-            return;
-        }
+        links.examined += 1;
+        let Some(sides) = self.sides([at, to]).filter(|_| !hint.is_some_and(blocks)) else { return };
         let blocker = if list.len() <= FEW {
-            self.link_past(links, [at, to], 0..list.len() as u32)
+            self.link_past(links, [at, to], sides, 0..list.len() as u32)
         } else {
             let reach = 0.5 * from.length.max(other.length);
             let hulls = self.hulls.near_within(&[from.middle(), other.middle()], reach, near);
-            self.link_past(links, [at, to], hulls.iter().copied())
+            self.link_past(links, [at, to], sides, hulls.iter().copied())
         };
         *hint = blocker.or(*hint);
     }
 
     /// Adds a link between two parts if there is one, given the polyhedra that may be in the way.
     fn link(&self, links: &mut Links, [at, to]: [usize; 2], hulls: &[u32]) {
-        if self.may_connect(at, to) {
-            self.link_past(links, [at, to], hulls.iter().copied());
-        } else {
-            links.examined += 1;
+        links.examined += 1;
+        if let Some(sides) = self.sides([at, to]) {
+            self.link_past(links, [at, to], sides, hulls.iter().copied());
         }
     }
 
     /// Adds a link unless one of some polyhedra blocks it, which is returned.
-    fn link_past(&self, links: &mut Links, [at, to]: [usize; 2], hulls: impl Iterator<Item = u32>) -> Option<u32> {
+    fn link_past(
+        &self,
+        links: &mut Links,
+        [at, to]: [usize; 2],
+        sides: [Sides; 2],
+        hulls: impl Iterator<Item = u32>,
+    ) -> Option<u32> {
         let first = links.hulls.len();
-        links.examined += 1;
         for hull in hulls {
             match self.sight([at, to], hull) {
                 Sight::Free => {}
@@ -153,7 +156,7 @@ impl Network<'_> {
                 }
             }
         }
-        links.links.push(Link { to: to as u32, hulls: [first as u32, links.hulls.len() as u32] });
+        links.links.push(Link { to: to as u32, sides, hulls: [first as u32, links.hulls.len() as u32] });
         None
     }
 
@@ -167,36 +170,46 @@ impl Network<'_> {
         }
     }
 
-    /// Whether a path that is short enough may lead straight from one interval to another, either way, as far as the
-    /// labels and the edges themselves tell.
-    fn may_connect(&self, a: usize, b: usize) -> bool {
+    /// On which sides of their edges two intervals see each other, if a path that is short enough may lead straight from one to the
+    /// other, either way, as far as the labels and the edges themselves tell. A certificate does not distinguish sides.
+    fn sides(&self, [a, b]: [usize; 2]) -> Option<[Sides; 2]> {
         let (from, to) = (&self.intervals[a], &self.intervals[b]);
         if self.certified {
-            return from.may_connect(to);
+            return from.may_connect(to).then_some([[true, false]; 2]);
         }
-        self.nearly_through(a, b).contains(&true)
-            && from.may_run_along(to)
-            && from.may_bend_towards(to)
-            && to.may_bend_towards(from)
-            && self.through(a, b)
+        if !self.nearly_through(a, b).contains(&true) || !from.may_run_along(to) {
+            return None;
+        }
+        let sides = [from.sides_towards(to), to.sides_towards(from)];
+        let may_bend = sides.iter().all(|sides| sides.contains(&true));
+        (may_bend && self.through([a, b], sides)).then_some(sides)
     }
 
-    /// Whether a path with a segment between two intervals may be short enough, as far as the labels tell.
-    fn through(&self, a: usize, b: usize) -> bool {
-        let [f, g] = &self.labels;
-        let continued = |a: usize, b: usize| self.intervals[b].continued(&self.intervals[a], &f[a]);
-        let one_way = |a: usize, b: usize| continued(a, b).plus(&g[b]).least() < self.limit();
+    /// Whether a path with a segment between two intervals, which see each other on some sides of their edges, may be short
+    /// enough, as far as the labels tell.
+    fn through(&self, [a, b]: [usize; 2], [of_a, of_b]: [Sides; 2]) -> bool {
+        let one_way = |[a, b]: [usize; 2], [of_a, of_b]: [Sides; 2]| {
+            let before = (0..2).filter(|side| of_a[*side]).map(|side| self.labels[START][self.across(node(a, side))]);
+            let after = |side: usize| self.labels[GOAL][self.across(node(b, side))];
+            before.filter(|label| *label != Label::UNKNOWN).any(|before| {
+                let label = self.intervals[b].continued(&self.intervals[a], &before);
+                (0..2).any(|side| of_b[side] && label.plus(&after(side)).least() < self.limit())
+            })
+        };
         let [there, back] = self.nearly_through(a, b);
-        there && one_way(a, b) || back && one_way(b, a)
+        there && one_way([a, b], [of_a, of_b]) || back && one_way([b, a], [of_b, of_a])
     }
 
     /// The same for each direction, roughly and quickly.
     fn nearly_through(&self, a: usize, b: usize) -> [bool; 2] {
         let (from, to) = (&self.intervals[a], &self.intervals[b]);
         let apart = (from.middle() - to.middle()).norm();
-        let left = self.limit() - (apart - 0.5 * (from.length + to.length)).max(0.0);
-        let [f, g] = &self.labels;
-        [f[a].least() + g[b].least() < left, f[b].least() + g[a].least() < left]
+        let left = self.limit() - (apart - 0.5 * (from.length + to.length) - from.blur(to)).max(0.0);
+        let least = |end: usize, at: usize| {
+            let [a, b] = self.of_interval(end, at);
+            a.least().min(b.least())
+        };
+        [least(START, a) + least(GOAL, b) < left, least(START, b) + least(GOAL, a) < left]
     }
 }
 
