@@ -53,6 +53,14 @@ fn a_thousandth_is_proved_on_the_scenes_of_the_paper() {
 }
 
 #[test]
+fn four_hundredths_are_proved_in_the_forest() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml");
+    let forest = cdpr_files::load_scene(std::path::Path::new(file)).unwrap();
+    let cost = 12.008727; // the best known path
+    assert_eq!(bound(&forest, ends(&forest), cost / 1.04, 20_000_000), cost / 1.04);
+}
+
+#[test]
 fn no_more_is_proved_than_is_true() {
     // Asked to prove more than the length of a known path, the search must not succeed.
     let asked: Vec<bool> = (0..60u64)

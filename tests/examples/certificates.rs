@@ -10,7 +10,6 @@ use std::time::Instant;
 use cdpr_certify::check_bound;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::numerics::QUICK_BOUND_EFFORT;
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;
@@ -20,7 +19,7 @@ use cdpr_study::{RandomScenes, RandomScenesSpec};
 /// Best of this many seeds.
 const SEEDS: u64 = 3;
 /// Effort for each certificate.
-const EFFORT: usize = 10 * QUICK_BOUND_EFFORT;
+const EFFORT: usize = 10_000_000;
 
 fn main() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();

@@ -454,11 +454,11 @@ pub const TINY_EDGE: f64 = 1e-6;
 /// Lines whose coordinates agree to this accuracy are compared more closely.
 pub const SIMILAR_LINE: f64 = 1e-6;
 
-/// Number of pairs of intervals that may be passed for a lower bound if a gap is asked for: some seconds.
-pub const BOUND_EFFORT: usize = 50_000_000;
+/// Number of pairs of intervals that may be passed for a lower bound if a gap is asked for: some ten seconds.
+pub const BOUND_EFFORT: usize = 100_000_000;
 
 /// The same for a bound that nobody asked for: some 0.1 s.
-pub const QUICK_BOUND_EFFORT: usize = 1_000_000;
+pub const QUICK_BOUND_EFFORT: usize = 300_000;
 
 /// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
 pub const CERTIFICATE_SECONDS: u64 = 60;

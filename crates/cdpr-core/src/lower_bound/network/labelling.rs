@@ -18,7 +18,7 @@ const MOST_CHANGES: u8 = 12;
 /// The same for certificates, which have no other way to settle.
 const MOST_CHANGES_CERTIFIED: u8 = 200;
 /// Changes of a label after which it is what constant labels everywhere give.
-const MOST_CHANGES_IN_ALL: u8 = 60;
+const MOST_CHANGES_IN_ALL: u8 = 16;
 /// Labels between two checks of the watch.
 const POLL: usize = 256;
 
