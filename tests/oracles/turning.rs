@@ -102,23 +102,23 @@ struct Walked {
     room: f64,
 }
 
-/// Walks a motion that was called free, and judges its tightest pose and a few others at their own orientations. Whether the
-/// walk was finished.
+/// Poses of a motion, besides the tightest, that are judged at their own orientations.
+const JUDGED: u8 = 24;
+
+/// Walks a motion that was called free, and judges its tightest pose and others at their own orientations. Whether the walk was
+/// finished.
 fn assert_free(scene: &Scene, engine: &TurningEngine, from: &Pose, to: &Pose, seed: u64) -> bool {
     let motion = from.toward(to);
-    let Some(walked) = walk(engine, &motion) else { return false };
     let free = |pose: &Pose| {
         let found = broken(scene, engine, pose);
         assert!(found.is_empty(), "seed {seed}: {from:?} to {to:?} is called free, but at {pose:?}: {found:?}");
     };
+    (0..=JUDGED).for_each(|k| free(&motion.at(f64::from(k) / f64::from(JUDGED))));
+    let Some(walked) = walk(engine, &motion) else { return false };
     let tightest = walked.iter().min_by(|a, b| a.room.total_cmp(&b.room)).unwrap();
-    assert!(
-        tightest.room > -DEEPEST_MISSED,
-        "seed {seed}: {from:?} to {to:?} is called free, but keeps {}",
-        tightest.room
-    );
+    let room = tightest.room;
+    assert!(room > -DEEPEST_MISSED, "seed {seed}: {from:?} to {to:?} is called free, but keeps {room}");
     free(&tightest.pose);
-    (0..=4).for_each(|k| free(&motion.at(f64::from(k) / 4.0)));
     for pair in walked.windows(2) {
         let crossing = crossed(scene, &pair[0].pose, &pair[1].pose);
         assert!(crossing.is_none(), "seed {seed}: {from:?} to {to:?} is called free, but cables {crossing:?} cross");
@@ -213,24 +213,23 @@ fn refused_far_from_contact(engine: &TurningEngine, from: &Pose, to: &Pose) -> b
     short && clear && !found.is_empty()
 }
 
-fn judge(first: u64, scenes: u64, motions: usize, scene: impl Fn(u64) -> Scene + Sync) {
+/// Judges motions in so many scenes; at least so many of them must be free, and so many refused.
+fn judge(first: u64, scenes: u64, motions: usize, [free, refused]: [usize; 2], scene: impl Fn(u64) -> Scene + Sync) {
     let one = |seed: u64| judged(&scene(first + seed), first + seed, motions);
     let count = (0..scenes * effort()).into_par_iter().map(one).reduce(Count::default, Count::and);
     eprintln!("{count:?}");
-    assert!(
-        count.free > 100 && count.refused > 10 && count.far == 0 && count.unfinished * 1000 < count.free,
-        "{count:?}"
-    );
+    assert!(count.free > free && count.refused > refused && count.far == 0, "{count:?}");
+    assert!(count.unfinished * 1000 < count.free, "{count:?}");
 }
 
 #[test]
 fn free_motions_meet_nothing() {
-    judge(7 << 40, 200, 30, |seed| scene(&mut rng(seed), Kind::default()));
+    judge(7 << 40, 200, 30, [200, 200], |seed| scene(&mut rng(seed), Kind::default()));
 }
 
 #[test]
 fn free_motions_keep_clearances_and_limits() {
-    judge(8 << 40, 200, 30, |seed| {
+    judge(8 << 40, 200, 30, [200, 200], |seed| {
         let clearance = [0.001, 0.02, 0.1, 0.0][seed as usize % 4];
         let diameter = [0.0, 0.01, 0.05][seed as usize % 3];
         let kind = Kind { clearance, diameter, special: seed % 2 == 0, mixed: seed % 5 == 0 };
@@ -242,7 +241,7 @@ fn free_motions_keep_clearances_and_limits() {
 fn free_motions_of_built_robots_meet_nothing() {
     let scenes = [testing::hard1(), testing::hard3(), built_scene("cogiro"), built_scene("forest")];
     let bare = scenes.map(|scene| Scene::new(SceneSpec { wrench: None, ..scene.spec().clone() }).unwrap());
-    judge(0, 24, 10, |seed| bare[seed as usize % 4].clone());
+    judge(0, 24, 10, [200, 10], |seed| bare[seed as usize % 4].clone());
 }
 
 #[test]
