@@ -1,9 +1,10 @@
-//! Looks for wrong proofs: random scenes with random clearances, diameters, length limits and start positions, planned without
-//! proofs by all planners in turn; a path where a proof says that there is none would be a defect.
+//! Looks for wrong proofs: random scenes with random clearances, diameters, length limits and start positions, decided;
+//! where a proof says that there is no path, all planners search for one, and finding it would be a defect.
 //!
 //! `cargo run --release -p cdpr-tests --example no_path_study -- 100000 0` (scenes, first seed)
 
-use cdpr_core::collision::Interference;
+use cdpr_core::Error;
+use cdpr_core::collision::{Checker, Interference};
 use cdpr_core::model::{ClearancesSpec, RobotSource, Scene};
 use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
@@ -14,44 +15,69 @@ use cdpr_core::watch::Watch;
 use cdpr_study::{RandomScenes, RandomScenesSpec};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
 
 const PLANNERS: [Planner; 6] =
     [Planner::Anytime, Planner::TwoTrees, Planner::RrtConnect, Planner::ModifiedRrt, Planner::Rrt, Planner::RrtStar];
 
-fn main() -> Result<(), cdpr_core::Error> {
+fn main() -> Result<(), Error> {
     let numbers: Vec<u64> = std::env::args().skip(1).map(|n| n.parse().expect("whole numbers")).collect();
     let [count, first] = numbers[..] else { panic!("how many scenes, and the first seed") };
-    let mut counts = [0usize; 5];
-    for seed in first..first + count {
-        let Some(scene) = random_scene(seed)? else { continue };
-        let engine = engine_for(&scene, Default::default(), Interference::Exact)?;
-        let [Some(start), Some(goal)] = [scene.start(), scene.goal()] else { panic!("scenes have both ends") };
-        if !engine.state_valid(&start) || !engine.state_valid(&goal) {
-            counts[3] += 1;
-            continue;
-        }
-        let answer = decide(&*engine, [&start, &goal], PROOF_EFFORT, &Watch::NONE)?;
-        let mut planner = PlannerOptions::of(PLANNERS[seed as usize % PLANNERS.len()]);
-        planner.limits_mut().max_samples = 1000;
-        let options = PlanOptions { planner, seed, proof: false, ..PlanOptions::default() };
-        let found = plan(Query::of(&scene).by(&*engine), &options, &())?.result;
-        match (&answer, found.status) {
-            (Answer::NoPath(_), Status::Solved) => {
-                counts[4] += 1;
-                println!("WRONG: seed {seed}, {:?}, {}", found.waypoints, serde_json::to_string(scene.spec()).unwrap());
-            }
-            (Answer::NoPath(_), _) => counts[1] += 1,
-            (Answer::Path(_), _) => counts[0] += 1,
-            (Answer::OpeningBelow(_), _) => counts[2] += 1,
-        }
-    }
-    let [path, none, undecided, invalid, wrong] = counts;
+    let answers: Vec<Option<Found>> =
+        (first..first + count).into_par_iter().map(found).collect::<Result<_, Error>>()?;
+    let number = |kind: Found| answers.iter().flatten().filter(|found| **found == kind).count();
+    let [path, none, undecided] = [Found::Path, Found::NoPath, Found::Undecided].map(number);
+    let [invalid, wrong] = [Found::Invalid, Found::Wrong].map(number);
     println!("path {path}, none {none}, undecided {undecided}, start or goal invalid {invalid}, wrong {wrong}");
     Ok(())
 }
 
+/// What is found of a scene.
+#[derive(Clone, Copy, PartialEq)]
+enum Found {
+    Path,
+    NoPath,
+    Undecided,
+    /// Start or goal is not valid.
+    Invalid,
+    /// A path is found where a proof says that there is none.
+    Wrong,
+}
+
+/// The answer for a random scene; `None` where the draw fails.
+fn found(seed: u64) -> Result<Option<Found>, Error> {
+    let Some(scene) = random_scene(seed)? else { return Ok(None) };
+    let engine = engine_for(&scene, Default::default(), Interference::Exact)?;
+    let [Some(start), Some(goal)] = [scene.start(), scene.goal()] else { panic!("scenes have both ends") };
+    if !engine.state_valid(&start) || !engine.state_valid(&goal) {
+        return Ok(Some(Found::Invalid));
+    }
+    Ok(Some(match decide(&*engine, [&start, &goal], PROOF_EFFORT, &Watch::NONE)? {
+        Answer::Path(_) => Found::Path,
+        Answer::OpeningBelow(_) => Found::Undecided,
+        Answer::NoPath(_) => {
+            let solved = |planner: &Planner| solves(*planner, &scene, &*engine, seed);
+            let solvers = PLANNERS.iter().map(solved).collect::<Result<Vec<bool>, Error>>()?;
+            if solvers.contains(&true) { Found::Wrong } else { Found::NoPath }
+        }
+    }))
+}
+
+/// Whether a planner finds a path, which is printed.
+fn solves(planner: Planner, scene: &Scene, engine: &dyn Checker, seed: u64) -> Result<bool, Error> {
+    let mut planner = PlannerOptions::of(planner);
+    planner.limits_mut().max_samples = 1000;
+    let options = PlanOptions { planner, seed, proof: false, ..PlanOptions::default() };
+    let planned = plan(Query::of(scene).by(engine), &options, &())?.result;
+    let solved = planned.status == Status::Solved;
+    if solved {
+        println!("WRONG: seed {seed}, {:?}, {}", planned.waypoints, serde_json::to_string(scene.spec()).unwrap());
+    }
+    Ok(solved)
+}
+
 /// A scene with extras; `None` where the draw fails.
-fn random_scene(seed: u64) -> Result<Option<Scene>, cdpr_core::Error> {
+fn random_scene(seed: u64) -> Result<Option<Scene>, Error> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let prisms = [3, 5, 7, 9][rng.random_range(0..4)];
     let turned = rng.random_range(0..4) == 0;

@@ -15,9 +15,10 @@ use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_study::{RandomScenes, RandomScenesSpec};
+use rayon::prelude::*;
 
 /// Best of this many seeds.
-const SEEDS: u64 = 3;
+const SEEDS: u64 = 10;
 /// Effort to prove more than is true.
 const EFFORT_IN_VAIN: usize = 200_000;
 
@@ -34,10 +35,9 @@ fn main() -> Result<(), Error> {
     for count in &args[2..] {
         let spec: RandomScenesSpec = toml::from_str(&format!("count = {count}")).expect("a valid spec");
         let random = RandomScenes::new(empty(), spec)?;
-        let mut all = Vec::new();
-        for seed in 0..scenes {
-            all.extend(bounded(&random.draw(seed)?, gap)?);
-        }
+        let one = |seed: u64| bounded(&random.draw(seed)?, gap);
+        let found: Vec<Option<Found>> = (0..scenes).into_par_iter().map(one).collect::<Result<_, Error>>()?;
+        let all: Vec<Found> = found.into_iter().flatten().collect();
         let proved = all.iter().filter(|found| found.gap() <= gap + 1e-6).count();
         println!("{count} prisms: {} scenes with a path, gap proved in {proved}", all.len());
         println!("  gap, %: {}", quantiles(all.iter().map(|found| 100.0 * found.gap()).collect()));
@@ -69,8 +69,11 @@ fn bounded(scene: &Scene, gap: f64) -> Result<Option<Found>, Error> {
     let planner = PlannerOptions::of(Planner::Anytime);
     let mut cost = f64::INFINITY;
     for seed in 0..SEEDS {
-        let options = PlanOptions { seed, proof: false, planner: planner.clone(), ..PlanOptions::default() };
+        let options = PlanOptions { seed, planner: planner.clone(), ..PlanOptions::default() };
         let found = plan(Query { engine: Some(&*engine), ..Query::of(scene) }, &options, &())?.result;
+        if found.status == Status::NoPath {
+            return Ok(None);
+        }
         cost = if found.status == Status::Solved { found.cost.min(cost) } else { cost };
     }
     let [Some(start), Some(goal)] = [scene.start(), scene.goal()] else { return Ok(None) };

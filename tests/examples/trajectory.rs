@@ -1,7 +1,7 @@
 //! Trajectories along planned paths of scene files: limits at many instants, durations and computing times.
 //!
 //! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS STEPS SCENE...`: for each scene the paths of so many
-//! seeds, without and with 2.5 cm of clearance, without and with a limit of jerk, each judged at so many instants.
+//! seeds, by turns without and with 2.5 cm of clearance, without and with a limit of jerk, each judged at so many instants.
 
 use std::path::Path;
 use std::time::Instant;
@@ -17,20 +17,20 @@ use cdpr_tests::motions::{Worst, worst};
 use rayon::prelude::*;
 
 const CLEARANCE: f64 = 0.025;
+const JERK: f64 = 40.0;
 
 fn main() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [seeds, steps] = [0, 1].map(|k| args[k].parse::<u32>().expect("a number"));
     for file in &args[2..] {
         let scene = cdpr_files::load_scene(Path::new(file))?;
-        for clearance in [scene.spec().clearance, Some(CLEARANCE)] {
+        let without = scene.spec().clearance;
+        let variants = [(without, None), (Some(CLEARANCE), None), (without, Some(JERK)), (Some(CLEARANCE), Some(JERK))];
+        for (first, (clearance, jerk)) in (0..u64::from(seeds)).zip(variants) {
             let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() })?;
-            let paths: Vec<(Scene, Vec<Point>)> = (0..u64::from(seeds)).filter_map(|seed| path(&scene, seed)).collect();
-            for jerk in [None, Some(40.0)] {
-                let results: Vec<Result<Judged, String>> =
-                    paths.par_iter().map(|(scene, path)| judged(scene, path, jerk, steps)).collect();
-                report(file, clearance, jerk, &results);
-            }
+            let own: Vec<u64> = (first..u64::from(seeds)).step_by(variants.len()).collect();
+            let judged = |seed: &u64| path(&scene, *seed).map(|(scene, path)| judged(&scene, &path, jerk, steps));
+            report(file, clearance, jerk, &own.par_iter().filter_map(judged).collect::<Vec<_>>());
         }
     }
     Ok(())

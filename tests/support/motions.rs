@@ -46,10 +46,14 @@ impl Worst {
     }
 }
 
-/// A motion at this many equal steps, and at instants within each bend and at the ends of each line.
+/// A motion at this many equal steps, and at instants within each bend and at the ends of each line. Collisions are judged on
+/// the chords between the instants, of which there are at most [`MOST_CHORDS`] of equal duration.
 pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> Worst {
-    let bare = scene.without_clearance().unwrap();
-    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
+    let depth = deepest_chord(scene, motion, &instants(motion, steps.min(MOST_CHORDS)));
+    worst_instant(path, motion, &instants(motion, steps)).or(Worst { depth, ..Worst::NOTHING })
+}
+
+fn instants(motion: &Trajectory, steps: u32) -> Vec<f64> {
     let (curve, timing) = (motion.curve(), motion.timing());
     let within = |k: usize| {
         let parts = if curve.pieces()[k].is_line() { 1 } else { PARTS };
@@ -59,13 +63,17 @@ pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> 
     let mut times: Vec<f64> = (0..=steps).map(|k| motion.duration() * f64::from(k) / f64::from(steps)).collect();
     times.extend((0..curve.pieces().len()).flat_map(within).map(|s| timing.when(s)));
     times.sort_by(f64::total_cmp);
+    times
+}
+
+/// The largest excess over limits and deviation at these instants.
+fn worst_instant(path: &[Point], motion: &Trajectory, times: &[f64]) -> Worst {
     let (mut solver, mut worst) = (TensionQp::default(), Worst::NOTHING);
-    let mut before = (0.0, motion.at(0.0));
-    worst.ends = (before.1.position - path[0]).norm();
+    let limits = motion.limits();
+    let bounds = motion.winches().tension_limits().unwrap_or(&[]);
     for time in times {
-        let sample = motion.sample(&mut solver, time).unwrap();
+        let sample = motion.sample(&mut solver, *time).unwrap();
         let now = sample.motion;
-        let limits = motion.limits();
         let excess = |value: f64, limit: Option<f64>| limit.map_or(f64::NEG_INFINITY, |limit| value / limit - 1.0);
         let most = |of: fn(&cdpr_core::trajectory::Winding) -> f64| sample.windings.iter().map(of).fold(0.0, f64::max);
         let found = [
@@ -75,24 +83,32 @@ pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> 
             excess(most(|winding| winding.speed.abs()), limits.cable_speed),
             excess(most(|winding| winding.acceleration.abs()), limits.cable_acceleration),
         ];
-        let bounds = motion.winches().tension_limits().unwrap_or(&[]);
         let outside = sample.tensions.iter().flatten().zip(bounds).map(|(t, [lo, hi])| (lo - t).max(t - hi));
-        // A chord may cut off as much of a bend as its curvature explains.
-        let [from, to] = [before.0, time].map(|time| timing.at(time).s);
-        let curvature = curve.pieces()[curve.piece_at(0.5 * (from + to))].derivative_bounds[1];
-        let sag = curvature * (to - from).powi(2) / 8.0;
-        worst = worst.or(Worst {
-            limits: found,
-            tension: outside.fold(0.0, f64::max),
-            deviation: distance(&now.position, path) - limits.blend,
-            depth: depth(&engines, &before.1.position, &now.position) - sag,
-            ends: 0.0,
-        });
-        before = (time, now);
+        let (tension, deviation) = (outside.fold(0.0, f64::max), distance(&now.position, path) - limits.blend);
+        worst = worst.or(Worst { limits: found, tension, deviation, ..Worst::NOTHING });
     }
-    worst.ends = worst.ends.max((before.1.position - path[path.len() - 1]).norm());
-    worst
+    let ends = [(times[0], path[0]), (times[times.len() - 1], path[path.len() - 1])];
+    let missed = ends.map(|(time, end)| (motion.at(time).position - end).norm());
+    Worst { ends: missed[0].max(missed[1]), ..worst }
 }
+
+/// How deep the chords between these instants collide, beyond what they may cut off a bend, m.
+fn deepest_chord(scene: &Scene, motion: &Trajectory, times: &[f64]) -> f64 {
+    let bare = scene.without_clearance().unwrap();
+    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
+    let (curve, timing) = (motion.curve(), motion.timing());
+    let ends: Vec<(f64, Point)> = times.iter().map(|time| (timing.at(*time).s, motion.at(*time).position)).collect();
+    let beyond = |pair: &[(f64, Point)]| {
+        let [(from, a), (to, b)] = [pair[0], pair[1]];
+        // A chord may cut off as much of a bend as its curvature explains.
+        let curvature = curve.pieces()[curve.piece_at(0.5 * (from + to))].derivative_bounds[1];
+        depth(&engines, &a, &b) - curvature * (to - from).powi(2) / 8.0
+    };
+    ends.windows(2).map(beyond).fold(0.0, f64::max)
+}
+
+/// Collisions are judged on chords this fine.
+const MOST_CHORDS: u32 = 100_000;
 
 /// Parts of each bend.
 const PARTS: u32 = 32;
