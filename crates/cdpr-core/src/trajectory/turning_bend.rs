@@ -20,6 +20,7 @@
 
 use super::jet::Jet;
 use crate::geometry::{Apart, Point, Pose, Rotation, TurningPiece, Vector, turn_about};
+use crate::turning::{Derivatives, PoseCurve};
 
 /// A bend between two lines on which the platform may turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,6 +178,19 @@ impl TurningBend {
     /// rad: a rotation exp(w f) adds at most the angle by which it moves the direction itself, |w × n| |f|.
     pub fn swing(&self, direction: &Vector) -> f64 {
         0.5 * self.length * self.spins.iter().map(|spin| spin.cross(direction).norm()).sum::<f64>()
+    }
+}
+
+impl PoseCurve for TurningBend {
+    fn pose_at(&self, share: f64) -> Pose {
+        self.pose(share * self.length)
+    }
+
+    fn derivatives(&self, share: f64) -> Derivatives {
+        let range = share * self.length;
+        let [_, bending, ..] = self.position_bounds();
+        let [swing, jolt, ..] = self.bounds.vector;
+        Derivatives { position: range * range * bending, turned: [range * swing, range * range * jolt] }
     }
 }
 
