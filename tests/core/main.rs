@@ -18,5 +18,6 @@ mod trajectory;
 mod turning;
 mod turning_attacks;
 mod turning_bends;
+mod turning_bends_wrench;
 mod turning_motions;
 mod wrench_planning;

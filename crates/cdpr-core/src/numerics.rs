@@ -500,6 +500,9 @@ pub const STRAIGHT_ON: f64 = 1e-9;
 /// millionth of what the bend does.
 pub const BEND_HALVINGS: usize = 10;
 
+/// As [`WRENCH_PIECES`], for a bend on which the platform turns: where this is not enough, a smaller bend is tried.
+pub const BEND_WRENCH_PIECES: usize = 100;
+
 /// Distance of a bend from its chord up to which the cells of the grid rule judge the chord, m: far below the size of a cell.
 pub const CHORD_OF_CELLS: f64 = 1e-4;
 

@@ -20,6 +20,7 @@
 
 use super::jet::Jet;
 use crate::geometry::{Apart, Point, Pose, Rotation, TurningPiece, Vector, turn_about};
+use crate::turning::{Derivatives, PoseCurve};
 
 /// A bend between two lines on which the platform may turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,9 +175,23 @@ impl TurningBend {
     }
 
     /// The most by which the angle between any line of the platform and this unit direction of the world exceeds that at the corner,
-    /// rad: a rotation exp(w f) adds at most the angle by which it moves the direction itself, |w × n| |f|.
+    /// rad. A rotation exp(w f) adds at most the angle by which it moves the direction itself, |w × n| |f|. Since f₂ is convex and
+    /// f₁ = u − f₂ is never positive, |w₁ × n| |f₁| + |w₂ × n| f₂ is convex in u, and largest at an end, where one of them is zero.
     pub fn swing(&self, direction: &Vector) -> f64 {
-        0.5 * self.length * self.spins.iter().map(|spin| spin.cross(direction).norm()).sum::<f64>()
+        0.5 * self.length * self.spins.iter().map(|spin| spin.cross(direction).norm()).fold(0.0, f64::max)
+    }
+}
+
+impl PoseCurve for TurningBend {
+    fn pose_at(&self, share: f64) -> Pose {
+        self.pose(share * self.length)
+    }
+
+    fn derivatives(&self, share: f64) -> Derivatives {
+        let range = share * self.length;
+        let [_, bending, ..] = self.position_bounds();
+        let [swing, jolt, ..] = self.bounds.vector;
+        Derivatives { position: range * range * bending, turned: [range * swing, range * range * jolt] }
     }
 }
 
@@ -348,6 +363,24 @@ mod tests {
                 assert!(turned <= piece.apart.turned * arm.norm() + 1e-12);
             }
         }
+    }
+
+    #[test]
+    fn lines_of_the_platform_swing_as_bounded() {
+        let mut rng = ChaCha8Rng::seed_from_u64(6);
+        let mut closest = 0.0_f64;
+        for _ in 0..300 {
+            let bend = random(&mut rng);
+            let line = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
+            let angle = |pose: &Pose| (pose.orientation * line).angle(&line);
+            let from = angle(bend.corner());
+            for s in (0..=200).map(|k| bend.length() * f64::from(k) / 200.0) {
+                let (swung, most) = (angle(&bend.pose(s)) - from, bend.swing(&line));
+                assert!(swung <= most + 1e-7, "{swung} {most}");
+                closest = closest.max(if most > 1e-3 { swung / most } else { 0.0 });
+            }
+        }
+        assert!(closest > 0.9, "{closest}");
     }
 
     #[test]

@@ -11,31 +11,38 @@ use super::turning_bend::TurningBend;
 use crate::collision::{Checker, Conditions, Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Vector};
-use crate::model::Scene;
-use crate::numerics::{BEND_HALVINGS, LEAST_TURNING_BEND, STRAIGHT_ON, TOO_CLOSE_TO_TURN};
+use crate::model::{RuleSpec, Scene};
+use crate::numerics::{BEND_HALVINGS, BEND_WRENCH_PIECES, LEAST_TURNING_BEND, STRAIGHT_ON, TOO_CLOSE_TO_TURN};
 use crate::plan::engine_within;
-use crate::turning::AllowedTurns;
+use crate::turning::{AllowedTurns, TurningWrench};
 use crate::watch::Watch;
 
-/// What bends on which the platform turns must keep: all conditions of a scene but clearances, at any orientation.
+/// What bends on which the platform turns must keep: all conditions of a scene but clearances, and its required wrenches, at any
+/// orientation.
 pub struct TurningSpace {
     checker: Box<dyn Checker>,
     reference: Rotation,
     allowed: Vec<AllowedTurns>,
+    wrench: Option<TurningWrench>,
 }
 
 impl TurningSpace {
-    /// That of a scene; `None` if the scene requires wrenches, which are not proved on such bends.
+    /// That of a scene; `None` if no bend is proved to provide the wrenches that the scene requires: under the rule of a grid, whose
+    /// cells are for one orientation, and for a point mass, whose cables cannot turn it.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn of(scene: &Scene, watch: &Watch) -> Result<Option<Self>, Error> {
-        if scene.wrench().is_some() {
+        if scene.wrench().is_some_and(|spec| spec.rule == Some(RuleSpec::Grid)) {
+            return Ok(None);
+        }
+        let wrench = TurningWrench::of(scene)?;
+        if wrench.as_ref().is_some_and(TurningWrench::of_point_mass) {
             return Ok(None);
         }
         let bare = scene.without_clearance()?;
         let checker = engine_within(&bare, Engine::Gjk, Interference::Exact, watch)?;
-        Ok(Some(TurningSpace { checker, reference: *scene.orientation(), allowed: AllowedTurns::of(scene) }))
+        Ok(Some(TurningSpace { checker, reference: *scene.orientation(), allowed: AllowedTurns::of(scene), wrench }))
     }
 
     /// Distance from the platform's origin to its farthest corner or attachment, m.
@@ -48,7 +55,10 @@ impl TurningSpace {
         let corner = Placed::new(bend.corner(), &self.reference);
         let turns = |allowed: &AllowedTurns| allowed.keeps_within(&corner, bend.swing(allowed.line()));
         let all: Vec<usize> = (0..self.checker.conditions().list.len()).collect();
-        self.allowed.iter().all(turns) && self.keeps(bend, [0.0, bend.length()], &all, BEND_HALVINGS)
+        let balanced = |wrench: &TurningWrench| wrench.keeps_along(bend, BEND_WRENCH_PIECES);
+        self.allowed.iter().all(turns)
+            && self.keeps(bend, [0.0, bend.length()], &all, BEND_HALVINGS)
+            && self.wrench.iter().all(balanced)
     }
 
     /// Whether these conditions are proved between two parameters: by a bound, or on both halves.
@@ -86,8 +96,7 @@ pub fn rounded_turns(scene: &Scene, part: Part, blend: f64, watch: &Watch) -> Re
     let joins = Joins::of(&part);
     let mut bends: Vec<Option<TurningBend>> = vec![None; part.pieces.len()];
     for PartCorner { piece, .. } in part.corners.iter().filter(|at| at.corner.turn) {
-        watch.check()?;
-        bends[*piece] = joins.bend(*piece, blend, &space);
+        bends[*piece] = joins.bend(*piece, blend, &space, watch)?;
     }
     Ok(with_bends(part, &bends, space.reach()))
 }
@@ -112,21 +121,37 @@ impl<'a> Joins<'a> {
     }
 
     /// The largest free bend at the start of a piece.
-    fn bend(&self, piece: usize, blend: f64, space: &TurningSpace) -> Option<TurningBend> {
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    fn bend(
+        &self,
+        piece: usize,
+        blend: f64,
+        space: &TurningSpace,
+        watch: &Watch,
+    ) -> Result<Option<TurningBend>, Error> {
         let [before, after] = [&self.pieces[piece - 1], &self.pieces[piece]];
         if !(before.is_line() && after.is_line()) {
-            return None;
+            return Ok(None);
         }
         let ([v1, w1], [v2, w2]) = (rates(before), rates(after));
         let (velocities, spins, reach) = ([v1, v2], [w1, w2], space.reach());
         if reverses(&velocities, &spins, reach) {
-            return None;
+            return Ok(None);
         }
         let corner = Pose::new(after.control()[0], after.attitude().ends()[0]);
         let room = 2.0 * self.room(piece - 1).min(self.room(piece));
         let most = room.min(TurningBend::length_for(blend, &velocities, &spins, reach));
         let sizes = (0..SIZES).map(|k| most * 0.5_f64.powi(k)).take_while(|length| *length >= LEAST_TURNING_BEND);
-        sizes.map(|length| TurningBend::new(corner, velocities, spins, length)).find(|bend| space.allows(bend))
+        for length in sizes {
+            watch.check()?;
+            let bend = TurningBend::new(corner, velocities, spins, length);
+            if space.allows(&bend) {
+                return Ok(Some(bend));
+            }
+        }
+        Ok(None)
     }
 }
 

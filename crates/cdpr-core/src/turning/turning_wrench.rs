@@ -2,13 +2,15 @@
 //!
 //! As for translations ([`sagging`]): between two poses, each column of the wrench matrix deviates from its chord by a term of
 //! second order, and the slack is below its chord by no more than these deviations, times the tensions, and the changes of the
-//! columns, times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight.
+//! columns, times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight. Of the motion only
+//! bounds of its derivatives matter ([`PoseCurve`]), so it need not be one at constant rates.
 
 use nalgebra::Vector6;
 
+use super::pose_curve::{Derivatives, PoseCurve};
 use crate::collision::{Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Placed, Pose, PoseMotion, Vector};
+use crate::geometry::{Placed, Pose, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{MOST_WRENCH_CABLES, TURNING_PLACE, WRENCH_PIECES};
@@ -47,6 +49,23 @@ impl Column {
         let unit = line / length;
         Column { line, length, unit, moment: arm.cross(&unit) }
     }
+}
+
+/// Bounds of the second derivatives of the direction of a cable, and of its moment, m, on a piece with these ends; `None` if the
+/// cable may lose its direction there.
+fn second_derivatives(cable: &Cable, [first, last]: &[Column; 2], bounds: &Derivatives) -> Option<[f64; 2]> {
+    let Derivatives { position, turned: [swing, jolt] } = bounds;
+    let arm = cable.attachment.coords.norm();
+    // The speed of the attachment differs from the mean by at most half of its acceleration.
+    let acceleration = position + jolt * arm;
+    let speed = (last.line - first.line).norm() + 0.5 * acceleration;
+    let shortest = first.length.min(last.length) - 0.5 * speed;
+    if !(shortest > 0.0) {
+        return None;
+    }
+    let turn = speed / shortest;
+    let bend = BEND * turn * turn + acceleration / shortest;
+    Some([bend, jolt * arm + 2.0 * swing * arm * turn + arm * bend])
 }
 
 /// An upper bound of Σ |c·aᵢ| over all unit directions c. It is the length of the longest sum of the aᵢ with signs, so its
@@ -97,21 +116,29 @@ impl TurningWrench {
         }))
     }
 
+    /// Whether all cables meet in one point of the platform, which they cannot turn.
+    pub fn of_point_mass(&self) -> bool {
+        self.measures.iter().any(|measure| measure.statics().point_mass())
+    }
+
     /// Whether a motion is proved to satisfy the requirement.
     pub fn keeps(&self, from: &Pose, to: &Pose) -> bool {
-        let motion = from.toward(to);
-        let still = from == to;
-        let shares = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|share| if still { 0.0 } else { share });
-        let first = self.known(&motion, &shares);
+        if from == to {
+            let [known, ..] = self.known(&from.toward(to), &[0.0; WIDTH]);
+            return self.holds(&known);
+        }
+        self.keeps_along(&from.toward(to), WRENCH_PIECES)
+    }
+
+    /// The same for a curve of poses, in at most about four times as many pieces as told.
+    pub fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
+        let first = self.known(motion, &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
         if !first.iter().all(|known| self.holds(known)) {
             return false;
         }
-        if still {
-            return true;
-        }
         let mut open: Vec<[Known; 2]> = first.windows(2).map(|ends| [ends[0].clone(), ends[1].clone()]).collect();
-        for _ in 0..WRENCH_PIECES {
-            open.retain(|piece| !self.proved(&motion, piece));
+        for _ in 0..pieces {
+            open.retain(|piece| !self.proved(motion, piece));
             if open.is_empty() {
                 return true;
             }
@@ -121,7 +148,7 @@ impl TurningWrench {
                 let [from, to] = &taken[k.min(taken.len() - 1)];
                 0.5 * (from.at + to.at)
             };
-            let middles = self.known(&motion, &std::array::from_fn(middle));
+            let middles = self.known(motion, &std::array::from_fn(middle));
             for (piece, middle) in taken.into_iter().zip(middles) {
                 if !self.holds(&middle) {
                     return false;
@@ -138,8 +165,8 @@ impl TurningWrench {
     }
 
     /// The poses at four fractions of a motion, and their slack.
-    fn known(&self, motion: &PoseMotion, shares: &[f64; WIDTH]) -> [Known; WIDTH] {
-        let poses = shares.map(|share| motion.at(share));
+    fn known(&self, motion: &impl PoseCurve, shares: &[f64; WIDTH]) -> [Known; WIDTH] {
+        let poses = shares.map(|share| motion.pose_at(share));
         let slack = self.slack_at_four(&poses);
         std::array::from_fn(|lane| Known { at: shares[lane], pose: poses[lane], slack: slack[lane] })
     }
@@ -200,38 +227,28 @@ impl TurningWrench {
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
-    fn proved(&self, motion: &PoseMotion, [from, to]: &[Known; 2]) -> bool {
-        let angle = motion.angle * (to.at - from.at);
+    fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2]) -> bool {
+        let bounds = motion.derivatives(to.at - from.at);
         self.measures.iter().enumerate().all(|(k, measure)| {
             let floor = measure.floor();
-            let sag = self.sag(measure, [&from.pose, &to.pose], angle);
+            let sag = self.sag(measure, [&from.pose, &to.pose], &bounds);
             sagging(from.slack[k] - floor, to.slack[k] - floor, sag) >= 0.0
         })
     }
 
-    /// How far the slack can drop below its chord in the middle of a piece with these ends and this turn, rad.
+    /// How far the slack can drop below its chord in the middle of a piece with these ends and bounds.
     ///
     /// As in [`sagging`], for a unit direction c: Σ ρᵢ |c·Δwᵢ| / 2 with the differences of the columns wᵢ at the ends, plus
     /// what the columns deviate from their chords.
-    fn sag(&self, measure: &Measure, ends: [&Pose; 2], angle: f64) -> f64 {
-        let squared = angle * angle;
+    fn sag(&self, measure: &Measure, ends: [&Pose; 2], bounds: &Derivatives) -> f64 {
         let mut changes = [Vector6::zeros(); MOST_WRENCH_CABLES];
-        let mut bent = 0.125 * squared * self.part(measure, [0.0, self.weight_moment]);
+        let mut bent = 0.125 * bounds.turned[1] * self.part(measure, [0.0, self.weight_moment]);
         for (cable, change) in self.robot.cables().iter().zip(&mut changes) {
-            let arm = cable.attachment.coords.norm();
-            let [first, last] = ends.map(|pose| Column::of(cable, pose));
-            // The attachment is accelerated by at most θ² |arm|, so its speed differs from the mean by at most half of it.
-            let speed = (last.line - first.line).norm() + 0.5 * squared * arm;
-            let shortest = first.length.min(last.length) - 0.5 * speed;
-            if !(shortest > 0.0) {
-                return f64::INFINITY;
-            }
-            // Second derivative of the direction of the cable, and of its moment.
-            let turn = speed / shortest;
-            let bend = BEND * turn * turn + squared * arm / shortest;
-            let moment_bend = squared * arm + 2.0 * angle * arm * turn + arm * bend;
+            let columns = ends.map(|pose| Column::of(cable, pose));
+            let Some(seconds) = second_derivatives(cable, &columns, bounds) else { return f64::INFINITY };
+            let [first, last] = columns;
             let [least, largest] = cable.tension.unwrap_or_default();
-            bent += 0.125 * largest * self.part(measure, [bend, moment_bend]);
+            bent += 0.125 * largest * self.part(measure, seconds);
             *change =
                 self.wrench(measure, last.unit - first.unit, last.moment - first.moment) * (0.25 * (largest - least));
         }
@@ -290,6 +307,7 @@ mod tests {
     use crate::geometry::{Point, Rotation};
     use crate::model::{RobotSource, SceneSpec, WrenchSpec};
     use crate::testing::empty;
+    use crate::trajectory::turning_bend::TurningBend;
 
     #[test]
     fn loads_that_turn_a_point_mass_are_refused() {
@@ -322,22 +340,86 @@ mod tests {
                 let from = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.4), first);
                 let turn = Rotation::from_scaled_axis(any(0.6 * size));
                 let to = Pose::new(from.position + any(0.4 * size), turn * from.orientation);
-                let motion = from.toward(&to);
-                let [a, b] = [&from, &to].map(|pose| wrench.slack(pose));
-                for (m, measure) in wrench.measures.iter().enumerate() {
-                    let sag = wrench.sag(measure, [&from, &to], motion.angle);
-                    if !(a[m] >= 0.0 && b[m] >= 0.0 && sag.is_finite()) {
-                        continue;
-                    }
-                    counted += 1;
-                    for share in (1..12).map(|n| f64::from(n) / 12.0) {
-                        let least = (1.0 - share) * a[m] + share * b[m] - 4.0 * share * (1.0 - share) * sag;
-                        let slack = wrench.slack(&motion.at(share))[m];
-                        assert!(slack >= least - 1e-6, "{from:?} to {to:?} at {share}: {slack} < {least}");
-                    }
-                }
+                counted += sags(&wrench, &from.toward(&to));
             }
         }
         assert!(counted > 50, "{counted}");
+    }
+
+    /// Whether the slack by each measure stays above its sagging chord; how many chords there are.
+    fn sags(wrench: &TurningWrench, motion: &impl PoseCurve) -> usize {
+        let ends = [0.0, 1.0].map(|share| motion.pose_at(share));
+        let [a, b] = ends.each_ref().map(|pose| wrench.slack(pose));
+        let judged = |m: &usize| {
+            let sag = wrench.sag(&wrench.measures[*m], ends.each_ref(), &motion.derivatives(1.0));
+            if !(a[*m] >= 0.0 && b[*m] >= 0.0 && sag.is_finite()) {
+                return false;
+            }
+            for share in (1..12).map(|n| f64::from(n) / 12.0) {
+                let least = (1.0 - share) * a[*m] + share * b[*m] - 4.0 * share * (1.0 - share) * sag;
+                let slack = wrench.slack(&motion.pose_at(share))[*m];
+                assert!(slack >= least - 1e-6, "{ends:?} at {share}: {slack} < {least}");
+            }
+            true
+        };
+        (0..wrench.measures.len()).filter(judged).count()
+    }
+
+    /// A bend about the middle of the empty scene. Some have no turns, and some turn about their corner alone.
+    fn some_bend(rng: &mut ChaCha8Rng, k: i32) -> TurningBend {
+        let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
+        let corner = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.4), Rotation::from_scaled_axis(any(0.5)));
+        let (velocities, spins) = ([any(1.0), any(1.0)], [any(8.0), any(8.0)]);
+        let [moves, turns] = [f64::from(k % 3 != 1), f64::from(k % 3 != 2)];
+        TurningBend::new(corner, velocities.map(|v| v * moves), spins.map(|w| w * turns), 0.3 * 0.5f64.powi(k % 7))
+    }
+
+    #[test]
+    fn slack_stays_above_its_sagging_chord_on_bends() {
+        let mut rng = ChaCha8Rng::seed_from_u64(6);
+        let mut counted = 0;
+        for (margin, count) in [(MarginSpec::Capacity, 300), (MarginSpec::Projected, 100)] {
+            let required = WrenchSpec { margin: Some(margin), ..WrenchSpec::default() };
+            let scene = Scene::new(SceneSpec { wrench: Some(required), ..empty().spec().clone() }).unwrap();
+            let wrench = TurningWrench::of(&scene).unwrap().unwrap();
+            for k in 0..count {
+                let bend = some_bend(&mut rng, k);
+                let ([v, _], [w, _]) = (bend.velocities(), bend.spins());
+                // The way back ends where it begins, so only what is between the ends counts.
+                let back = TurningBend::new(*bend.corner(), [*v, -v], [*w, -w], bend.length());
+                counted += sags(&wrench, &bend) + sags(&wrench, &back);
+            }
+        }
+        assert!(counted > 50, "{counted}");
+    }
+
+    /// What [`TurningWrench::sag`] adds up, each for itself: the sum hides what is missing in one of them.
+    #[test]
+    fn columns_and_arms_deviate_from_their_chords_on_bends_as_bounded() {
+        let mut rng = ChaCha8Rng::seed_from_u64(7);
+        let scene = empty();
+        let mut closest = [[0.0_f64; 3]; 3];
+        for k in 0..600 {
+            let bend = some_bend(&mut rng, k);
+            let bounds = bend.derivatives(1.0);
+            let cable = &scene.robot().cables()[k as usize % 8];
+            let column = |share: f64| Column::of(cable, &bend.pose_at(share));
+            let arm = |share: f64| bend.pose_at(share).orientation * Vector::new(0.6, 0.0, 0.8);
+            let Some([force, moment]) = second_derivatives(cable, &[column(0.0), column(1.0)], &bounds) else {
+                continue;
+            };
+            for share in (1..12).map(|n| f64::from(n) / 12.0) {
+                let off = |of: &dyn Fn(f64) -> Vector| (of(share) - of(0.0) * (1.0 - share) - of(1.0) * share).norm();
+                let deviations = [off(&|s| column(s).unit), off(&|s| column(s).moment), off(&arm)];
+                for (n, (found, second)) in deviations.into_iter().zip([force, moment, bounds.turned[1]]).enumerate() {
+                    let most = 0.5 * share * (1.0 - share) * second;
+                    assert!(found <= most * (1.0 + 1e-9) + 1e-13, "{n} {k}: {found} {most}");
+                    let closest = &mut closest[k as usize % 3][n];
+                    *closest = closest.max((found - 1e-13) / most);
+                }
+            }
+        }
+        let tight = |k: usize| closest[k].iter().filter(|share| **share > 0.7).count();
+        assert_eq!([0, 1, 2].map(tight), [3, 3, 2], "{closest:?}"); // with both, on the spot, without turns
     }
 }
