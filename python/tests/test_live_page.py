@@ -352,10 +352,8 @@ def test_the_page_plans_as_the_program_does(open_page: Open, name: str) -> None:
         native = cdpr.plan(scene, seed=seed)
         found = page.evaluate("(seed) => cdpr.plan({ seed })", seed)
         assert found["status"] == native.status
-        # Where the platform turns, costs differ in the fifth digit; sines are the same on both sides, so the cause is another one.
-        near = 1e-2 if name == "turn" else 1e-12
-        assert found["cost"] == (pytest.approx(native.cost, rel=near) if native.solved else None)
-        if native.solved and name != "turn":
+        assert found["cost"] == (pytest.approx(native.cost, rel=1e-12) if native.solved else None)
+        if native.solved:
             assert np.allclose(found["waypoints"], native.waypoints, rtol=0, atol=1e-5)
 
 
