@@ -34,7 +34,10 @@ export function createGizmo(container, look) {
   const picture = svg('svg', { viewBox: '0 0 72 72', width: 72, height: 72, 'aria-hidden': 'true' }, container);
   const axes = Object.entries(AXES).map(([name, direction]) => ({ ...createAxis(name, picture, look), direction }));
   const seen = new Vector3();
+  let turned = null;
   return (camera) => {
+    if (turned?.equals(camera.quaternion)) return;
+    turned = camera.quaternion.clone();
     const back = camera.quaternion.clone().invert();
     const depths = axes.map(({ direction, place }) => {
       seen.set(...direction).applyQuaternion(back);

@@ -22,7 +22,7 @@ function nudge(labels) {
 const ASIDE = { x: 8, y: 6 };
 const LEVEL = { x: 7, y: -9 };
 
-/** Labels over the view; `place` is called after each picture. */
+/** Labels over the view; `place` is called after each picture, with the camera and the size of the view, px. */
 export function createLabels(container) {
   let labels = [];
   const projected = new Vector3();
@@ -44,20 +44,25 @@ export function createLabels(container) {
     label.width = 0;
   }
 
-  function project(label, camera, { clientWidth, clientHeight }) {
+  function project(label, camera, { width, height }) {
     const { element, anchor, layer } = label;
     write(label);
     projected.copy(anchor).project(camera);
     const hidden = !layer.visible || element.textContent === '' || Math.abs(projected.z) > 1;
     element.hidden = hidden;
-    label.x = ((projected.x + 1) / 2) * clientWidth + label.aside.x;
-    label.y = ((1 - projected.y) / 2) * clientHeight + label.aside.y;
-    if (!hidden && label.width === 0) ({ offsetWidth: label.width, offsetHeight: label.height } = element);
+    label.x = ((projected.x + 1) / 2) * width + label.aside.x;
+    label.y = ((1 - projected.y) / 2) * height + label.aside.y;
+  }
+
+  // After all of them are written: each size that is asked for between two changes lays out the page anew.
+  function measure(label) {
+    if (label.width === 0) ({ offsetWidth: label.width, offsetHeight: label.height } = label.element);
   }
 
   function place(camera, view) {
     for (const label of labels) project(label, camera, view);
     const seen = labels.filter(({ element }) => !element.hidden);
+    seen.forEach(measure);
     if (seen.length <= MOST_NUDGED) nudge(seen);
     for (const { element, x, y } of seen) element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
   }

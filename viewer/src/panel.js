@@ -92,7 +92,7 @@ export function clearLegend() {
   byId('legend').replaceChildren();
   return () => {
     for (const fold of folds()) fold.open = open.get(titleOf(fold)) ?? fold.open;
-    byId('panel').scrollTop = scrolled;
+    if (scrolled > 0) byId('panel').scrollTop = scrolled;
   };
 }
 

@@ -24,9 +24,22 @@ export function hasWebGL() {
   }
 }
 
+// Pixels of the picture for each of the page.
+const sharpness = () => Math.min(window.devicePixelRatio, 2);
+// The same while something moves and there is no graphics card: a quarter of the pixels.
+const MOVING_SHARPNESS = 0.5;
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+// Only where the browser hides the name behind its own is there an extension to ask.
+function isSoftware(context) {
+  const name = context.getParameter(context.RENDERER);
+  const info = /webkit/i.test(name) ? context.getExtension('WEBGL_debug_renderer_info') : null;
+  return SOFTWARE.test(info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : name);
+}
+
 function createRenderer(container) {
   const renderer = new WebGLRenderer({ antialias: true });
-  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  renderer.setPixelRatio(sharpness());
   renderer.localClippingEnabled = true;
   renderer.domElement.tabIndex = 0;
   renderer.domElement.setAttribute('role', 'img');
@@ -124,11 +137,14 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   const scene = new Scene();
   scene.background = new Color();
   const renderer = createRenderer(container);
+  const isSlow = isSoftware(renderer.getContext());
   const cameras = createCameras();
   const lamp = createLamp(scene);
   let camera = cameras.perspective;
   const controls = createControls(camera, renderer.domElement);
   let planes = [];
+  // Of the container, px: to ask for it while the page changes would lay it out anew.
+  let size = { width: 0, height: 0 };
   let pending = false;
   let touched = false;
   const jobs = new Set();
@@ -152,7 +168,7 @@ export function createStage(container, firstBox, { margins, onDraw }) {
     lamp.quaternion.copy(camera.quaternion);
     cutLayers(scene, planes);
     renderer.render(scene, camera);
-    onDraw(camera, container);
+    onDraw(camera, size);
     for (const job of afterwards) job();
     afterwards.clear();
     firstPicture ??= performance.now();
@@ -161,6 +177,14 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   function invalidate() {
     if (!pending) requestAnimationFrame(draw);
     pending = true;
+  }
+
+  /** While something moves, software draws coarser pictures; those at rest are sharp. */
+  function setMoving(moving) {
+    const wanted = sharpness() * (moving && isSlow ? MOVING_SHARPNESS : 1);
+    if (renderer.getPixelRatio() === wanted) return;
+    renderer.setPixelRatio(wanted);
+    invalidate();
   }
 
   /** Runs a job before the next picture, once, however often it is asked for. */
@@ -233,6 +257,7 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   function resize() {
     const { clientWidth: width, clientHeight: height } = container;
     if (width === 0 || height === 0) return;
+    size = { width, height };
     renderer.setSize(width, height);
     if (touched) keepView();
     else frameAll();
@@ -282,7 +307,7 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   resize();
   const canvas = renderer.domElement;
   const isCut = (point) => planes.some((plane) => plane.distanceToPoint(point) < 0);
-  const own = { scene, controls, canvas, invalidate, beforeNext, afterNext, setBox, look, cut, isCut, picture, resize, statistics };
+  const own = { scene, controls, canvas, invalidate, setMoving, beforeNext, afterNext, setBox, look, cut, isCut, picture, resize, statistics };
   // Which camera it is depends on the view.
   return Object.defineProperty(own, 'camera', { get: () => camera });
 }

@@ -35,6 +35,20 @@ fn paths_are_those_of_the_program() {
     }
 }
 
+/// The page plans anew with the options that its path was written with, defaults written out.
+#[test]
+fn the_options_of_a_path_give_the_same_path_again() {
+    for name in ["hard1", "turn"] {
+        let scene = json!(of_testdata(name).spec());
+        let first = planned(&mut Session::default(), &scene, &json!({ "seed": 3 }));
+        assert_eq!(first["status"], "solved", "{name}");
+        let path = &first["path"];
+        let options = json!({ "seed": 3, "planner": path["planner"], "post": path["options"]["post"] });
+        let again = planned(&mut Session::default(), &scene, &options);
+        assert_eq!((&again["cost"], &again["waypoints"]), (&first["cost"], &first["waypoints"]), "{name}");
+    }
+}
+
 #[test]
 fn moving_ends_and_obstacles_is_seen() {
     let mut session = Session::default();

@@ -185,7 +185,10 @@ export function createEdit(app, live, page, fill) {
 
   // At most once for each picture.
   function onDrag(thing, to, phase) {
-    if (phase === 'begin') drag = { thing, to };
+    if (phase === 'begin') {
+      drag = { thing, to };
+      setting.stage.setMoving(true);
+    }
     if (phase === 'move') {
       drag.to = to;
       frame ||= requestAnimationFrame(() => {
@@ -201,6 +204,7 @@ export function createEdit(app, live, page, fill) {
     cancelAnimationFrame(frame);
     frame = 0;
     drag = null;
+    setting.stage.setMoving(false);
     const isThere = String(edited.placeOf(planning.scene, thing)) === String(to);
     if (keep) commit(isThere ? planning.scene : edited.moveThing(planning.scene, thing, to));
     else quietly(apply(history.present));

@@ -28,6 +28,8 @@ export function createHandles({ stage, theme }, source, on) {
   let selected = null;
   let drag = null;
   let pressed = null;
+  // Of the canvas, px: to ask for it while the page changes would lay it out anew.
+  let height = canvas.clientHeight;
   stage.scene.add(arrows.group);
 
   const keyOf = ({ kind, id }) => `${kind} ${id}`;
@@ -107,6 +109,7 @@ export function createHandles({ stage, theme }, source, on) {
   }
 
   function outline(style, things) {
+    if (outlines[style].length === 0 && things.length === 0) return;
     for (const old of outlines[style]) old.remove();
     outlines[style] = things.map((thing) => {
       const made = createOutline(thing, shapes(thing), style, theme);
@@ -127,7 +130,7 @@ export function createHandles({ stage, theme }, source, on) {
     arrows.group.visible = active && selected !== null;
     if (!arrows.group.visible) return;
     stage.camera.updateMatrixWorld();
-    arrows.fit(placeOf(selected), stage.camera, canvas.clientHeight);
+    arrows.fit(placeOf(selected), stage.camera, height);
   }
 
   function hover(thing) {
@@ -229,7 +232,10 @@ export function createHandles({ stage, theme }, source, on) {
   container.addEventListener('pointercancel', cancel, { capture: true });
   container.addEventListener('pointerleave', () => hover(null));
   controls.addEventListener('change', fitArrows);
-  new ResizeObserver(fitArrows).observe(canvas);
+  new ResizeObserver(() => {
+    height = canvas.clientHeight;
+    fitArrows();
+  }).observe(canvas);
 
   return {
     get selected() { return selected; },

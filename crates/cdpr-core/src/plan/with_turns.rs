@@ -102,8 +102,9 @@ fn search(
     }
     let clock = Instant::now();
     let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
-    let path = match options.post {
-        Some(Post::None) => waypoints.clone(),
+    // The default written out, as path files and the page have it, must give the same path as the default left out.
+    let path = match options.post() {
+        Post::None => waypoints.clone(),
         // A caller who interrupts wants the path that was found.
         _ => match shortener.polished(&waypoints, &grace) {
             Err(stopped) if stopped.class() == ErrorClass::Interrupted => waypoints.clone(),
