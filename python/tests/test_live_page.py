@@ -129,7 +129,6 @@ def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
     assert numbers(live).tolist() == moved.tolist()
 
 
-@pytest.mark.long
 def test_pictures_are_coarser_only_while_something_is_dragged(live: Page) -> None:
     width = "document.querySelector('#view canvas').width"
     settled(live)
@@ -160,6 +159,7 @@ def test_a_changed_scene_is_laid_out_few_times(live: Page) -> None:
     assert layouts() - before <= 200
 
 
+@pytest.mark.long
 def test_escape_cancels_a_drag(live: Page) -> None:
     before = settled(live)
     drag_pillar(live, (0.3, 0.3))
