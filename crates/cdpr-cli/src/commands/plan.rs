@@ -234,14 +234,11 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
 fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     let PlanResult { waypoints, stats, orientations, .. } = found;
     let poses = found.poses(scene.orientation());
-    let (before, done) = match options.post {
-        Some(Post::None) => ("", ""),
+    let (before, done) = match options.post() {
+        Post::None => ("", ""),
         _ if !orientations.is_empty() => ("before shortening, ", "shortening"),
-        _ => match options.post() {
-            Post::None => ("", ""),
-            Post::StringPulling => ("before string pulling, ", "string pulling"),
-            _ => ("before rewinding, ", "rewinding"),
-        },
+        Post::StringPulling => ("before string pulling, ", "string pulling"),
+        _ => ("before rewinding, ", "rewinding"),
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
