@@ -47,7 +47,7 @@ impl Worst {
 }
 
 /// A motion at this many equal steps, and at instants within each bend and at the ends of each line. Collisions are judged on
-/// the chords between the instants, of which there are at most [`MOST_CHORDS`] of equal duration.
+/// the chords between the instants, of which there are at most a hundred thousand of equal duration.
 pub fn worst(scene: &Scene, path: &[Point], motion: &Trajectory, steps: u32) -> Worst {
     let depth = deepest_chord(scene, motion, &instants(motion, steps.min(MOST_CHORDS)));
     worst_instant(path, motion, &instants(motion, steps)).or(Worst { depth, ..Worst::NOTHING })
