@@ -393,6 +393,47 @@ mod tests {
         assert!(counted > 50, "{counted}");
     }
 
+    /// A cable of the empty scene's robot from one place to another.
+    fn cable(outlet: Point, attachment: Point) -> Cable {
+        Cable { outlet, attachment, ..empty().robot().cables()[0].clone() }
+    }
+
+    /// While a long cable and a short arm turn in opposite directions at the same rate θ, the moment is r cos(2θt), so it bends four
+    /// times as much as with one of them at rest. The product of both rates is half of that.
+    #[test]
+    fn moments_deviate_most_where_arm_and_cable_turn_in_opposite_directions() {
+        let cable = cable(Point::new(0.0, 10.0, 0.0), Point::new(0.1, 0.0, 0.0));
+        let [from, to] = [-0.05, 0.05].map(|angle: f64| {
+            Pose::new(Point::new(-10.0 * angle.tan(), 0.0, 0.0), Rotation::from_scaled_axis(Vector::z() * angle))
+        });
+        let motion = from.toward(&to);
+        let [first, middle, last] = [0.0, 0.5, 1.0].map(|share| Column::of(&cable, &motion.at(share)));
+        let found = (middle.moment - 0.5 * (first.moment + last.moment)).norm();
+        let [_, second] = second_derivatives(&cable, &[first, last], &motion.derivatives(1.0)).unwrap();
+        let share = found / (0.125 * second);
+        assert!(share > 0.9 && share <= 1.0, "{share}");
+    }
+
+    /// There and back towards the side of the outlet: the ends say nothing about speed and length of the cable between them, which
+    /// follow from the acceleration.
+    #[test]
+    fn directions_there_and_back_deviate_more_than_by_the_acceleration_across_the_cable() {
+        let cable = cable(Point::new(0.0, 1.0, 0.0), Point::origin());
+        for way in [0.2_f64, 0.3, 0.4] {
+            // As far as the cable can turn: at the turning point it is perpendicular to the way.
+            let angle = way.asin();
+            let place = Point::new(way * angle.cos(), way * angle.sin(), 0.0);
+            let column = |place| Column::of(&cable, &Pose::new(place, Rotation::identity()));
+            let [start, turning] = [Point::origin(), place].map(column);
+            let found = (turning.unit - start.unit).norm();
+            assert!((found - 2.0 * (0.5 * angle).sin()).abs() < 1e-12);
+            let bounds = Derivatives { position: 8.0 * way, turned: [0.0; 2] };
+            let ends = [Point::origin(); 2].map(column);
+            let Some([second, _]) = second_derivatives(&cable, &ends, &bounds) else { panic!("{way}") };
+            assert!(way < found && found <= 0.125 * second, "{way} {found} {second}");
+        }
+    }
+
     /// What [`TurningWrench::sag`] adds up, each for itself: the sum hides what is missing in one of them.
     #[test]
     fn columns_and_arms_deviate_from_their_chords_on_bends_as_bounded() {
