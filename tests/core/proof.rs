@@ -15,6 +15,7 @@ use cdpr_core::wrench::measures;
 use cdpr_study::{RandomScenes, RandomScenesSpec};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
 
 fn answer(scene: &Scene) -> Answer {
     let engine = engine_for(scene, Default::default(), Interference::Exact).unwrap();
@@ -266,4 +267,16 @@ fn contact_at_one_end_closes_nothing_around_it() {
     });
     let refused = check_certificate(&scene, &file.to_string(), &Watch::NONE).unwrap_err().to_string();
     assert!(refused.contains("found contact there"), "{refused}");
+}
+
+/// On every worker of the pool at once; a worker that waited for a thread that needs the pool would wait forever.
+#[test]
+fn all_workers_of_a_pool_prove_at_once() {
+    let scene = scene(walled(0.94));
+    let plans = 2 * rayon::current_num_threads() as u64;
+    let statuses: Vec<Status> = (0..plans)
+        .into_par_iter()
+        .map(|seed| plan(&scene, &PlanOptions { seed, ..PlanOptions::paper() }, &()).unwrap().result.status)
+        .collect();
+    assert!(statuses.iter().all(|status| *status == Status::NoPath), "{statuses:?}");
 }

@@ -1,4 +1,4 @@
-//! Whether there is a path at all, decided on a second thread while the planner searches.
+//! Whether there is a path at all, decided while the planner searches: on a second thread, or by turns where there is none.
 //!
 //! Which of the two is done first changes only how long it takes: a path of the planner takes precedence over one of the decision,
 //! which is used only after the planner has failed, and a planner finds nothing where it is proved that there is no path. An
@@ -26,8 +26,11 @@ const HEAD_START: Duration = Duration::from_millis(1);
 /// The planner's first turn where the two share one thread.
 const FIRST_TURN: Duration = Duration::from_millis(10);
 
-/// Whether a second thread can be had: not in the page.
-const THREADS: bool = cfg!(not(target_arch = "wasm32"));
+/// Whether a second thread is of use: not in the page, which has none, nor on a worker of a thread pool, where every core has
+/// work. Parts of the decision run in the pool, so a worker that waited for the second thread could wait forever.
+fn has_second_thread() -> bool {
+    cfg!(not(target_arch = "wasm32")) && rayon::current_thread_index().is_none()
+}
 
 /// How a search ended.
 pub enum Decided {
@@ -59,7 +62,7 @@ pub fn search_and_decide(
         return search(improved, watch).map(|outcome| Decided::Searched(outcome, None));
     }
     let decision = Decision { engine, ends: [start, goal], effort, found: AtomicBool::new(false) };
-    let (outcome, answer) = if THREADS {
+    let (outcome, answer) = if has_second_thread() {
         side_by_side(&decision, (improved, watch), search)
     } else {
         in_turns(&decision, FIRST_TURN, (improved, watch), search)
