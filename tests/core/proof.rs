@@ -280,3 +280,27 @@ fn all_workers_of_a_pool_prove_at_once() {
         .collect();
     assert!(statuses.iter().all(|status| *status == Status::NoPath), "{statuses:?}");
 }
+
+/// What is left out of a search must leave no trace in it: no obstacle that blocks is missing, none too many.
+#[test]
+fn the_blocking_obstacles_are_those_of_searches_that_know_nothing_else() {
+    let spec: RandomScenesSpec = toml::from_str("count = 6").unwrap();
+    let random = RandomScenes::new(empty(), spec).unwrap();
+    let mut judged = 0;
+    for scene in (0..60).map(|seed| random.draw(seed).unwrap()) {
+        let Answer::NoPath(found) = answer(&scene) else { continue };
+        let only = |kept: &dyn Fn(usize) -> bool| {
+            let mut spec = scene.spec().clone();
+            spec.obstacles =
+                (0..).zip(spec.obstacles).filter(|(j, _)| kept(*j)).map(|(_, obstacle)| obstacle).collect();
+            answer(&Scene::new(spec).unwrap())
+        };
+        assert!(matches!(only(&|j| found.blocking.contains(&j)), Answer::NoPath(_)));
+        for (left_out, way) in found.blocking.iter().zip(&found.ways_without) {
+            assert!(matches!(only(&|j| j != *left_out && found.blocking.contains(&j)), Answer::Path(_)));
+            assert_eq!(matches!(only(&|j| j != *left_out), Answer::Path(_)), way.is_some());
+        }
+        judged += 1;
+    }
+    assert!(judged >= 10, "{judged}");
+}

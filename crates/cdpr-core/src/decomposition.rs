@@ -236,6 +236,11 @@ impl Decomposition {
         self.cells[cell as usize].kind
     }
 
+    /// The passable cells that touch a passable one.
+    pub fn beside(&self, cell: u32) -> &[u32] {
+        &self.cells[cell as usize].beside
+    }
+
     /// For each cell, whether it can be reached from one through touching cells, all of them passable.
     pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Vec<bool> {
         let mut reached = vec![false; self.cells.len()];
@@ -252,6 +257,46 @@ impl Decomposition {
             });
         }
         reached
+    }
+
+    /// The same through all passable cells.
+    pub fn reached_from(&self, from: u32) -> Vec<bool> {
+        let mut reached = vec![false; self.cells.len()];
+        let mut waiting = Vec::from_iter(Some(from).filter(|&from| self.kind(from).passable()));
+        while let Some(cell) = waiting.pop() {
+            if !std::mem::replace(&mut reached[cell as usize], true) {
+                waiting.extend(self.beside(cell).iter().copied().filter(|&other| !reached[other as usize]));
+            }
+        }
+        reached
+    }
+
+    /// The same cells where only the conditions that `known` names count, as in the oracle: what others closed is classified anew.
+    pub fn knowing(mut self, known: &dyn Fn(usize) -> bool, oracle: &dyn Oracle) -> Self {
+        self.credit = 0;
+        let known_pieces: Vec<bool> = self.pieces.iter().map(|piece| known(piece.condition)).collect();
+        let counts = |piece: u32| known_pieces[piece as usize];
+        let all: Vec<u32> = (0..self.pieces.len() as u32).filter(|&piece| counts(piece)).collect();
+        for leaf in self.leaves().collect::<Vec<u32>>() {
+            let cell = &mut self.cells[leaf as usize];
+            cell.near.retain(|&piece| counts(piece));
+            let reopened = match cell.kind {
+                Kind::Closed(Closed::Piece(piece)) => !counts(piece),
+                Kind::Closed(Closed::Bound(condition)) => !known(condition as usize),
+                Kind::Open if cell.near.is_empty() => {
+                    cell.kind = Kind::Free;
+                    false
+                }
+                _ => false,
+            };
+            if reopened {
+                self.classify(leaf, &all, oracle);
+                let mut beside = Vec::new();
+                self.touching(leaf, &mut |other| beside.push(other));
+                self.connect(leaf, beside.into_iter().filter(|&other| other != leaf));
+            }
+        }
+        self
     }
 
     /// Visits the undivided cells that touch a cell, itself included.
@@ -273,8 +318,7 @@ impl Decomposition {
     /// them, or there are `most` cells.
     pub fn refine(&mut self, from: &Point, level: u8, most: usize, oracle: &dyn Oracle) {
         loop {
-            let from = self.cell_at(from);
-            let reached = self.reached(from, &|cell| self.kind(cell).passable());
+            let reached = self.reached_from(self.cell_at(from));
             let coarse = |cell: &u32| {
                 let Cell { kind, level: own, .. } = self.cells[*cell as usize];
                 reached[*cell as usize] && kind == Kind::Open && own < level

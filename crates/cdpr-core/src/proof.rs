@@ -66,6 +66,8 @@ pub struct Proof {
     pub conditions: Vec<usize>,
     /// The obstacles that close the way, a set from which none can be left out: indices into [`crate::model::Scene::obstacles`].
     pub blocking: Vec<usize>,
+    /// For each of these a way past all other obstacles, m, neither shortened nor checked by the engine, if one is found.
+    pub ways_without: Vec<Option<Vec<Point>>>,
     /// The free boxes that are connected with the start.
     pub reachable: Vec<Cuboid>,
     /// Their volume, m³.
@@ -102,14 +104,31 @@ const REACH_CELLS: usize = 50_000;
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &Watch) -> Result<Answer, Error> {
+    decide_with(checker, ends, effort, &|| (), watch)
+}
+
+/// Like [`decide`]; calls `on_no_path` as soon as it is certain that there is no path, before the reasons are known.
+///
+/// # Errors
+/// As [`decide`].
+pub fn decide_with(
+    checker: &dyn Checker,
+    ends: [&Point; 2],
+    effort: usize,
+    on_no_path: &dyn Fn(),
+    watch: &Watch,
+) -> Result<Answer, Error> {
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
     }
-    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
     Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
-        Way::None => Answer::NoPath(Box::new(search.proof(watch)?)),
+        Way::None => {
+            on_no_path();
+            Answer::NoPath(Box::new(search.proof(watch)?))
+        }
     })
 }
 
@@ -118,14 +137,15 @@ pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &W
 /// # Errors
 /// As [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
-    let mut search = Search::new(checker, checker.pieces(watch)?, &|_| true, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
     Ok(match search.run(PROOF_EFFORT, watch)? {
         Way::Path(path) => Some(path),
         Way::None | Way::Undecided => None,
     })
 }
 
-/// A decomposition for some of the pieces of an engine.
+/// A decomposition for some of the conditions of an engine.
+#[derive(Clone)]
 struct Search<'a> {
     checker: &'a dyn Checker,
     ends: [&'a Point; 2],
@@ -134,13 +154,13 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// A search that knows these pieces, and of conditions without pieces those that `known` names by their index.
-    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, known: &dyn Fn(usize) -> bool, ends: [&'a Point; 2]) -> Self {
+    /// A search that knows all pieces of an engine, and all its conditions.
+    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2]) -> Self {
         let (low, high) = checker.conditions().position_box();
         // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
         let contact = Vector::repeat(0.5 * TOUCH_DEPTH);
         let (low, high) = (low.inf(ends[0]).inf(ends[1]) - contact, high.sup(ends[0]).sup(ends[1]) + contact);
-        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces, known).between(&pieces, ends);
+        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces).between(&pieces, ends);
         let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
         Search { checker, ends, regions, cells }
     }
@@ -150,12 +170,12 @@ impl<'a> Search<'a> {
     }
 
     /// The proof of a search that found no way.
-    fn proof(mut self, watch: &Watch) -> Result<Proof, Error> {
-        let Smaller { search, conditions, blocking } = blocking::smallest(&self, watch)?;
+    fn proof(self, watch: &Watch) -> Result<Proof, Error> {
+        let (smaller, reachable) = rayon::join(|| blocking::smallest(&self, watch), || self.clone().reachable());
+        let Smaller { search, conditions, blocking, ways_without } = smaller?;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
         let (around_start, wall) = around(self.ends[0], &search.cells, &boxes);
-        let reachable = self.reachable();
         let nearest_to_goal = self.further(nearest(&reachable, self.ends));
         Ok(Proof {
             margin: PROOF_MARGIN,
@@ -168,6 +188,7 @@ impl<'a> Search<'a> {
             wall,
             conditions,
             blocking,
+            ways_without,
             reachable_volume: reachable.iter().map(Cuboid::volume).sum(),
             reachable,
             nearest_to_goal,
@@ -187,11 +208,11 @@ impl<'a> Search<'a> {
     }
 
     /// The free cells that are connected with the start.
-    fn reachable(&mut self) -> Vec<Cuboid> {
+    fn reachable(mut self) -> Vec<Cuboid> {
         let start = self.ends[0];
         self.cells.refine(start, REACH_LEVEL, REACH_CELLS, &self.regions);
         let cells = &self.cells;
-        let reached = cells.reached(cells.cell_at(start), &|cell| cells.kind(cell).passable());
+        let reached = cells.reached_from(cells.cell_at(start));
         let free = |cell: &u32| reached[*cell as usize] && cells.kind(*cell) == Kind::Free;
         cells.leaves().filter(free).map(|cell| cells.span(cell)).collect()
     }

@@ -56,6 +56,9 @@ impl Chains {
             }
             let here = cells[cell as usize].center;
             for &next in &cells[cell as usize].beside {
+                if self.cost[next as usize] <= cost {
+                    continue; // no step makes it cheaper
+                }
                 let Cell { kind, level, center, .. } = &cells[next as usize];
                 let factor = if *kind == Kind::Free { 1.0 } else { factors[usize::from(*level)] };
                 let cost = cost + factor * (center - here).norm();

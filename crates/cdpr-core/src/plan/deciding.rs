@@ -17,7 +17,7 @@ use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::numerics::{PROOF_EFFORT, PROOF_EFFORT_PER_SAMPLE};
 use crate::planning::{Outcome, PathOptimizer, Status};
-use crate::proof::{Answer, decide};
+use crate::proof::{Answer, decide_with};
 use crate::watch::Watch;
 
 /// Head start of the planner: most scenes are solved before a proof would be of use.
@@ -82,10 +82,10 @@ struct Decision<'a> {
 }
 
 impl Decision<'_> {
-    /// `None` if there was not enough time.
-    fn answer(&self, watch: &Watch) -> Option<Answer> {
+    /// Calls `on_no_path` as soon as it is certain that there is no path. `None` if there was not enough time.
+    fn answer(&self, on_no_path: &dyn Fn(), watch: &Watch) -> Option<Answer> {
         let useless = || self.is_useless() || (watch.interrupted)();
-        decide(self.engine, self.ends, self.effort, &Watch { interrupted: &useless, ..*watch }).ok()
+        decide_with(self.engine, self.ends, self.effort, on_no_path, &Watch { interrupted: &useless, ..*watch }).ok()
     }
 
     fn is_useless(&self) -> bool {
@@ -116,11 +116,7 @@ fn side_by_side(
     search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
 ) -> Ended {
     let (none, begun) = (AtomicBool::new(false), AtomicBool::new(false));
-    let beside = || {
-        let answer = decision.answer(watch);
-        none.store(matches!(answer, Some(Answer::NoPath(_))), Ordering::Relaxed);
-        answer
-    };
+    let beside = || decision.answer(&|| none.store(true, Ordering::Relaxed), watch);
     let clock = Instant::now();
     thread::scope(|scope| {
         let thread = Mutex::new(None);
@@ -160,14 +156,14 @@ fn in_turns(
             let deadline = Some(watch.deadline.map_or(end, |deadline| deadline.min(end)));
             // What is undecided when its turn ends may be decided in the next one.
             let certain = |answer: &Answer| !matches!(answer, Answer::OpeningBelow(_));
-            *answer = decision.answer(&Watch { deadline, ..*watch }).filter(certain);
+            *answer = decision.answer(&|| (), &Watch { deadline, ..*watch }).filter(certain);
             *next = 2 * clock.elapsed();
         }
         matches!(answer, Some(Answer::NoPath(_))) || (watch.interrupted)()
     };
     let outcome = decision.searched(search, (improved, &Watch { interrupted: &stop, ..*watch }));
     let (_, answer) = turns.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let answer = if decision.is_useless() { None } else { answer.or_else(|| decision.answer(watch)) };
+    let answer = if decision.is_useless() { None } else { answer.or_else(|| decision.answer(&|| (), watch)) };
     (outcome, answer)
 }
 

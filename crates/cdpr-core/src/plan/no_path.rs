@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{PlanOptions, engine_within};
@@ -96,13 +97,15 @@ impl NoPath {
             }
         }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
-        let (mut without, mut paths_without) = (BTreeMap::new(), BTreeMap::new());
-        for name in &blocking {
-            let path = path_without(scene, name, [&proof.start, &proof.goal], options, watch);
-            let path = in_time(path)?.flatten();
-            without.insert(name.clone(), path.as_deref().map(path_length));
-            paths_without.extend(path.map(|path| (name.clone(), path)));
-        }
+        let path = |(name, way): (&String, &Option<Vec<Point>>)| {
+            let path = way.as_deref().map(|way| path_without(scene, name, way, options, watch)).transpose();
+            in_time(path).map(Option::flatten).map(Option::flatten)
+        };
+        let paths: Vec<Option<Vec<Point>>> =
+            blocking.par_iter().zip(&proof.ways_without).map(path).collect::<Result<_, Error>>()?;
+        let names = || blocking.iter().cloned();
+        let without = names().zip(paths.iter().map(|path| path.as_deref().map(path_length))).collect();
+        let paths_without = names().zip(paths).filter_map(|(name, path)| path.map(|path| (name, path))).collect();
         Ok(NoPath {
             culprits,
             blocking,
@@ -144,15 +147,21 @@ impl NoPath {
     }
 }
 
-/// The path that exists without an obstacle, m.
+/// The path that exists without an obstacle, m, given a way that no other one closes.
 fn path_without(
     scene: &Scene,
     name: &str,
-    ends: [&Point; 2],
+    way: &[Point],
     options: &PlanOptions,
     watch: &Watch,
 ) -> Result<Option<Vec<Point>>, Error> {
     let engine = engine_within(&scene.without(name)?, options.engine, options.interference, watch)?;
-    let Some(path) = quick_path(&*engine, ends, watch)? else { return Ok(None) };
+    let path = if way.windows(2).all(|ends| engine.motion_valid(&ends[0], &ends[1])) {
+        way.to_vec()
+    } else {
+        let ends = [&way[0], &way[way.len() - 1]];
+        let Some(path) = quick_path(&*engine, ends, watch)? else { return Ok(None) };
+        path
+    };
     StringPuller::new(&*engine).polished(&path, watch).map(Some)
 }

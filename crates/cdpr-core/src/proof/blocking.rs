@@ -1,9 +1,12 @@
 //! Why there is no path: the smallest sets of obstacles and of conditions that close the way.
 //!
 //! Obstacles are left out one after another, as long as there is still no path. Most are found without a new search: the cells
-//! that an obstacle closes are opened, and start and goal remain separated.
+//! that an obstacle closes are opened, and start and goal remain separated. Each that remains is needed if there is a way past all
+//! the others; otherwise a search among those that remain tells.
 
 use std::collections::BTreeMap;
+
+use rayon::prelude::*;
 
 use super::Search;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
@@ -20,23 +23,36 @@ pub struct Smaller<'a> {
     pub conditions: Vec<usize>,
     /// Its obstacles.
     pub blocking: Vec<usize>,
+    /// For each of these a way past all other obstacles, m, if one is found; its motions are not checked.
+    pub ways_without: Vec<Option<Vec<Point>>>,
 }
 
 /// Leaves out obstacles, then conditions, of a search that found no way.
 pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Error> {
     let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
-    let mut search = None;
-    for obstacle in blocking.clone() {
-        let left: Vec<usize> = blocking.iter().copied().filter(|&other| other != obstacle).collect();
-        let mut fewer = whole.among(&left);
+    let without = |&obstacle: &usize| {
+        let mut others = whole.clone().knowing(&|other| other != obstacle);
+        others.run(PROOF_EFFORT, watch).map(|way| (obstacle, way, others))
+    };
+    let searches: Vec<_> = blocking.par_iter().map(without).collect::<Result<_, Error>>()?;
+    let (mut fewest, mut ways) = (None, BTreeMap::new());
+    for (obstacle, way, others) in searches {
+        if let Way::Path(way) = way {
+            ways.insert(obstacle, Some(way));
+            continue;
+        }
+        let mut fewer = others.knowing(&|other| other != obstacle && blocking.contains(&other));
         if fewer.run(PROOF_EFFORT, watch)? == Way::None {
-            (search, blocking) = (Some(fewer), left);
+            blocking.retain(|&other| other != obstacle);
+            fewest = Some(fewer);
+        } else {
+            ways.insert(obstacle, None);
         }
     }
-    let cells = &search.as_ref().unwrap_or(whole).cells;
+    let cells = &fewest.as_ref().unwrap_or(whole).cells;
     let needed = |condition: usize| whole.obstacles_of(condition).iter().all(|j| blocking.contains(j));
     let conditions = irreducible(cells, whole.ends, &needed, &|condition| vec![condition]);
-    Ok(Smaller { search, conditions, blocking })
+    Ok(Smaller { search: fewest, conditions, blocking, ways_without: ways.into_values().collect() })
 }
 
 impl<'a> Search<'a> {
@@ -49,11 +65,15 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// A new search that knows no obstacles but these.
-    fn among(&self, obstacles: &[usize]) -> Self {
-        let known = |condition: usize| self.obstacles_of(condition).iter().all(|obstacle| obstacles.contains(obstacle));
-        let pieces = self.cells.pieces().iter().filter(|piece| known(piece.condition)).cloned().collect();
-        Search::new(self.checker, pieces, &known, self.ends)
+    /// The same search where only these obstacles count.
+    fn knowing(self, obstacle: &dyn Fn(usize) -> bool) -> Self {
+        let number = self.checker.conditions().list.len();
+        let known: Vec<bool> =
+            (0..number).map(|condition| self.obstacles_of(condition).into_iter().all(obstacle)).collect();
+        let known = |condition: usize| known.get(condition).is_none_or(|known| *known); // wrenches come after the last one
+        let regions = self.regions.knowing(&known);
+        let cells = self.cells.knowing(&known, &regions);
+        Search { regions, cells, ..self }
     }
 }
 
@@ -117,8 +137,14 @@ impl Open {
     fn new(cells: &Decomposition, leaves_open: impl Fn(usize) -> bool) -> Self {
         let count = cells.leaves().map(|cell| cell as usize + 1).max().unwrap_or(0);
         let mut groups = Open { open: vec![false; count], parent: (0..count as u32).collect() };
-        let open = |cell: &u32| closed_by(cells, *cell).is_none_or(&leaves_open);
-        cells.leaves().filter(open).for_each(|cell| groups.open(cells, cell));
+        let left_open = |cell: &u32| closed_by(cells, *cell).is_none_or(&leaves_open);
+        let (passable, others): (Vec<u32>, Vec<u32>) =
+            cells.leaves().filter(left_open).partition(|&cell| cells.kind(cell).passable());
+        for cell in passable {
+            groups.open[cell as usize] = true;
+            cells.beside(cell).iter().for_each(|&other| groups.join(cell, other));
+        }
+        others.into_iter().for_each(|cell| groups.open(cells, cell));
         groups
     }
 
@@ -126,10 +152,14 @@ impl Open {
         self.open[cell as usize] = true;
         cells.touching(cell, &mut |other| {
             if self.open[other as usize] {
-                let [a, b] = [cell, other].map(|cell| self.group(cell));
-                self.parent[a as usize] = b;
+                self.join(cell, other);
             }
         });
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let [a, b] = [a, b].map(|cell| self.group(cell));
+        self.parent[a as usize] = b;
     }
 
     fn group(&mut self, cell: u32) -> u32 {

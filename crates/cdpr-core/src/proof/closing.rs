@@ -16,9 +16,10 @@ const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
 const ATTEMPTS: usize = 4;
 
 /// Decides which cells are closed.
+#[derive(Clone)]
 pub struct Regions<'a> {
     checker: &'a dyn Checker,
-    /// Whether all conditions of the engine are known, so that it can judge motions.
+    /// Whether all conditions of the engine count, so that it can judge motions.
     complete: bool,
     bounds: Cuboid,
     /// Error of a height over a plane, m.
@@ -34,19 +35,19 @@ pub struct Regions<'a> {
 }
 
 impl<'a> Regions<'a> {
-    /// The regions of these pieces of an engine, and of those conditions without pieces that `known` names by their index.
-    pub fn new(checker: &'a dyn Checker, bounds: Cuboid, pieces: &[Piece], known: &dyn Fn(usize) -> bool) -> Self {
+    /// The regions of the pieces of an engine, and of its conditions without pieces.
+    pub fn new(checker: &'a dyn Checker, bounds: Cuboid, pieces: &[Piece]) -> Self {
         let conditions = checker.conditions();
         let mut has_piece = vec![false; conditions.list.len()];
         pieces.iter().for_each(|piece| has_piece[piece.condition] = true);
         let loose = |index: &usize| {
             let condition = conditions.list[*index].details();
             let seam = condition.closes_seam(&conditions.bodies);
-            known(*index) && !seam && (!has_piece[*index] || condition.exceeds_pieces())
+            !seam && (!has_piece[*index] || condition.exceeds_pieces())
         };
         Regions {
             checker,
-            complete: (0..conditions.list.len()).all(known),
+            complete: true,
             bounds,
             rounding: ROUNDING * (bounds.low.coords.abs().sup(&bounds.high.coords.abs()).norm() + 1.0) + 1e-12,
             reach: vec![REACH; conditions.list.len()],
@@ -71,6 +72,19 @@ impl<'a> Regions<'a> {
             }
         }
         self
+    }
+
+    /// The same where only the conditions that `known` names by their index count.
+    pub fn knowing(&self, known: &dyn Fn(usize) -> bool) -> Self {
+        Regions {
+            checker: self.checker,
+            regions: self.regions.clone(),
+            reach: self.reach.clone(),
+            without_piece: self.without_piece.iter().copied().filter(|&condition| known(condition)).collect(),
+            kept_open: self.kept_open.clone(),
+            complete: (0..self.reach.len()).all(known),
+            ..*self
+        }
     }
 
     /// The conditions that a position breaks or nearly breaks.
