@@ -1,8 +1,8 @@
 //! Why there is no path: the smallest sets of obstacles and of conditions that close the way.
 //!
-//! Obstacles are left out one after another, as long as there is still no path. Most are found without a new search: the cells
-//! that an obstacle closes are opened, and start and goal remain separated. Each that remains is needed if there is a way past all
-//! the others; otherwise a search among those that remain tells.
+//! Obstacles are left out one after another, as long as there is still no path. Most can be left out without a search: if the cells
+//! that an obstacle closes are opened, start and goal remain separated. For each of the others the search continues without it.
+//! If that finds a way past all other obstacles, this one is needed; if not, the search continues among those that are left.
 
 use std::collections::BTreeMap;
 
