@@ -31,12 +31,13 @@ ifneq ($(shell command -v timeout),)
 LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbose $(TEST_SECONDS)'"
 endif
 
-# Unit, property and integration tests and the examples in the documentation. The benchmarks have no tests; clippy
-# compiles them.
+# Unit, property and integration tests, then the examples in the documentation. Benchmarks and examples of programs have no
+# tests; clippy checks that they compile.
 TESTED := --workspace --exclude cdpr-benches
 
 rust-test:
-	cargo test $(LIMITED) $(TESTED) --locked
+	cargo test $(LIMITED) $(TESTED) --tests --locked
+	cargo test $(LIMITED) $(TESTED) --doc --locked
 
 # Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2, with three times
 # as many cases as in `make test`.
@@ -107,7 +108,7 @@ browser:
 
 # The program as the tests use it, target/debug/cdpr; up to date after the tests.
 program:
-	cargo test $(TESTED) --locked --no-run --quiet
+	cargo test $(TESTED) --tests --locked --no-run --quiet
 
 # One process per core; tests of one file stay together if they share data that takes long to make.
 PARALLEL := -n auto --dist worksteal

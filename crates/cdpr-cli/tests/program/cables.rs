@@ -1,10 +1,8 @@
 //! What `cdpr` reports on cables: lengths and tensions by name, and which motions they resist.
 
-mod support;
-
 use std::fs;
 
-use support::*;
+use crate::support::*;
 
 const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0]];
 

@@ -1,11 +1,9 @@
 //! Scenes made, imported and drawn: `new`, `import`, `shadows`, and the orientations of a scene.
 
-mod support;
-
 use std::fs;
 
+use crate::support::*;
 use serde_json::Value;
-use support::*;
 
 #[test]
 fn a_new_scene_plans_and_is_not_overwritten() {

@@ -1,9 +1,7 @@
 //! What people expect of any program in a shell: standard input and output, quiet and verbose, colours, hints, manuals.
 
-mod support;
-
+use crate::support::*;
 use assert_cmd::Command;
-use support::*;
 
 #[test]
 fn a_dash_is_standard_input_or_output() {

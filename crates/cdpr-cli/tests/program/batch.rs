@@ -1,11 +1,9 @@
 //! Batches from the command line: killed and resumed, merged, reported.
 
-mod support;
-
 use std::fs;
 use std::path::Path;
 
-use support::*;
+use crate::support::*;
 
 /// The exit status of a process that was killed, where there is none for it, or Windows' own.
 const KILLED: Option<i32> = if cfg!(windows) { Some(1) } else { None };

@@ -1,11 +1,9 @@
 //! Messages, as a new user meets them; and no text from a file reaches a terminal unescaped.
 
-mod support;
-
 use std::fs;
 
+use crate::support::*;
 use serde_json::json;
-use support::*;
 
 /// hard1 with one piece of text replaced, its robot beside it.
 fn hard1_with(from: &str, to: &str) -> tempfile::TempDir {

@@ -1,12 +1,10 @@
 //! The known answers of `testdata/cases`, by the command line. The library and Python run the same list.
 
-mod support;
-
 use std::path::Path;
 
+use crate::support::*;
 use cdpr_tests::cases::{Cases, PlanCase, scene_file};
 use serde_json::Value;
-use support::*;
 
 #[test]
 fn motions() {

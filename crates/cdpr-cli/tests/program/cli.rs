@@ -1,11 +1,9 @@
 //! The command line from outside: outputs, exit statuses, files.
 
-mod support;
-
 use std::fs;
 
+use crate::support::*;
 use serde_json::Value;
-use support::*;
 
 #[test]
 fn plan_writes_a_path_that_check_accepts_and_a_page() {

@@ -1,12 +1,10 @@
 //! Trajectories from the command line: planned, written in all formats, checked, damaged.
 
-mod support;
-
 use std::fs;
 use std::path::Path;
 
+use crate::support::*;
 use serde_json::{Value, json};
-use support::*;
 
 const LIMITS: [&str; 6] = ["--speed", "1", "--acceleration", "2", "--blend", "0.02"];
 
