@@ -24,6 +24,9 @@ impl Pace {
     pub const WRENCHES: Pace = Pace { chunk: 16, first_block: 64 };
 }
 
+/// Whether there can be more than one thread: not in the page, where the code for several would only take up space.
+const THREADS: bool = cfg!(not(target_arch = "wasm32"));
+
 /// Time between two polls: a tenth of what a person notices.
 const BLOCK_TIME: Duration = Duration::from_millis(10);
 
@@ -56,7 +59,7 @@ pub fn answer_all<T: Send>(
     // A thread without its own chunk would be started for nothing.
     let useful = answers.len().div_ceil(pace.chunk).max(1);
     match options.threads.map(thread_count).transpose()?.map(|threads| threads.min(useful)) {
-        Some(1) => in_blocks(answers, serially, pace, options.interrupted),
+        threads if !THREADS || threads == Some(1) => in_blocks(answers, serially, pace, options.interrupted),
         None => in_blocks(answers, in_parallel, pace, options.interrupted),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -64,6 +67,23 @@ pub fn answer_all<T: Send>(
             in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), pace, options.interrupted)
         }
     }
+}
+
+/// What is found for each index below `count`, in order, on several threads if there are at least `many`. Each thread
+/// has a state of its own, which speeds up its work and does not change what is found.
+///
+/// # Errors
+/// The first error that is found.
+pub fn each<S: Default, T: Send>(
+    count: usize,
+    many: usize,
+    found: &(dyn Fn(&mut S, usize) -> Result<T, Error> + Sync),
+) -> Result<Vec<T>, Error> {
+    if THREADS && count >= many {
+        return (0..count).into_par_iter().map_init(S::default, found).collect();
+    }
+    let mut state = S::default();
+    (0..count).map(|index| found(&mut state, index)).collect()
 }
 
 /// Computes the answers in blocks that take about [`BLOCK_TIME`] each.

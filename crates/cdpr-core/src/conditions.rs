@@ -18,8 +18,6 @@ pub mod platform_obstacle;
 pub mod region;
 pub mod workspace;
 
-use rayon::prelude::*;
-
 pub use bodies::{Bodies, CableAt, ObstacleBody};
 pub use cable_and_body::Demand;
 pub use cable_cable::CableCable;
@@ -33,6 +31,7 @@ pub use platform_obstacle::PlatformObstacle;
 pub use region::{Forbidden, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;
 
+use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{Member, Scene};
@@ -323,12 +322,6 @@ impl Conditions {
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn map<T: Send>(&self, watch: &Watch, of: impl Fn(usize) -> T + Sync) -> Result<Vec<T>, Error> {
-        let one = |index: usize| watch.check().map(|()| of(index));
-        let indices = 0..self.list.len();
-        if indices.len() >= IN_PARALLEL {
-            indices.into_par_iter().map(one).collect()
-        } else {
-            indices.map(one).collect()
-        }
+        each(self.list.len(), IN_PARALLEL, &|(), index| watch.check().map(|()| of(index)))
     }
 }

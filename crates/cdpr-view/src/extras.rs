@@ -1,10 +1,10 @@
 //! Additional contents of a page: the search tree, shadows, and the wrench-feasible workspace.
 
-use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::region;
+use cdpr_core::batch::each;
 use cdpr_core::collision::Conditions;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, Point};
@@ -115,12 +115,12 @@ pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>,
         Ok(slacks.map(|slacks| slacks[0] as f32))
     };
     let limit = limit_at(first, &grid.origin);
-    let margins: Result<Vec<_>, Error> = (0..grid.len()).into_par_iter().map(margin).collect();
+    let margins = each(grid.len(), 0, &|(), node| margin(node))?;
     Ok(Some(Feasible {
         origin: grid.origin.into(),
         step: grid.step,
         counts: grid.counts,
-        margins: margins?,
+        margins,
         measure: limit.measure,
         unit: limit.unit,
     }))

@@ -1,10 +1,10 @@
 //! The plots along a path or over time: cable lengths, clearances, wrench margins and tensions.
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::extras::too_many_margins;
 use super::xyz;
+use cdpr_core::batch::each;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{
     Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
@@ -182,12 +182,12 @@ fn approaches<Place: Sync>(
 ) -> Result<Vec<Approach>, Error> {
     let mut approaches = Vec::new();
     for (name, kinds) in GROUPS {
-        let at = |place| {
+        let found = each(places.len(), 0, &|(), k| {
             watch.check()?;
-            Ok(tightest(place, &|kind| kinds.contains(&kind)))
-        };
-        let found: Result<Option<Vec<_>>, Error> = places.par_iter().map(at).collect();
-        approaches.extend(found?.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
+            Ok(tightest(&places[k], &|kind| kinds.contains(&kind)))
+        })?;
+        let found: Option<Vec<_>> = found.into_iter().collect();
+        approaches.extend(found.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
     }
     Ok(approaches)
 }
@@ -236,13 +236,11 @@ fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<M
     if too_many_margins(scene, poses.len()) {
         return Ok(Vec::new());
     }
-    let slacks = |pose: &Pose| {
+    let rows: Vec<Vec<Option<f32>>> = each(poses.len(), 0, &|(), k| {
         watch.check()?;
-        let measures = measures_at(scene, &pose.orientation).unwrap_or_default();
-        Ok(measures.iter().map(|measure| plotted(measure.slack(&pose.position))).collect())
-    };
-    let rows: Result<Vec<Vec<Option<f32>>>, Error> = poses.par_iter().map(slacks).collect();
-    let rows = rows?;
+        let measures = measures_at(scene, &poses[k].orientation).unwrap_or_default();
+        Ok(measures.iter().map(|measure| plotted(measure.slack(&poses[k].position))).collect())
+    })?;
     let along = |(k, measure): (usize, &Measure)| {
         let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
         Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
@@ -253,14 +251,12 @@ fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<M
 /// The tensions of each cable at rest at poses.
 fn turning_tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
     let loads = Loads::of(scene);
-    let found: Result<Vec<_>, Error> = (poses.par_iter())
-        .map_init(TensionQp::default, |solver, pose| {
-            watch.check()?;
-            let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
-            statics.tensions(solver, &pose.position, None)
-        })
-        .collect();
-    Ok(tension_columns(scene.robot().cables().len(), found?))
+    let found = each(poses.len(), 0, &|solver: &mut TensionQp, k| {
+        watch.check()?;
+        let statics = Statics::new(scene.robot(), &loads.at(&poses[k].orientation))?;
+        statics.tensions(solver, &poses[k].position, None)
+    })?;
+    Ok(tension_columns(scene.robot().cables().len(), found))
 }
 
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.
@@ -320,14 +316,11 @@ fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> R
 
 /// The tensions of each cable at rest.
 fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
-    let found: Result<Vec<_>, Error> = positions
-        .par_iter()
-        .map_init(TensionQp::default, |solver, position| {
-            watch.check()?;
-            statics.tensions(solver, position, None)
-        })
-        .collect();
-    Ok(tension_columns(statics.cables().len(), found?))
+    let found = each(positions.len(), 0, &|solver: &mut TensionQp, k| {
+        watch.check()?;
+        statics.tensions(solver, &positions[k], None)
+    })?;
+    Ok(tension_columns(statics.cables().len(), found))
 }
 
 /// Tensions at each place as columns, one for each cable.
@@ -351,12 +344,11 @@ fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Marg
     }
     let along = |measure: &Measure| {
         let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
-        let value = |position| {
+        let values = each(positions.len(), 0, &|(), k| {
             watch.check()?;
-            Ok(plotted(measure.slack(position)))
-        };
-        let values: Result<Vec<_>, Error> = positions.par_iter().map(value).collect();
-        Ok(Margins { measure: name, unit, values: values? })
+            Ok(plotted(measure.slack(&positions[k])))
+        })?;
+        Ok(Margins { measure: name, unit, values })
     };
     measures.iter().map(along).collect()
 }

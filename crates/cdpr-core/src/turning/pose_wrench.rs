@@ -1,10 +1,8 @@
 //! The wrench margins and tensions of a path of poses.
 
-use rayon::prelude::*;
-
 use super::pose_space::{pose_distance, turn_weight};
 use super::turning_wrench::TurningWrench;
-use crate::collision::WrenchLimit;
+use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::Pose;
 use crate::model::Scene;
@@ -20,13 +18,13 @@ use crate::wrench::{Loads, PathWrench, Statics, TensionQp};
 pub fn wrench_of_poses(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<PathWrench>, Error> {
     let Some(wrench) = TurningWrench::of(scene)? else { return Ok(None) };
     let (loads, marks) = (Loads::of(scene), marks(scene, poses)?);
-    let of = |solver: &mut TensionQp, mark: &Mark| -> Result<(Option<WrenchLimit>, Option<Vec<f64>>), Error> {
+    let found = each(marks.len(), 0, &|solver: &mut TensionQp, k| {
         watch.check()?;
+        let mark = &marks[k];
         let pose = poses[mark.segment].toward(&poses[(mark.segment + 1).min(poses.len() - 1)]).at(mark.at);
         let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
         Ok((wrench.least_at(&pose), statics.tensions(solver, &pose.position, None)?))
-    };
-    let found: Vec<_> = marks.par_iter().map_init(TensionQp::default, of).collect::<Result<_, _>>()?;
+    })?;
     let (limits, tensions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let places = || marks.iter().map(|mark| (mark.segment, mark.at));
     let known = places().zip(limits).filter_map(|(place, limit)| Some((place, limit?)));

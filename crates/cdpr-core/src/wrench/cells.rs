@@ -1,9 +1,8 @@
 //! A grid of positions, its feasible cells, and the cells that a motion crosses. Implements the paper's rule, by which
 //! the nearest grid point decides about a position, and a stricter one, by which all corners of its cell decide.
 
-use rayon::prelude::*;
-
 use super::measure::Measure;
+use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::MembershipSpec;
@@ -11,6 +10,9 @@ use crate::numerics::simd::WIDTH;
 
 /// Maximum number of nodes; more are probably due to a wrong unit.
 const MOST_NODES: f64 = 1e8;
+
+/// Number of groups of points from which on they are computed in parallel.
+const IN_PARALLEL: usize = 64;
 
 /// Cells of a box of positions. A cell is feasible if all its corners are, or if the grid point at its centre is.
 #[derive(Debug, Clone, PartialEq)]
@@ -137,14 +139,15 @@ const END: f64 = 1e-9;
 fn feasible_points(measures: &[Measure], min: &Point, size: f64, counts: [usize; 3]) -> Vec<bool> {
     let [nx, ny, nz] = counts.map(|n| n + 1);
     let at = |n: usize| min + Vector::new((n % nx) as f64, (n / nx % ny) as f64, (n / (nx * ny)) as f64) * size;
-    let mut points = vec![false; nx * ny * nz];
-    points.par_chunks_mut(WIDTH).enumerate().with_min_len(64).for_each(|(chunk, points)| {
-        let positions = std::array::from_fn(|k| at(chunk * WIDTH + k));
+    let count = nx * ny * nz;
+    let four = |(): &mut (), group: usize| {
+        let positions = std::array::from_fn(|k| at(group * WIDTH + k));
         let slack: Vec<[f64; WIDTH]> = measures.iter().map(|measure| measure.slack_at_four(&positions)).collect();
-        for (k, point) in points.iter_mut().enumerate() {
-            *point = slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
-        }
-    });
+        let enough = |k: usize| slack.iter().zip(measures).all(|(slack, measure)| slack[k] >= measure.floor());
+        Ok(std::array::from_fn::<bool, WIDTH, _>(enough))
+    };
+    let mut points = each(count.div_ceil(WIDTH), IN_PARALLEL, &four).expect("nothing stops it").into_flattened();
+    points.truncate(count);
     points
 }
 

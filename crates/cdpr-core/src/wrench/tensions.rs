@@ -1,7 +1,6 @@
 //! Tensions and margins of a robot, at a position and along a path.
 
 use nalgebra::Matrix6xX;
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::certify::certified;
@@ -12,7 +11,7 @@ use super::measure::Measure;
 use super::tension_qp::TensionQp;
 use super::zonotope::Span;
 use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, least_slack, moment_limit};
-use crate::batch::{BatchOptions, Pace, answer_all};
+use crate::batch::{BatchOptions, Pace, answer_all, each};
 use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
@@ -420,15 +419,12 @@ fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Resul
         let segment = k.min(waypoints.len().saturating_sub(2));
         Place { s: 0.0, segment, at: (k - segment) as f64, position: *position }
     }));
-    let found: Result<Vec<Option<Vec<f64>>>, Error> = places
-        .par_iter()
-        .map_init(TensionQp::default, |solver, place| {
-            watch.check()?;
-            statics.tensions(solver, &place.position, None)
-        })
-        .collect();
+    let found = each(places.len(), 0, &|solver: &mut TensionQp, k| {
+        watch.check()?;
+        statics.tensions(solver, &places[k].position, None)
+    })?;
     let at = |place: &Place| (place.segment, place.at);
-    Ok(TensionRange::of(statics, places.iter().map(at).zip(found?)))
+    Ok(TensionRange::of(statics, places.iter().map(at).zip(found)))
 }
 
 impl TensionRange {

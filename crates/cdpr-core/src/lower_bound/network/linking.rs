@@ -4,10 +4,9 @@
 //! So each link remembers the polyhedra that may block a part of it, and between parts of its intervals only these are
 //! tried: soon few are left.
 
-use rayon::prelude::*;
-
 use super::super::interval::{Label, Sides, Sight};
 use super::{GOAL, Neighbour, Network, START, node};
+use crate::batch::each;
 use crate::error::Error;
 use crate::forbidden::Near;
 use crate::numerics::SAME_POINT;
@@ -45,7 +44,7 @@ impl Links {
 impl Network<'_> {
     /// Finds the links of all intervals.
     pub(super) fn link_all(&mut self, watch: &Watch) -> Result<(), Error> {
-        let found = in_order(self.len(), &|near, at| {
+        let found = each(self.len(), IN_PARALLEL, &|near: &mut Near, at| {
             watch.check()?;
             let (mut links, mut hint) = (Links::default(), None);
             for to in at + 1..self.len() {
@@ -66,7 +65,7 @@ impl Network<'_> {
         watch: &Watch,
     ) -> Result<(), Error> {
         let old = std::mem::take(&mut self.onward);
-        let found = in_order(parts.len(), &|_, whole| {
+        let found = each(parts.len(), IN_PARALLEL, &|(), whole| {
             watch.check()?;
             let of_part = |&at: &usize| self.links_of_part(at, parts, (&parts[whole], &old[whole], &still_open[whole]));
             Ok(parts[whole].iter().map(of_part).collect::<Vec<Links>>())
@@ -211,16 +210,4 @@ impl Network<'_> {
         };
         [least(START, a) + least(GOAL, b) < left, least(START, b) + least(GOAL, a) < left]
     }
-}
-
-/// What is found for each index, in order, on several threads if that pays.
-fn in_order<T: Send>(
-    count: usize,
-    found: &(dyn Fn(&mut Near, usize) -> Result<T, Error> + Sync),
-) -> Result<Vec<T>, Error> {
-    if count >= IN_PARALLEL {
-        return (0..count).into_par_iter().map_init(Near::default, found).collect();
-    }
-    let mut near = Near::default();
-    (0..count).map(|at| found(&mut near, at)).collect()
 }
