@@ -25,7 +25,7 @@ impl Pace {
 }
 
 /// Whether there can be more than one thread: not in the page, where the code for several would only take up space.
-const THREADS: bool = cfg!(not(target_arch = "wasm32"));
+pub const THREADS: bool = cfg!(not(target_arch = "wasm32"));
 
 /// Time between two polls: a tenth of what a person notices.
 const BLOCK_TIME: Duration = Duration::from_millis(10);
@@ -84,6 +84,11 @@ pub fn each<S: Default, T: Send>(
     }
     let mut state = S::default();
     (0..count).map(|index| found(&mut state, index)).collect()
+}
+
+/// Both results, found side by side if there is more than one thread.
+pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    if THREADS { rayon::join(a, b) } else { (a(), b()) }
 }
 
 /// Computes the answers in blocks that take about [`BLOCK_TIME`] each.

@@ -21,6 +21,7 @@ pub use certificate::{
 pub use closing::widened_evenly;
 pub use tiling::{Content, ProofBox, ProofRegion};
 
+use crate::batch::join;
 use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
@@ -171,7 +172,7 @@ impl<'a> Search<'a> {
 
     /// The proof of a search that found no way.
     fn proof(self, watch: &Watch) -> Result<Proof, Error> {
-        let (smaller, reachable) = rayon::join(|| blocking::smallest(&self, watch), || self.clone().reachable());
+        let (smaller, reachable) = join(|| blocking::smallest(&self, watch), || self.clone().reachable());
         let Smaller { search, conditions, blocking, ways_without } = smaller?;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);

@@ -12,6 +12,7 @@ use std::time::Duration;
 use web_time::Instant;
 
 use super::{Improved, PlanOptions};
+use crate::batch::THREADS;
 use crate::collision::Checker;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
@@ -29,7 +30,7 @@ const FIRST_TURN: Duration = Duration::from_millis(10);
 /// Whether a second thread is of use: not in the page, which has none, nor on a worker of a thread pool, where every core has
 /// work. Parts of the decision run in the pool, so a worker that waited for the second thread could wait forever.
 fn has_second_thread() -> bool {
-    cfg!(not(target_arch = "wasm32")) && rayon::current_thread_index().is_none()
+    THREADS && rayon::current_thread_index().is_none()
 }
 
 /// How a search ended.

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{PlanOptions, engine_within};
+use crate::batch::each;
 use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, path_length};
@@ -97,12 +97,11 @@ impl NoPath {
             }
         }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
-        let path = |(name, way): (&String, &Option<Vec<Point>>)| {
-            let path = way.as_deref().map(|way| path_without(scene, name, way, options, watch)).transpose();
+        let paths = each(blocking.len(), 2, &|(), k| {
+            let way = proof.ways_without[k].as_deref();
+            let path = way.map(|way| path_without(scene, &blocking[k], way, options, watch)).transpose();
             in_time(path).map(Option::flatten).map(Option::flatten)
-        };
-        let paths: Vec<Option<Vec<Point>>> =
-            blocking.par_iter().zip(&proof.ways_without).map(path).collect::<Result<_, Error>>()?;
+        })?;
         let names = || blocking.iter().cloned();
         let without = names().zip(paths.iter().map(|path| path.as_deref().map(path_length))).collect();
         let paths_without = names().zip(paths).filter_map(|(name, path)| path.map(|path| (name, path))).collect();

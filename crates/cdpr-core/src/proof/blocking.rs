@@ -6,9 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::Search;
+use crate::batch::each;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
 use crate::error::Error;
 use crate::geometry::Point;
@@ -30,11 +29,11 @@ pub struct Smaller<'a> {
 /// Leaves out obstacles, then conditions, of a search that found no way.
 pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Error> {
     let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
-    let without = |&obstacle: &usize| {
-        let mut others = whole.clone().knowing(&|other| other != obstacle);
-        others.run(PROOF_EFFORT, watch).map(|way| (obstacle, way, others))
-    };
-    let searches: Vec<_> = blocking.par_iter().map(without).collect::<Result<_, Error>>()?;
+    let searches = each(blocking.len(), 2, &|(), k| {
+        let mut others = whole.clone().knowing(&|other| other != blocking[k]);
+        let way = others.run(PROOF_EFFORT, watch)?;
+        Ok((blocking[k], way, others))
+    })?;
     let (mut fewest, mut ways) = (None, BTreeMap::new());
     for (obstacle, way, others) in searches {
         if let Way::Path(way) = way {
