@@ -199,7 +199,12 @@ impl Decomposition {
                     return Ok(Way::Path(places));
                 }
             }
-            doubtful.into_iter().for_each(|cell| self.settle(cell, oracle));
+            for cell in doubtful {
+                if watch.expired()? {
+                    return Ok(Way::Undecided); // a bound on wrenches takes as long as some visits
+                }
+                self.settle(cell, oracle);
+            }
         }
         Ok(Way::Undecided)
     }
@@ -271,9 +276,10 @@ impl Decomposition {
         reached
     }
 
-    /// The same cells where only the conditions that `known` names count, as in the oracle: what others closed is classified anew.
+    /// The same cells where only the conditions that `known` names count, as in the oracle: what others closed, or left
+    /// undecided, is classified anew.
     pub fn knowing(mut self, known: &dyn Fn(usize) -> bool, oracle: &dyn Oracle) -> Self {
-        self.credit = 0;
+        (self.credit, self.at_the_limit) = (0, false);
         let known_pieces: Vec<bool> = self.pieces.iter().map(|piece| known(piece.condition)).collect();
         let counts = |piece: u32| known_pieces[piece as usize];
         let all: Vec<u32> = (0..self.pieces.len() as u32).filter(|&piece| counts(piece)).collect();
@@ -283,6 +289,7 @@ impl Decomposition {
             let reopened = match cell.kind {
                 Kind::Closed(Closed::Piece(piece)) => !counts(piece),
                 Kind::Closed(Closed::Bound(condition)) => !known(condition as usize),
+                Kind::TooSmall => true,
                 Kind::Open if cell.near.is_empty() => {
                     cell.kind = Kind::Free;
                     false
