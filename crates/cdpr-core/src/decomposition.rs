@@ -201,7 +201,7 @@ impl Decomposition {
             }
             for cell in doubtful {
                 if watch.expired()? {
-                    return Ok(Way::Undecided); // a bound on wrenches takes as long as some visits
+                    return Ok(Way::Undecided); // bounds on wrenches take long
                 }
                 self.settle(cell, oracle);
             }
@@ -248,30 +248,32 @@ impl Decomposition {
 
     /// For each cell, whether it can be reached from one through touching cells, all of them passable.
     pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Vec<bool> {
+        self.flooded(from, passable, |cell, visit| self.touching(cell, visit))
+    }
+
+    /// The same through all cells whose kind is passable; their neighbours are known.
+    pub fn reached_from(&self, from: u32) -> Vec<bool> {
+        let passable = |cell: u32| self.kind(cell).passable();
+        self.flooded(from, &passable, |cell, visit| self.beside(cell).iter().for_each(|&other| visit(other)))
+    }
+
+    fn flooded(
+        &self,
+        from: u32,
+        passable: &dyn Fn(u32) -> bool,
+        visit_neighbours: impl Fn(u32, &mut dyn FnMut(u32)),
+    ) -> Vec<bool> {
         let mut reached = vec![false; self.cells.len()];
         let mut waiting = Vec::from_iter(Some(from).filter(|&from| passable(from)));
         while let Some(cell) = waiting.pop() {
             if std::mem::replace(&mut reached[cell as usize], true) {
                 continue;
             }
-            let seen = &reached;
-            self.touching(cell, &mut |other| {
-                if !seen[other as usize] && passable(other) {
+            visit_neighbours(cell, &mut |other| {
+                if !reached[other as usize] && passable(other) {
                     waiting.push(other);
                 }
             });
-        }
-        reached
-    }
-
-    /// The same through all passable cells.
-    pub fn reached_from(&self, from: u32) -> Vec<bool> {
-        let mut reached = vec![false; self.cells.len()];
-        let mut waiting = Vec::from_iter(Some(from).filter(|&from| self.kind(from).passable()));
-        while let Some(cell) = waiting.pop() {
-            if !std::mem::replace(&mut reached[cell as usize], true) {
-                waiting.extend(self.beside(cell).iter().copied().filter(|&other| !reached[other as usize]));
-            }
         }
         reached
     }
