@@ -126,6 +126,15 @@ pub enum Kind {
     Divided(u32),
 }
 
+/// What can be reached from a cell.
+#[derive(Debug, Clone)]
+pub struct Reached {
+    /// For each cell, whether it can be reached.
+    pub inside: Vec<bool>,
+    /// For each cell, whether it touches one that can be reached.
+    pub touched: Vec<bool>,
+}
+
 /// Why a cell is closed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Closed {
@@ -216,7 +225,7 @@ impl Decomposition {
         let mut widths: Vec<f64> = self.leaves().map(|leaf| self.opening(leaf)).collect();
         widths.sort_by(f64::total_cmp);
         widths.dedup();
-        let joined = |width: f64| self.reached(ends[0], &|cell| self.opening(cell) >= width)[ends[1] as usize];
+        let joined = |width: f64| self.reached(ends[0], &|cell| self.opening(cell) >= width).inside[ends[1] as usize];
         let narrow = widths.partition_point(|&width| joined(width));
         widths[narrow.saturating_sub(1)]
     }
@@ -246,15 +255,15 @@ impl Decomposition {
         &self.cells[cell as usize].beside
     }
 
-    /// For each cell, whether it can be reached from one through touching cells, all of them passable.
-    pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Vec<bool> {
+    /// What can be reached from a cell through touching cells, all of them passable.
+    pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Reached {
         self.flooded(from, passable, |cell, visit| self.touching(cell, visit))
     }
 
     /// The same through all cells whose kind is passable; their neighbours are known.
     pub fn reached_from(&self, from: u32) -> Vec<bool> {
         let passable = |cell: u32| self.kind(cell).passable();
-        self.flooded(from, &passable, |cell, visit| self.beside(cell).iter().for_each(|&other| visit(other)))
+        self.flooded(from, &passable, |cell, visit| self.beside(cell).iter().for_each(|&other| visit(other))).inside
     }
 
     fn flooded(
@@ -262,15 +271,16 @@ impl Decomposition {
         from: u32,
         passable: &dyn Fn(u32) -> bool,
         visit_neighbours: impl Fn(u32, &mut dyn FnMut(u32)),
-    ) -> Vec<bool> {
-        let mut reached = vec![false; self.cells.len()];
+    ) -> Reached {
+        let mut reached = Reached { inside: vec![false; self.cells.len()], touched: vec![false; self.cells.len()] };
         let mut waiting = Vec::from_iter(Some(from).filter(|&from| passable(from)));
         while let Some(cell) = waiting.pop() {
-            if std::mem::replace(&mut reached[cell as usize], true) {
+            if std::mem::replace(&mut reached.inside[cell as usize], true) {
                 continue;
             }
             visit_neighbours(cell, &mut |other| {
-                if !reached[other as usize] && passable(other) {
+                let seen = std::mem::replace(&mut reached.touched[other as usize], true);
+                if !seen && passable(other) {
                     waiting.push(other);
                 }
             });
@@ -310,16 +320,20 @@ impl Decomposition {
 
     /// Visits the undivided cells that touch a cell, itself included.
     pub fn touching(&self, cell: u32, visit: &mut dyn FnMut(u32)) {
-        let mut waiting = vec![0];
+        let (low, steps) = (self.cells[cell as usize].low, self.cells[cell as usize].steps());
+        let mut waiting = vec![WHOLE];
         while let Some(at) = waiting.pop() {
             let other = &self.cells[at as usize];
-            if !other.touches(&self.cells[cell as usize]) {
+            let Kind::Divided(first) = other.kind else {
+                visit(at);
                 continue;
-            }
-            match other.kind {
-                Kind::Divided(first) => waiting.extend(first..first + 8),
-                _ => visit(at),
-            }
+            };
+            // Of its parts, those in the halves that the cell touches along all three axes.
+            let middle = other.low.map(|low| low + other.steps() / 2);
+            let halves = |touched: &dyn Fn(usize) -> bool| (0..3).map(|axis| u32::from(touched(axis)) << axis).sum();
+            let lower: u32 = halves(&|axis| low[axis] <= middle[axis]);
+            let upper: u32 = halves(&|axis| low[axis] + steps >= middle[axis]);
+            waiting.extend((0..8).filter(|part| (part & upper) | (!part & lower) == 7).map(|part| first + part));
         }
     }
 

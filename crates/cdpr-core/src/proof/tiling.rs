@@ -74,12 +74,7 @@ pub fn around(position: &Point, cells: &Decomposition, boxes: &[ProofBox]) -> (V
         open[leaf as usize] = of.content == Content::Open;
     }
     let reached = cells.reached(cells.cell_at(position), &|cell| open[cell as usize]);
-    let touches_reached = |leaf: u32| {
-        let mut found = false;
-        cells.touching(leaf, &mut |other| found |= reached[other as usize]);
-        found
-    };
-    let inside = |index: &usize| reached[leaves[*index] as usize];
-    let beside = |index: &usize| !open[leaves[*index] as usize] && touches_reached(leaves[*index]);
+    let inside = |index: &usize| reached.inside[leaves[*index] as usize];
+    let beside = |index: &usize| !open[leaves[*index] as usize] && reached.touched[leaves[*index] as usize];
     ((0..leaves.len()).filter(inside).collect(), (0..leaves.len()).filter(beside).collect())
 }
