@@ -24,7 +24,8 @@ impl Pace {
     pub const WRENCHES: Pace = Pace { chunk: 16, first_block: 64 };
 }
 
-/// Whether there can be more than one thread: not in the page, where the code for several would only take up space.
+/// Whether there can be more than one thread. In the browser page there is only one, and threading code would only make
+/// the page larger.
 pub const THREADS: bool = cfg!(not(target_arch = "wasm32"));
 
 /// Time between two polls: a tenth of what a person notices.
@@ -56,7 +57,7 @@ pub fn answer_all<T: Send>(
         let chunks = answers.par_chunks_mut(pace.chunk).enumerate();
         chunks.for_each(|(chunk, answers)| serially(first + chunk * pace.chunk, answers));
     };
-    // A thread without its own chunk would be started for nothing.
+    // Start no thread that would get no chunk.
     let useful = answers.len().div_ceil(pace.chunk).max(1);
     match options.threads.map(thread_count).transpose()?.map(|threads| threads.min(useful)) {
         threads if !THREADS || threads == Some(1) => in_blocks(answers, serially, pace, options.interrupted),
@@ -69,11 +70,11 @@ pub fn answer_all<T: Send>(
     }
 }
 
-/// What is found for each index below `count`, in order, on several threads if there are at least `many`. Each thread
-/// has a state of its own, which speeds up its work and does not change what is found.
+/// Calls `found` for each index below `count` and returns the results in order; uses several threads if there are at
+/// least `many` indices. Each thread has its own state, which speeds up its work without affecting the results.
 ///
 /// # Errors
-/// The first error that is found.
+/// The first error of `found`.
 pub fn each<S: Default, T: Send>(
     count: usize,
     many: usize,
@@ -86,7 +87,7 @@ pub fn each<S: Default, T: Send>(
     (0..count).map(|index| found(&mut state, index)).collect()
 }
 
-/// Both results, found side by side if there is more than one thread.
+/// Runs both functions, in parallel if there is more than one thread, and returns both results.
 pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     if THREADS { rayon::join(a, b) } else { (a(), b()) }
 }

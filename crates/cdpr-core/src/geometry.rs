@@ -47,8 +47,8 @@ pub type Vector = nalgebra::Vector3<f64>;
 /// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;
 
-/// The place on a line, given by a point and a unit vector, through which the way between two positions is shortest, m from the
-/// point: where the way is straight in the unfolding of the two half-planes.
+/// Where the shortest path between two positions over a line crosses it, as a distance from `point` along the unit vector
+/// `along`, m. The path is straight once the two half-planes are unfolded into one plane.
 pub fn shortest_over(point: &Point, along: &Vector, places: [&Point; 2]) -> f64 {
     let [(a, height_a), (b, height_b)] = places.map(|place| {
         let foot = along.dot(&(place - point));

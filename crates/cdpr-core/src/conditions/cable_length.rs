@@ -91,7 +91,7 @@ impl PhysicalCondition for CableLength {
         let [p, q] = piece.points(&cable.arm);
         let (first, last) = ((p - cable.outlet).norm(), (q - cable.outlet).norm());
         let sag = piece.sag(&cable.arm) - TOUCH_DEPTH;
-        // The length changes by no more than the way; half of it from the nearer end.
+        // The length changes by at most the distance travelled, and by at most half of it from the nearer end.
         let quick = first.min(last) - 0.5 * piece.travel(cable.arm.norm()) >= self.min;
         let longest = first.max(last);
         longest <= self.max - sag

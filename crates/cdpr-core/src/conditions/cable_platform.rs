@@ -153,8 +153,8 @@ impl PhysicalCondition for CablePlatform {
         self.demand.slack(|| Triangle::new(end, start, start), &(start - end), &bodies.platform[self.body])
     }
 
-    /// In the frame of the platform the outlet moves. Only the part of the cable that can reach the body counts, and deviates
-    /// less: by its share of the cable.
+    /// In the platform's frame it is the outlet that moves. Only the part of the cable that can reach the body matters, and its
+    /// deviation is smaller: in proportion to its share of the cable.
     #[inline]
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];

@@ -55,9 +55,9 @@ choices!(Interference, "interference", [
 
 /// A physical condition on where the platform may be and how it may move, at fixed orientation.
 ///
-/// A motion is a straight line of positions of the platform's origin; a position is a motion of zero length. Distances
-/// are between surfaces, in the world, m; a negative value is the depth of an overlap. For the workspace and for cable
-/// lengths, the distance is that from the limits, negative outside.
+/// A motion is a straight line of positions of the platform's origin; a position is a motion of zero length. Distances are
+/// between surfaces, in the world, m; a negative value is the depth of an overlap. For the workspace and for cable lengths, the
+/// distance is measured from the limits and is negative outside them.
 ///
 /// To add a condition, implement this trait in a new file and list it in [`super::Condition`].
 pub trait PhysicalCondition {
@@ -178,7 +178,8 @@ pub trait PhysicalCondition {
         false
     }
 
-    /// Whether a cable ends on the body that it must not enter: no distance then says how far it is from entering it.
+    /// Whether a cable ends on the body that it must not enter. Its distance from the body then does not show how close it is to
+    /// entering.
     fn ends_on_body(&self) -> bool {
         false
     }

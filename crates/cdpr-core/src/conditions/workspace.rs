@@ -79,7 +79,7 @@ impl PhysicalCondition for Workspace {
         Some(self.room(from, to))
     }
 
-    /// Never: boxes are inside the box of positions.
+    /// Always false, since boxes lie inside the box of positions.
     fn forbids_all(&self, _: &Bodies, _: &Cuboid, _: f64) -> bool {
         false
     }

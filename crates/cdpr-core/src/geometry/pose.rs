@@ -45,7 +45,8 @@ impl Pose {
 
     /// The motion to another pose: straight, with the shorter turn, both at constant rates.
     ///
-    /// Of the two half turns to an opposite orientation it takes always the same, so that the way back passes the same poses.
+    /// If the orientations differ by a half turn, the direction of the turn is always chosen in the same way, so that the motion
+    /// back passes the same poses.
     pub fn toward(&self, other: &Pose) -> PoseMotion {
         let (a, b) = (signed(&self.orientation), signed(&other.orientation));
         let swapped = b.iter().partial_cmp(a.iter()) == Some(std::cmp::Ordering::Less);
@@ -91,8 +92,9 @@ pub fn wxyz(rotation: &Rotation) -> [f64; 4] {
     [rotation.w, rotation.i, rotation.j, rotation.k]
 }
 
-/// The rotation of a quaternion w x y z of length 1. If it is a rotation up to rounding, its digits are kept, so that a pose that
-/// was written is read as the very same: a path that touches its limits would otherwise be judged anew.
+/// The rotation of a quaternion w x y z of about unit length. If its length is 1 up to rounding, its digits are kept, so that a
+/// pose is read back exactly as it was written. Otherwise a path that touches its limits could be valid when written and invalid
+/// when read.
 pub fn rotation_as_written([w, x, y, z]: [f64; 4]) -> Rotation {
     let quaternion = Quaternion::new(w, x, y, z);
     match (quaternion.norm() - 1.0).abs() <= ROUNDED_UNIT {
@@ -262,8 +264,8 @@ impl Turning {
     }
 }
 
-/// How far a motion may be from another one at the same time. A vector a of the platform differs by at most `turned` |a| in the
-/// world, and a vector of the world by as much in the frame of the platform.
+/// How far two motions may differ at the same time. In the world, a vector a of the platform differs by at most `turned` |a|; in
+/// the platform's frame, a vector of the world differs by as much.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Apart {
     /// Of the platform's origin, m.
@@ -273,14 +275,14 @@ pub struct Apart {
 }
 
 impl Apart {
-    /// Of a point at a distance of at most `reach`, m, from the platform's origin, m.
+    /// Largest difference of a point within `reach`, m, of the platform's origin, m.
     #[inline]
     pub fn of(&self, reach: f64) -> f64 {
         self.position + self.turned * reach
     }
 
-    /// Of a point whose vector from the origin is at most as long as the longest of these, m. Motions that are not apart from
-    /// theirs need no lengths.
+    /// The same for a point whose vector from the origin is no longer than the longest of these, m. If the motions do not differ,
+    /// no lengths are computed.
     #[inline]
     fn of_vectors(&self, vectors: &[Vector]) -> f64 {
         match *self == Apart::default() {
@@ -374,8 +376,8 @@ impl TurningPiece {
         bent * share + self.apart.of_vectors(&lines)
     }
 
-    /// The longest way of a point at a distance of at most `reach`, m, from the platform's origin, m, and twice the distance that
-    /// it may have from there: half of all this is the most by which it is away from the nearer end.
+    /// Largest distance travelled by a point within `reach`, m, of the platform's origin, plus twice its largest deviation, m.
+    /// The point is never farther than half of this from where it is at the nearer end of the piece.
     #[inline]
     pub fn travel(&self, reach: f64) -> f64 {
         self.step.norm() + self.angle * reach + 2.0 * self.apart.of(reach)
