@@ -54,8 +54,8 @@ pub trait Oracle {
         piece.certain.as_ref().is_some_and(|all| all.iter().all(|plane| cell.highest(plane) < 0.0))
     }
 
-    /// The condition that forbids a whole cell although no piece does, by its index in the list of conditions. Only asked before a
-    /// cell on a chain is divided.
+    /// The index of a condition that forbids a whole cell although no piece does. Called only before a cell on a chain is
+    /// divided.
     fn closed_by_bound(&self, _cell: &Cuboid) -> Option<u32> {
         None
     }
@@ -75,7 +75,8 @@ pub const WHOLE: u32 = 0;
 const LEVELS: u8 = 24;
 /// Maximum number of halvings of the box, unless set otherwise.
 const FINEST: u8 = 14;
-/// Halvings of the box from which on the cells of start and goal need not be free; the oracle then judges the motions in them.
+/// Number of halvings of the box after which the cells of start and goal need not be free; the oracle then decides about the
+/// motions in them.
 const SMALL_END: u8 = 10;
 /// Cost of checking a motion, in visited cells.
 const MOTION: usize = 10;
@@ -162,7 +163,7 @@ impl Decomposition {
         Decomposition { pieces, low, size, cells, chains, finest: FINEST, credit: 0, at_the_limit: false }
     }
 
-    /// The same with cells of at least this size, m, the mean of their sides, instead of 2^-14 of the box.
+    /// The same, but with cells no smaller than this, m (the mean of their sides), instead of 2^-14 of the box.
     pub fn down_to(self, size: f64) -> Self {
         let halvings = (self.size.mean() / size).log2().floor().clamp(0.0, f64::from(LEVELS));
         Decomposition { finest: halvings as u8, ..self }
@@ -195,7 +196,7 @@ impl Decomposition {
                 let certain = !self.at_the_limit && !watch.expired()?;
                 return Ok(if certain { Way::None } else { Way::Undecided });
             }
-            // A start or goal that touches something is in no free cell, however small.
+            // If start or goal touches something, no cell that contains it is free, however small.
             let leaves_end = |cell: &u32| ends.contains(cell) && self.cells[*cell as usize].level >= SMALL_END;
             let open = |cell: &u32| self.cells[*cell as usize].kind == Kind::Open && !leaves_end(cell);
             let mut doubtful: Vec<u32> = chain.iter().copied().filter(open).collect();
@@ -218,8 +219,8 @@ impl Decomposition {
         Ok(Way::Undecided)
     }
 
-    /// The width that no opening on the way from start to goal can reach, m, as far as the cells tell: every chain has a cell
-    /// that is not free, and in such a cell something forbidden is nearer than its diagonal.
+    /// Every path from start to goal passes an opening narrower than this, m: every chain of cells contains one that is not free,
+    /// and in such a cell something forbidden is closer than its diagonal.
     pub fn narrowest_opening(&self, ends: [&Point; 2]) -> f64 {
         let ends = ends.map(|end| self.cell_at(end));
         let mut widths: Vec<f64> = self.leaves().map(|leaf| self.opening(leaf)).collect();
@@ -230,7 +231,7 @@ impl Decomposition {
         widths[narrow.saturating_sub(1)]
     }
 
-    /// Twice the diagonal of a cell; infinite if it is free, zero if it is closed.
+    /// Upper bound on the width of an opening in a cell: twice its diagonal; infinite if the cell is free, zero if it is closed.
     fn opening(&self, cell: u32) -> f64 {
         match self.cells[cell as usize].kind {
             Kind::Free => f64::INFINITY,
@@ -255,12 +256,12 @@ impl Decomposition {
         &self.cells[cell as usize].beside
     }
 
-    /// What can be reached from a cell through touching cells, all of them passable.
+    /// The cells that a chain of touching passable cells connects with the cell `from`.
     pub fn reached(&self, from: u32, passable: &dyn Fn(u32) -> bool) -> Reached {
         self.flooded(from, passable, |cell, visit| self.touching(cell, visit))
     }
 
-    /// The same through all cells whose kind is passable; their neighbours are known.
+    /// For each cell, whether such a chain exists; here all cells of a passable kind count, whose neighbours are stored.
     pub fn reached_from(&self, from: u32) -> Vec<bool> {
         let passable = |cell: u32| self.kind(cell).passable();
         self.flooded(from, &passable, |cell, visit| self.beside(cell).iter().for_each(|&other| visit(other))).inside
@@ -288,8 +289,8 @@ impl Decomposition {
         reached
     }
 
-    /// The same cells where only the conditions that `known` names count, as in the oracle: what others closed, or left
-    /// undecided, is classified anew.
+    /// The same cells if only the conditions for which `known` is true count, as in the oracle: cells that other conditions
+    /// closed or left undecided are classified again.
     pub fn knowing(mut self, known: &dyn Fn(usize) -> bool, oracle: &dyn Oracle) -> Self {
         (self.credit, self.at_the_limit) = (0, false);
         let known_pieces: Vec<bool> = self.pieces.iter().map(|piece| known(piece.condition)).collect();
@@ -337,8 +338,8 @@ impl Decomposition {
         }
     }
 
-    /// Divides the open cells that can be reached from a position until they are as small as `level` halvings of the box make
-    /// them, or there are `most` cells.
+    /// Divides the open cells that can be reached from a position until each has been halved `level` times, or there are `most`
+    /// cells.
     pub fn refine(&mut self, from: &Point, level: u8, most: usize, oracle: &dyn Oracle) {
         loop {
             let reached = self.reached_from(self.cell_at(from));

@@ -4,22 +4,22 @@
 //! no other polyhedron covers them (M. Sharir and A. Schorr, "On shortest paths in polyhedral spaces", SIAM J. Comput. 15,
 //! 1986; where two overlap, the edge of their union is concave). So the search for a bound looks at *intervals of free edges*.
 //!
-//! - Where several polyhedra share a corner, rounding leaves tiny edges, far more than there are others. All near a corner count as
-//!   one ball, in which a path may bend in any way.
+//! - Where several polyhedra share a corner, rounding leaves tiny edges that far outnumber the others. All tiny edges near a
+//!   corner are replaced by one ball, in which a path may bend in any way.
 //! - Two intervals are linked unless one polyhedron blocks every segment between them, or no shortest path that bends at
 //!   one of them can come from the other.
-//! - Each interval has a *label* for each side of its edge: a linear function, and the length of a path from the start that arrives
-//!   on that side is at least that everywhere on the interval. A shortest path leaves on the other side. Labels fall until none
-//!   exceeds what its neighbours allow. The label of the goal is a lower bound.
-//! - With labels from both ends, whatever lies only on longer paths than of interest is cut away. What is left is halved,
-//!   and so on, until nothing is left. Errors are of second order in the length of the intervals.
+//! - Each interval has a *label* for each side of its edge: a linear function on the interval that bounds from below the length
+//!   of paths from the start that arrive on that side. A shortest path leaves on the other side. Labels are lowered until none
+//!   exceeds what its neighbours allow. The label of the goal is then a lower bound of the length of all paths.
+//! - With labels from both ends, parts of intervals that lie only on paths too long to be of interest are removed. The others are
+//!   halved, and so on, until nothing is left. Errors are of second order in the length of the intervals.
 //!
 //! The exact problem is NP-hard (J. Canny and J. Reif, FOCS 1987); the idea to divide edges into intervals is that of C. H.
 //! Papadimitriou, "An algorithm for shortest-path motion in three dimensions", Inf. Process. Lett. 20, 1985.
 //!
-//! Only what is certainly forbidden counts, so all paths that any engine accepts are at least that long; with clearances,
-//! crossing cables and wrenches the bound is looser. Polyhedra are moved outward a little ([`widened_evenly`]): otherwise
-//! slits without width between parts that abut would be short cuts. `planes` gives a first bound quickly, by other means.
+//! Only certainly forbidden positions are used, so the bound holds for every path that any engine accepts; with clearances,
+//! crossing cables and wrenches it is looser. Planes of polyhedra are moved outward a little ([`widened_evenly`]), since slits of
+//! zero width between abutting parts would otherwise be short cuts. `planes` gives a first bound quickly, by other means.
 
 mod bends;
 mod bound_file;
@@ -52,7 +52,7 @@ use snapping::{Moved, snapped};
 pub struct Bound<State = Point> {
     /// No path that keeps a gap of more than [`crate::numerics::BOUND_MARGIN`] is shorter, m.
     pub length: f64,
-    /// A path that is shorter than what was to be proved; empty if none turned up.
+    /// A path shorter than the length to be proved; empty if none was found.
     pub way: Vec<State>,
 }
 
@@ -106,8 +106,8 @@ impl<'c> Forbidden<'c> {
         planes::lower_bound(&hulls, &self.low, &self.high, &self.ends[0], &self.ends[1], watch)
     }
 
-    /// Tries to prove that no path is shorter than `enough`, m, passing about `effort` pairs of intervals. The best bound so
-    /// far, at most `enough`, if that or the time does not suffice, or as soon as a shorter path turns up whose motions are all
+    /// Tries to prove that no path is shorter than `enough`, m, examining about `effort` pairs of intervals. Returns the best
+    /// bound so far, at most `enough`, if effort or time runs out, or as soon as a shorter path is found whose motions are all
     /// `free`.
     ///
     /// # Errors
@@ -171,11 +171,11 @@ impl<'c> Forbidden<'c> {
         Ok(conditions.into_iter().zip(snapped(&moved, self.low, self.high)).collect())
     }
 
-    /// A certificate that no path is shorter than `enough`, m, or than as much of it as can be proved by passing about `effort`
-    /// pairs of intervals; `None` if that does not suffice for any. The scene is the one of the engine.
+    /// A certificate that no path is shorter than `enough`, m, or than a smaller length if about `effort` pairs of intervals do
+    /// not suffice for that; `None` if they prove nothing. `scene` must be the scene of the engine.
     ///
-    /// All its labels hold at once, so it does not need the rounds of the search: see docs/bounds.md. It costs several times as much
-    /// as [`prove`](Self::prove).
+    /// All labels of a certificate hold at the same time, so it does not depend on the rounds of the search: see docs/bounds.md.
+    /// This takes several times as long as [`prove`](Self::prove).
     ///
     /// # Errors
     /// [`Error::interrupted`]. Running out of time ends the search as running out of effort does.
@@ -232,9 +232,9 @@ impl<'c> Forbidden<'c> {
         Ok(Some(Certificate::of(&parts, network.labelled(), scene, self.checker)))
     }
 
-    /// A certificate that a checker `accepts`, at most about `enough`, m: the one of [`certificate`](Self::certificate)
-    /// if it does, or one of a smaller length, at last that of the straight line, which needs no regions. `None` if it
-    /// refuses even that. The search ends after [`CERTIFICATE_SECONDS`]; the straight line needs no time.
+    /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
+    /// else one for a smaller length, and finally the one for the straight line, which needs no regions. `None` if the checker
+    /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -277,7 +277,7 @@ impl<'c> Forbidden<'c> {
 /// Whether a checker accepts a certificate, within a watch.
 pub type Accepts<'a> = dyn Fn(&Certificate, &Watch) -> bool + 'a;
 
-/// Shares of what a bound has beyond the straight line for which certificates are tried.
+/// Certificates are tried for the straight line plus these shares of what the bound adds to it.
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];
 /// Taken off the length of the straight line, m: more than the reserves of the checkers.
 const STRAIGHT_SLACK: f64 = 4.0 * BEND_STEP;
@@ -294,7 +294,7 @@ fn free_edge(hulls: &HPolyhedra, part: &FreePart) -> FreeEdge {
 /// Networks with more intervals are not divided for a certificate: see [`MOST_PIECES`].
 const MOST_DIVIDED: usize = 2_500;
 
-/// Refines a network until its labels from the start prove enough, or effort is used up; the label of the goal, m.
+/// Refines a network until its labels from the start prove enough, or effort is used up; returns the label of the goal, m.
 fn certified(network: &mut Network, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
     loop {
         let Some(reached) = network.certify(usize::MAX, watch)? else { return Ok(None) };

@@ -84,8 +84,8 @@ pub const ROUNDED_UNIT: f64 = 1e-14;
 /// encoder.
 pub const SAME_TURN: f64 = 1e-9;
 
-/// How far a line of the platform may leave the only axis about which the platform may turn, rad: quaternions with five
-/// digits, of which a cosine knows the angle to 1e-8.
+/// How far a line of the platform may deviate from the only axis about which the platform may turn, rad: enough for quaternions
+/// with five digits. A cosine determines this angle to 1e-8.
 pub const OFF_AXIS: f64 = 3e-5;
 
 /// Tolerance for coplanar hull vertices relative to the size of the body: input with rounded coordinates keeps its
@@ -394,11 +394,11 @@ pub const MOST_PIECES: usize = 5_000;
 /// width remain between bodies that abut.
 pub const PROOF_MARGIN: f64 = 1e-6;
 
-/// Share of the margin by which a proof may use it up; the rest is for rounding.
+/// Share of the margin that a proof may use; the rest is for rounding.
 pub const PROOF_MARGIN_USED: f64 = 0.99;
 
-/// Gap that a path has to keep to count for a lower bound of all lengths, m: as for proofs, but less, since no cells have to
-/// fit in. Slits without width would otherwise be short cuts that nobody can use.
+/// Gap that a path has to keep for a lower bound of the length to apply to it, m: smaller than for proofs, since no cells have to
+/// fit into it. Without it, slits of zero width would be short cuts that nobody can use.
 pub const BOUND_MARGIN: f64 = GAP_TOLERANCE;
 
 /// Component of a unit quaternion below which it is zero, so that a turn counts as a half turn.
@@ -420,7 +420,7 @@ pub const WRENCH_PIECES: usize = 1000;
 /// Share of a motion to which the place where a turning motion breaks a condition is narrowed down.
 pub const TURNING_PLACE: f64 = 1.0 / 1024.0;
 
-/// Depth inside a polyhedron from which on a segment counts as blocked when lengths are bounded, m.
+/// When lengths are bounded, a segment counts as blocked if it is at least this deep inside a polyhedron, m.
 pub const BLOCKED_DEPTH: f64 = 1e-9;
 
 /// The label of an interval may exceed what its neighbours allow by this, m; the bound is reduced accordingly. Far more than
@@ -434,8 +434,8 @@ pub const BEND_STEP: f64 = 2e-8;
 /// Accuracy with which certificates list labels, m.
 pub const WRITTEN_LABEL: f64 = 1e-10;
 
-/// Depth inside a polyhedron from which on a part of an edge is left out of a certificate, m: far more than rounding errors, so that
-/// exact arithmetic finds it inside as well.
+/// A part of an edge is left out of a certificate if it is at least this deep inside a polyhedron, m: far more than rounding
+/// errors, so that exact arithmetic finds it inside as well.
 pub const COVERED_DEPTH: f64 = 1e-9;
 
 /// Corners closer than this are listed once in a certificate, m: less than what the checkers take for the same place, 1e-10.
@@ -454,16 +454,16 @@ pub const TINY_EDGE: f64 = 1e-6;
 /// Lines whose coordinates agree to this accuracy are compared more closely.
 pub const SIMILAR_LINE: f64 = 1e-6;
 
-/// Number of pairs of intervals that may be passed for a lower bound if a gap is asked for: some ten seconds.
+/// Maximum number of pairs of intervals examined for a lower bound if a gap is requested: some ten seconds.
 pub const BOUND_EFFORT: usize = 100_000_000;
 
-/// The same for a bound that nobody asked for: some 0.1 s.
+/// The same if no gap is requested: some 0.1 s.
 pub const QUICK_BOUND_EFFORT: usize = 300_000;
 
 /// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
 pub const CERTIFICATE_SECONDS: u64 = 60;
 
-/// Gap to a lower bound that is tried for if none is asked for: at most a thousandth too long.
+/// Gap to a lower bound that is attempted if none is requested: paths at most a thousandth too long.
 pub const BOUND_GAP: f64 = 1e-3;
 
 /// Paths may touch anything this near to a start or goal that touches something, m.
@@ -478,7 +478,7 @@ pub const MOST_CERTIFICATE_BYTES: u64 = 200_000_000;
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 
-/// Number of these cells per sample that the planner may draw, so that its limit limits both.
+/// Number of these cells for each sample that the planner may draw, so that the planner's limit applies to both.
 pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;
 
 /// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter of a turn is
@@ -574,10 +574,10 @@ pub const MEASURED_SAMPLES: usize = 500;
 /// Travel of a turning platform between two samples, m, up to which one search for violations, at 33 poses, is enough.
 pub const SAMPLED_TRAVEL: f64 = 0.01;
 
-/// Largest number of parts into which the motion between two samples is divided for that.
+/// Largest number of parts into which the motion between two samples is divided to search each for violations.
 pub const INSTANTS_OF_STEP: f64 = 1000.0;
 
-/// Least number of instants of the whole motion at which that is done, however few the samples.
+/// Minimum number of instants of the whole motion at which its exact form is checked, however few the samples.
 pub const LEAST_INSTANTS: usize = 1000;
 
 /// A sample closer than this to a jump in acceleration may belong to either side of it, s.

@@ -73,14 +73,15 @@ pub struct Proof {
     pub reachable: Vec<Cuboid>,
     /// Their volume, m³.
     pub reachable_volume: f64,
-    /// Where the platform gets from the point of these boxes that is nearest to the goal, straight towards the goal, m.
+    /// Where the platform ends up if it moves straight towards the goal from the point of these boxes that is nearest to the
+    /// goal, m.
     pub nearest_to_goal: Point,
 }
 
 /// Prefers wide passages: proofs and paths then need the fewest cells.
 const TASTE: Taste = Taste { level: 2, haste: 1.0 };
 
-/// Halvings of the box after which what can be reached is measured, and cells that this may take.
+/// Number of halvings of the box down to which the reachable volume is measured, and maximum number of cells for this.
 const REACH_LEVEL: u8 = 4;
 const REACH_CELLS: usize = 50_000;
 

@@ -1,7 +1,7 @@
 //! Where a shortest path may bend, for a certificate: the free parts of edges, and corners.
 //!
-//! A checker derives them again in exact arithmetic and expects to find all of them. So a part counts as covered here only if it is
-//! by [`COVERED_DEPTH`], which is more than rounding errors, and nothing is merged.
+//! A checker derives the same places in exact arithmetic and expects all of them to be listed. So a part counts as covered here
+//! only if it is at least [`COVERED_DEPTH`] deep inside, which exceeds rounding errors, and nothing is merged.
 
 use std::collections::BTreeMap;
 

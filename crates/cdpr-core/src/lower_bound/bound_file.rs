@@ -43,7 +43,7 @@ pub struct Certificate {
     pub regions: Vec<NamedRegion>,
     /// Parts of their edges where a path may bend.
     pub edges: Vec<EdgeRow>,
-    /// Their corners where a path may bend: three coordinates and the distance from the start at least, m.
+    /// Their corners where a path may bend: three coordinates and a lower bound of the distance from the start, m.
     pub corners: Vec<[f64; 4]>,
 }
 
@@ -56,7 +56,7 @@ pub struct EdgeRow {
     pub planes: [usize; 2],
     /// Both ends, m.
     pub ends: [[f64; 3]; 2],
-    /// For each piece: where it ends, as a fraction, and at both of its ends the distance from the start at least, m.
+    /// For each piece: where it ends, as a fraction, and lower bounds of the distance from the start at both of its ends, m.
     pub pieces: Vec<[f64; 3]>,
 }
 
@@ -95,7 +95,7 @@ impl Certificate {
         };
         let mut edges: Vec<EdgeRow> = parts.edges.iter().map(row).collect();
         let mut corners = Vec::new();
-        // A distance that no path attains within the length has no label: any larger one will do.
+        // Where no sufficiently short path passes, the label is infinite; any large number can stand for it.
         let written = |value: f64| (value.min(2.0 * parts.length + 1.0) / WRITTEN_LABEL).round() * WRITTEN_LABEL;
         for (interval, label) in labelled {
             let [from, to] = label.0.map(written);

@@ -17,8 +17,8 @@ pub struct FreeEdge {
     pub planes: [HalfSpace; 2],
 }
 
-/// A ball around all free edges near a corner that are tiny. Where planes of several polyhedra should meet in one point, they do so
-/// only up to rounding, and after being moved outward.
+/// A ball around the tiny free edges near a corner. Where planes of several polyhedra should meet in one point, they meet only
+/// approximately, because of rounding and because they were moved outward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
     pub center: Point,
@@ -76,7 +76,7 @@ impl Ellipsoid {
         Some([outermost(0.0), outermost(1.0)])
     }
 
-    /// Whether one of some planes has all of the ellipsoid outside.
+    /// Whether the whole ellipsoid lies outside one of these planes.
     pub fn misses(&self, planes: &[HalfSpace]) -> bool {
         planes.iter().any(|plane| self.heights(plane)[0] >= SAME_POINT)
     }
@@ -100,7 +100,7 @@ impl Ellipsoid {
 /// Steps of a search along an edge.
 const SEARCH_STEPS: usize = 60;
 
-/// The free edges within an ellipsoid, of which tiny ones are gathered in corners.
+/// The free edges within an ellipsoid, with tiny ones combined into corners.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -126,7 +126,7 @@ pub fn free_edges(hulls: &HPolyhedra, within: &Ellipsoid, watch: &Watch) -> Resu
     Ok(gathered(lines.free))
 }
 
-/// Edges of which those shorter than [`TINY_EDGE`] are replaced by corners.
+/// Replaces edges shorter than [`TINY_EDGE`] by corners.
 fn gathered(edges: Vec<FreeEdge>) -> FreeEdges {
     let (tiny, edges): (Vec<FreeEdge>, _) =
         edges.into_iter().partition(|edge| (edge.to - edge.from).norm() < TINY_EDGE);
@@ -158,7 +158,7 @@ fn uncovered<'h>(
     gaps(covered, 1.0 + seam).into_iter().map(|gap| gap.map(|t| from + along * t.min(1.0))).collect()
 }
 
-/// Free edges, of which those that coincide are kept once: edges of the platform's and the cables' regions often do.
+/// Free edges without duplicates: edges of the platform's and of the cables' regions often coincide.
 #[derive(Default)]
 struct Lines {
     free: Vec<FreeEdge>,

@@ -152,13 +152,14 @@ impl Interval {
         (distance - self.blur(other)).max(0.0)
     }
 
-    /// By how much the distance of two positions may be less than that of the points of the intervals that stand for them, m.
+    /// How much smaller the distance between two positions may be than the distance between the points that represent them on the
+    /// intervals, m.
     #[inline]
     pub fn blur(&self, other: &Interval) -> f64 {
         self.radius + other.radius
     }
 
-    /// The point through which the way between two positions is shortest.
+    /// The point of the interval through which a path between two positions is shortest.
     pub fn nearest_way(&self, places: [&Point; 2]) -> Point {
         if self.length <= SAME_POINT {
             return self.middle();
@@ -205,9 +206,9 @@ impl Interval {
         }
     }
 
-    /// Where to place the tangent of what continues from another interval, as a fraction. The middle is best, except where
-    /// the intervals nearly touch: there the function is linear beside the nearest point, and a tangent from afar would be
-    /// too low there, so that the two intervals would lower each other for ever.
+    /// Where to place the tangent of a function continued from another interval, as a fraction. The middle is best, unless the
+    /// intervals nearly touch. Then the function is linear on both sides of the nearest point, and a tangent placed far from
+    /// there would be so low that the two intervals would keep lowering each other for ever.
     fn tangent_from(&self, from: &Interval) -> f64 {
         let apart = (self.middle() - from.middle()).norm() > (0.5 + NEAR) * self.length + 0.5 * from.length;
         if self.length <= SAME_POINT || apart {
@@ -217,9 +218,9 @@ impl Interval {
         if nearest.distance > NEAR * self.length { 0.5 } else { nearest.s.clamp(BESIDE, 1.0 - BESIDE) }
     }
 
-    /// From which sides of the edge a shortest path that bends here may come straight from another interval: exactly one of
-    /// the two faces of the edge is visible from there. If both are, the string would come off; if none is, the body is in
-    /// the way. The path goes on to the other side.
+    /// The sides of the edge on which a shortest path that bends here may arrive straight from another interval. Exactly one of
+    /// the two faces of the edge must be visible from there: if both are, a taut string would come off the edge; if neither is,
+    /// the body is in the way. The path leaves on the other side.
     pub fn sides_towards(&self, other: &Interval) -> Sides {
         let Some(Edge { planes, .. }) = &self.edge else { return [true; 2] };
         let (a, b) = (other.heights(&planes[0]), other.heights(&planes[1]));
@@ -261,9 +262,9 @@ impl Interval {
         self.edge.map(|edge| (edge.number as usize, edge.range))
     }
 
-    /// How many of the segments between two intervals a polyhedron blocks. It blocks all if there is a fraction of the
-    /// way at which the segments between the ends, and so all others, are inside; none if there is no fraction at which
-    /// any might be.
+    /// How many of the segments between two intervals a polyhedron blocks. It blocks all of them if at some fraction of their
+    /// length the segments between the ends, and therefore all others, are inside; it blocks none if at no fraction any segment
+    /// can be inside.
     pub fn sight(&self, other: &Interval, hull: &HPolyhedron) -> Sight {
         let (mut all, mut any) = ([0.0, 1.0], [0.0, 1.0]);
         let depth = BLOCKED_DEPTH + self.radius.max(other.radius);
@@ -306,15 +307,15 @@ fn narrowed([low, high]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Whether a place on an interval is below one plane and above another, given the heights of its ends above both and what
-/// they may be wrong by.
+/// Whether some point of an interval is below one plane and above another, given the heights of its ends above both planes and
+/// the error of these heights.
 #[inline]
 fn is_between(under: [f64; 2], over: [f64; 2], near: f64) -> bool {
     let (below, above) = (Label(under), Label([-over[0], -over[1]]));
     if below.least() >= near || above.least() >= near {
         return false;
     }
-    // Mostly one of the two is so everywhere, and no place has to be computed.
+    // Usually one of the two conditions holds everywhere, and no point has to be computed.
     let is_everywhere = |heights: &Label| heights.0[0].max(heights.0[1]) < near;
     is_everywhere(&below) || is_everywhere(&above) || overlap(below.below(near), above.below(near))
 }

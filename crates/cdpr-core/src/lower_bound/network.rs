@@ -18,7 +18,7 @@ pub const GOAL: usize = 1;
 
 /// Rounds in which the points of a path slide along their intervals.
 const SLIDES: usize = 8;
-/// The rest of an interval, beside the part that matters, becomes a part of its own from this share of the length on.
+/// What is left of an interval beside the part that matters becomes a separate part if it is at least this share of the length.
 const BESIDE: f64 = 1.0 / 8.0;
 
 /// An interval to which a segment may lead from another, and on which sides of their edges the two see each other.
@@ -29,7 +29,7 @@ struct Neighbour {
     arriving: Sides,
 }
 
-/// What may lie on a path from start to goal that is short enough.
+/// Everything that may lie on a sufficiently short path from start to goal.
 pub struct Network<'h> {
     hulls: &'h HPolyhedra,
     /// For a certificate: the labels from the start alone prove the bound, without those of earlier rounds.
@@ -85,8 +85,8 @@ impl<'h> Network<'h> {
         self.examined
     }
 
-    /// What sums of labels have to reach for a path to be long enough: labels may be too large by [`LABEL_STEP`] for each
-    /// bend. A shortest path bends at most twice on each interval, since it keeps to an interval between two of its points.
+    /// A path is long enough if its sum of labels reaches this. Labels may be too large by [`LABEL_STEP`] for each bend, and a
+    /// shortest path bends at most twice on each interval: between two points of an interval it stays on the interval.
     fn limit(&self) -> f64 {
         self.enough + self.error()
     }
@@ -127,7 +127,7 @@ impl<'h> Network<'h> {
     pub fn certify(&mut self, effort: usize, watch: &Watch) -> Result<Option<f64>, Error> {
         for end in [GOAL, START] {
             let behind = straight(&self.intervals[end], &self.intervals);
-            // The checkers place the tangent of the way that is left in the middle.
+            // For the remaining path to the goal, the checkers place the tangent in the middle.
             let left = |to: &Interval| to.continued_at(0.5, &self.intervals[1 - end], &Label::constant(0.0));
             let ahead: Vec<Label> = self.intervals.iter().map(left).flat_map(|label| [label; 2]).collect();
             let Some(Labels { labels, passed, .. }) = self.labels_from(end, [&behind, &ahead], effort, watch)? else {
@@ -233,7 +233,8 @@ fn straight(end: &Interval, intervals: &[Interval]) -> Vec<Label> {
     intervals.iter().flat_map(of).collect()
 }
 
-/// A whole interval of some length in parts: the part that matters in halves, and what is beside it unless that is short.
+/// Divides a whole interval of some length: the part that matters into halves, and what is beside it into separate parts unless
+/// they are short.
 fn divided([from, to]: [f64; 2], length: f64, least: f64) -> Vec<[f64; 2]> {
     if length <= least {
         return vec![[0.0, 1.0]];

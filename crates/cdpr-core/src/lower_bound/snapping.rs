@@ -12,8 +12,8 @@ pub struct Moved<'p> {
     pub after: Vec<HalfSpace>,
 }
 
-/// The moved polyhedra. Of planes that are equal before they are moved, all become the innermost, so that the polyhedra become
-/// smaller, if anything. Faces of the platform's and of the cables' polyhedra often lie in one plane.
+/// The moved polyhedra. Planes that are equal before they are moved are all replaced by the innermost of them, so the polyhedra
+/// can only become smaller. Faces of the platform's and of the cables' polyhedra often lie in one plane.
 pub fn snapped(polyhedra: &[Moved], low: Point, high: Point) -> impl Iterator<Item = HPolyhedron> {
     let extent = low.coords.abs().sup(&high.coords.abs()).norm();
     let mut same: HashMap<[i64; 4], HalfSpace> = HashMap::new();

@@ -57,8 +57,9 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The same for paths between two ends. What both of them touch, paths may touch everywhere, such as a floor that the platform
-    /// slides on, or cables whose ends are no farther apart than required; what only one of them touches, near that end.
+    /// The same for paths between two ends. Contact that exists at both ends is allowed everywhere on a path: with a floor that
+    /// the platform slides on, for example, or between cables whose ends are no farther apart than required. Contact that exists
+    /// at only one end is allowed near that end.
     pub fn between(mut self, pieces: &[Piece], ends: [&Point; 2]) -> Self {
         let touched = ends.map(|end| self.touched(pieces, end));
         for &condition in touched[0].iter().filter(|condition| touched[1].contains(condition)) {
@@ -74,7 +75,7 @@ impl<'a> Regions<'a> {
         self
     }
 
-    /// The same where only the conditions that `known` names by their index count.
+    /// The same if only the conditions for whose index `known` is true count.
     pub fn knowing(&self, known: &dyn Fn(usize) -> bool) -> Self {
         Regions {
             checker: self.checker,
@@ -213,7 +214,7 @@ impl Oracle for Regions<'_> {
     }
 
     fn closes(&self, index: u32, piece: &Piece, cell: &Cuboid) -> bool {
-        // What closes a seam has no name of its own; the parts beside it are closed.
+        // A body that closes a seam has no name of its own; the parts beside it close the cells instead.
         if self.condition(piece).closes_seam(&self.checker.conditions().bodies) {
             return false;
         }

@@ -1,8 +1,8 @@
 //! Labels of all intervals from start or goal.
 //!
-//! Labels fall until none exceeds what its neighbours allow, as in label-correcting algorithms for shortest paths. Linear labels
-//! need not settle, for they can lower each other round and round. So each becomes constant after some changes, and after more
-//! it becomes what sums of distances give.
+//! Labels are lowered until none exceeds what its neighbours allow, as in label-correcting shortest-path algorithms. With linear
+//! labels this need not terminate, because they can keep lowering each other in a cycle. So a label becomes constant after a
+//! number of changes, and after further changes it is replaced by a sum of distances.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -17,7 +17,7 @@ use crate::watch::Watch;
 const MOST_CHANGES: u8 = 12;
 /// The same for certificates, which have no other way to settle.
 const MOST_CHANGES_CERTIFIED: u8 = 200;
-/// Changes of a label after which it is what constant labels everywhere give.
+/// Changes of a label after which it is replaced by the value that it has if all labels are constant.
 const MOST_CHANGES_IN_ALL: u8 = 16;
 /// Labels between two checks of the watch.
 const POLL: usize = 256;
@@ -191,7 +191,7 @@ impl<'n, 'h> Falling<'n, 'h> {
     }
 }
 
-/// What is next in a queue: that with the smallest value.
+/// An entry of a queue from which the smallest value is taken first.
 #[derive(PartialEq)]
 struct Next {
     least: f64,
