@@ -1,4 +1,4 @@
-//! Measurements of a path: the report of a check, and what is stated of a path that was planned.
+//! Measurements of a path: the report of a check, and the figures stated for a planned path.
 
 use std::time::Duration;
 

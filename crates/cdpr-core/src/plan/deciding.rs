@@ -1,8 +1,9 @@
 //! Whether there is a path at all, decided while the planner searches: on a second thread, or by turns where there is none.
 //!
-//! Which of the two is done first changes only how long it takes: a path of the planner takes precedence over one of the decision,
-//! which is used only after the planner has failed, and a planner finds nothing where it is proved that there is no path. An
-//! exception are paths that keep no gap at all, such as a bent path through slits without width: planners hardly ever find them.
+//! Which of the two finishes first affects only the time taken. The planner's path takes precedence; a path from the decision is
+//! used only after the planner has failed, and where a proof shows that there is no path, the planner cannot find one. The only
+//! exception is a path that keeps no gap at all, such as a bent path through slits of zero width, which planners hardly ever
+//! find.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -43,7 +44,7 @@ pub enum Decided {
     NoPath(Box<crate::proof::Proof>),
 }
 
-/// Runs the planner, given a watch and whom to tell of better paths, and beside it the decision.
+/// Runs the planner `search` and, beside it, the decision whether there is a path; `improved` is called with every better path.
 pub fn search_and_decide(
     engine: &dyn Checker,
     [start, goal]: [&Point; 2],
@@ -74,7 +75,7 @@ pub fn search_and_decide(
 /// What the planner found, and what was decided.
 type Ended = (Result<Outcome<Point>, Error>, Option<Answer>);
 
-/// The decision, as long as the planner has no path.
+/// The decision whether there is a path; it stops as soon as the planner has one.
 struct Decision<'a> {
     engine: &'a dyn Checker,
     ends: [&'a Point; 2],
@@ -141,8 +142,8 @@ fn side_by_side(
     })
 }
 
-/// Both on this thread: whenever the planner polls after its turn, the decision may take as long as everything before
-/// it, anew each time. So neither waits much longer for the other than it takes itself.
+/// Alternates both on this thread. Whenever the planner polls after the end of its turn, the decision starts afresh and may run
+/// for as long as everything before it took. So neither waits for the other much longer than it runs itself.
 fn in_turns(
     decision: &Decision,
     first: Duration,
@@ -172,7 +173,7 @@ fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
     value.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What the planner's result and the decision say together.
+/// Combines the planner's result with the decision.
 fn conclude(
     outcome: Result<Outcome<Point>, Error>,
     answer: Option<Answer>,

@@ -154,9 +154,9 @@ impl Planned {
         Planned { turning: Some(engine), ..Planned::without_engine(result) }
     }
 
-    /// A certificate that no path of the scene, which is that of the query or [`Planned::turned`], is shorter than a length, m, or
-    /// than as much of it as can be proved and a checker `accepts`. `None` if it accepts nothing, if there is no path, or if the
-    /// platform may turn.
+    /// A certificate that no path of the scene (that of the query or [`Planned::turned`]) is shorter than a length, m, or than a
+    /// smaller one that can be proved and that a checker `accepts`. `None` if the checker accepts nothing, if there is no path,
+    /// or if the platform may turn.
     ///
     /// # Errors
     /// As [`Forbidden::accepted_certificate`].

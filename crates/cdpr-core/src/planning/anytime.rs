@@ -56,9 +56,8 @@ pub trait PathOptimizer<State>: Sync {
         false
     }
 
-    /// A lower bound of the length of all paths between two states: at least `enough`, m, if that can be proved with about
-    /// this effort, in pairs of intervals, and before time runs out. Otherwise perhaps a path that is
-    /// shorter.
+    /// A lower bound of the length of all paths between two states: at least `enough`, m, if that can be proved with about this
+    /// effort, in pairs of intervals, and before time runs out. Otherwise a shorter path may be returned as well.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -205,7 +204,7 @@ impl Patience {
         self.effort - self.last > earned.max(least)
     }
 
-    /// Waits for an improvement as long as after a first path.
+    /// Restarts the wait for an improvement, as after a first path.
     fn restart(&mut self) {
         (self.first, self.last) = (Some(self.effort), self.effort);
     }
@@ -244,11 +243,11 @@ struct Run<'r, S: StateSpace> {
     bound: f64,
     /// Length of the best path when the bound was last computed, m.
     bound_for: f64,
-    /// The effort that this was allowed.
+    /// The effort allowed for that bound.
     bound_effort: usize,
     /// Number of samples at which the next bound is due.
     next_bound: usize,
-    /// Whether the search has started anew to find what it missed.
+    /// Whether the search has already been restarted to find paths that it missed.
     looked_again: bool,
     patience: Option<Patience>,
 }
@@ -295,8 +294,7 @@ impl<S: StateSpace> Run<'_, S> {
         self.cost.is_finite() && self.cost < (1.0 - BETTER) * self.bound_for
     }
 
-    /// Tries to prove that the best path is at most by `gap` too long; otherwise perhaps takes a
-    /// shorter one.
+    /// Tries to prove that the best path is too long by at most `gap`; otherwise takes a shorter path if the attempt found one.
     fn prove(&mut self, gap: f64, effort: usize) -> Result<(), Error> {
         self.polish()?;
         let Problem { start, goal, .. } = self.search.problem;
@@ -339,8 +337,8 @@ impl<S: StateSpace> Run<'_, S> {
         self.past + self.halves.len()
     }
 
-    /// Whether to end the search without limits. Before it ends with a path, that is compared with a bound, which may show a
-    /// shorter way.
+    /// Whether to end a search without limits. Before it ends with a path, the path is compared with a lower bound, whose
+    /// computation may find a shorter one.
     fn patience_lost(&mut self) -> Result<bool, Error> {
         let Some(patience) = &mut self.patience else { return Ok(false) };
         patience.effort += 1;
@@ -356,8 +354,8 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(self.cost <= self.enough || self.best.is_empty() || !self.look_again())
     }
 
-    /// Starts the search anew, unless it has been: with new trees, which do not contain the best path, and chains of cells from the
-    /// goal. Trees that have grown around one path seldom find another beside it.
+    /// Restarts the search once, with new trees that do not contain the best path, and with chains of cells from the goal: trees
+    /// that have grown around one path seldom find another beside it.
     fn look_again(&mut self) -> bool {
         let Some(patience) = self.patience.as_mut().filter(|_| !self.looked_again) else { return false };
         patience.restart();

@@ -318,8 +318,8 @@ impl<'a> Strand<'a> {
                 let bends = self.path.len();
                 let moved = self.pull_over(at);
                 pulled |= moved;
-                // Several new bends have triangles of their own, so the first is next. A single one is tight in its triangle:
-                // pulled again, it would creep along its edge by rounding errors.
+                // Several new bends have triangles of their own, so continue with the first. A single new bend is already tight
+                // in its triangle: if pulled again, it would only creep along its edge by rounding errors.
                 if !moved || self.path.len() == bends {
                     at += 1;
                 }
