@@ -234,7 +234,7 @@ impl Trajectory {
         })
     }
 
-    /// Which limit determines the motion when: it is used to more than 99.9 %.
+    /// Which limit determines the motion at which times: one of which more than 99.9 % is used.
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
         let tensions = tension_shares(&self.curve, &self.timing, &self.winches, &Watch::NONE).unwrap_or_default();
@@ -277,7 +277,7 @@ fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     Err(Error::invalid("acceleration", problem))
 }
 
-/// The same for turns, of which an acceleration of the platform's origin says nothing.
+/// The same for turns, which a limit of the acceleration of the platform's origin does not restrict.
 fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     let limited = limits.turn_acceleration.is_some() || limits.cable_acceleration.is_some();
     if limited || winches.tension_limits().is_some() {

@@ -1,12 +1,12 @@
 //! Checks a timed motion from any source against a scene and its limits.
 //!
-//! Limits are checked at the samples, and for the mean rates between them, which the motion really reaches; so every fault that
-//! is reported is one, but between two samples a rate may be higher by what its derivative allows. If the exact form of the
-//! motion is known and the samples are on it, at least ten instants between two samples are checked as well, with their tensions. Rates
-//! that are not given are derived from differences ([`Recorded`]), which never overstates them. Bodies must not overlap on the
-//! straight lines between samples; clearances are measured and not required, since a trajectory uses them up where it rounds
-//! corners. An overlap no deeper than the motion may deviate from the straight line is none, but at most a tenth of a
-//! millimetre; where the motion may deviate by more than that and by more than the nearest approach, a note says so.
+//! Limits are checked at the samples, and for the mean rates between them. The motion really reaches these rates, so every
+//! reported fault is genuine; but between two samples a rate may be higher, by as much as its derivative allows. If the exact
+//! form of the motion is known and the samples lie on it, at least ten instants between two samples are checked as well,
+//! including tensions. Rates that are not given are derived from differences ([`Recorded`]), which never overstates them. Bodies
+//! must not overlap on the straight lines between samples. Clearances are measured but not required, since a trajectory uses them
+//! up where it rounds corners. An overlap no deeper than the motion may deviate from the straight line is not a fault, up to a
+//! tenth of a millimetre; where the motion may deviate by more than that and by more than the nearest approach, a note says so.
 
 mod faults;
 mod forces;
@@ -209,8 +209,8 @@ fn check_limits(
     Ok(())
 }
 
-/// What rounding of positions, or orientations, may add to a rate and its rate that are derived from those around a sample,
-/// unless they are known.
+/// How much rounding of positions (or orientations) may add to a rate and to its derivative at a sample; only to those that are
+/// derived from differences because they are not known.
 fn derived_rounding(motion: &Recorded, k: usize, known: [bool; 2]) -> [f64; 2] {
     let last = motion.times.len() - 2;
     let step = motion.step(k.min(last)).min(motion.step(k.saturating_sub(1).min(last)));
@@ -263,7 +263,8 @@ fn between(
     })
 }
 
-/// How much faster than at both samples the platform may be between them: what the sampled accelerations allow in half the time.
+/// How much faster the platform may be between two samples than at either of them: the change of speed that the sampled
+/// accelerations allow in half of the time between them.
 fn unseen_speed(motion: &Recorded) -> f64 {
     let accelerations = motion.accelerations();
     let most = |k: usize| accelerations[k].norm().max(accelerations[k + 1].norm());

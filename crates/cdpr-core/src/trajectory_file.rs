@@ -112,7 +112,7 @@ impl TrajectoryFile {
         self.violations_between(&self.points(), checker, 0.0, watch)
     }
 
-    /// The same for a platform that turns between its samples. What is only too close to be proved free is left out.
+    /// The same for a platform that turns between its samples. Motions that are merely too close to be proved free are left out.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -163,9 +163,9 @@ impl TrajectoryFile {
     }
 }
 
-/// How far a motion may deviate during `step` s from the straight line between its ends, m, given how much its velocity turns
-/// and its acceleration at the ends: with constant acceleration by a dt²/8, with a turn at once by at most a quarter of the
-/// turn times the time.
+/// How far a motion may deviate during `step` s from the straight line between its ends, m, given how much its velocity turns and
+/// its acceleration at the ends: by a dt²/8 at constant acceleration, and by at most a quarter of the turn times the time if the
+/// velocity turns abruptly.
 pub fn chord_deviation(turn: f64, acceleration: f64, step: f64) -> f64 {
     (acceleration * step * step / 8.0).max(turn * step / 4.0)
 }

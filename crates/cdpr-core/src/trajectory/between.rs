@@ -77,7 +77,7 @@ impl Smooth {
 fn for_each_smooth(curve: &Curve, timing: &Timing, phases: Range<usize>, mut visit: impl FnMut(usize, Smooth)) {
     for k in phases {
         let (phase, end) = (&timing.phases()[k], timing.end_of(k));
-        // Where the next phase begins, to the last digit: what depends on the place alone is then the same for both.
+        // Exactly where the next phase begins, so that everything that depends on the place alone is the same for both phases.
         let to = timing.phases().get(k + 1).map_or_else(|| phase.after(end - phase.time).s, |next| next.s);
         let middle = |from: f64, to: f64| curve.piece_at(0.5 * (from + to));
         let mut now = *phase;
@@ -189,8 +189,8 @@ pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches, watch: 
     Ok(shares)
 }
 
-/// Calls `visit` with the index of each phase of a timing, the smooth times within it and what inertia needs of the available wrenches
-/// at both ends of these.
+/// Calls `visit` with the index of each phase of a timing, the smooth times within it, and how much of the available wrenches
+/// inertia uses at both ends of each.
 fn for_each_end(
     curve: &Curve,
     timing: &Timing,
@@ -216,8 +216,8 @@ fn for_each_end(
     Ok(())
 }
 
-/// The phases of a timing in which it is not proved that tensions within their limits move the platform. Where the slack of
-/// the available wrenches is large, a bound shows it, elsewhere tensions do.
+/// The phases of a timing in which it is not proved that tensions within their limits move the platform. Where the slack of the
+/// available wrenches is large, a bound proves it; elsewhere, computed tensions do.
 ///
 /// # Errors
 /// A place where the cables cannot hold the platform at rest; a solver that reached no answer; [`Error::interrupted`],

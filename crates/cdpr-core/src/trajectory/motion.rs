@@ -31,8 +31,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The motion at an instant, s; before the start and after the end at rest there. Where it stops, rates do not mix the progress
-    /// before with the curve after.
+    /// The motion at an instant, s; before the start and after the end at rest there. At a stop, rates never combine the progress
+    /// before it with the curve after it.
     pub fn at(curve: &Curve, timing: &Timing, time: f64) -> Self {
         let [start, now] = timing.phase_at(time);
         Self::on(curve, curve.piece_reached(start.s, now.s), &now)

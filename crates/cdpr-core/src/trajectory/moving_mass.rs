@@ -241,9 +241,9 @@ impl MovingMass {
 
     /// Whether tensions within the limits exist everywhere on a motion between two instants.
     ///
-    /// The forces per length τ of the cables at both ends are interpolated linearly. What then misses in balance is zero at
-    /// both ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular
-    /// value of the matrix of cable vectors l and their moments r × l/ℓ.
+    /// The forces per length τ of the cables at both ends are interpolated linearly. The imbalance that remains is zero at both
+    /// ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular value of
+    /// the matrix of cable vectors l and their moments r × l/ℓ.
     ///
     /// # Errors
     /// A solver that reached no answer.
@@ -370,7 +370,7 @@ impl MovingMass {
     }
 
     /// The smallest singular value, other than zero, of the matrix of cable vectors and their moments, m. If the platform turns,
-    /// zero counts as well, since what misses in balance may then have any direction.
+    /// zero counts as well, since the imbalance may then have any direction.
     fn least_singular_value(&self, motion: &Motion, turns: bool) -> f64 {
         let (length, statics) = (self.statics.characteristic_length(), self.statics_at(&motion.orientation));
         let mut gram = Matrix6::zeros();

@@ -76,7 +76,7 @@ impl Rows {
         [(ellipse.radius + ellipse.second.norm() * most_x) / ellipse.first.norm(), most_x]
     }
 
-    /// Removes rows that the limits of speed and acceleration never let come into effect.
+    /// Removes rows that the limits of speed and acceleration make redundant.
     fn prune(&mut self) {
         let [most_u, most_x] = self.most();
         if most_x.is_finite() {
@@ -192,7 +192,7 @@ impl Interval {
         }
         self.push(2.0 * step, 1.0, reach);
         self.push(-2.0 * step, -1.0, 0.0);
-        // Where an angular rate turns back, nothing may be left of its first vector.
+        // Where an angular rate reverses, its first vector may vanish.
         let mut rows = Vec::new();
         let mut moved = |Ellipse { first, second, radius }| {
             Ellipse::limiting([first + second * (2.0 * step), second], radius, &mut rows)
@@ -284,13 +284,14 @@ impl Interval {
     }
 }
 
-/// Largest squared speed, m²/s², if nothing limits it; also an acceleration, m/s², that is none.
+/// Squared speeds, m²/s², and accelerations, m/s², of this size count as unlimited.
 const LARGEST: f64 = 1e12;
 /// Relative difference of the two ends of a range that counts as one point.
 const ROOT: f64 = 1e-13;
 
 impl Ellipse {
-    /// The limit of first u + second x. Without a first vector, as at a turn on the spot, u has no effect: what is left is a row.
+    /// The limit of |first u + second x|. If the first vector is zero, as in a turn on the spot, u has no effect and the limit is
+    /// linear: it becomes a row.
     fn limiting([first, second]: [Vector; 2], radius: f64, linear: &mut Vec<Row>) -> Option<Self> {
         if first.norm_squared() > 0.0 {
             return Some(Ellipse { first, second, radius });

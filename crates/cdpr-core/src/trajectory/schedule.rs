@@ -109,8 +109,8 @@ impl<'a> Schedule<'a> {
         Ok(best.expect("at least one window"))
     }
 
-    /// The times over which progress may be averaged to keep the limit of jerk, s: a jump of the acceleration by its limit
-    /// takes the first, one from the limit to its opposite the last. 0 without such a limit.
+    /// The averaging times to try in order to keep the limit of jerk, s: the first suffices for a jump of the acceleration by its
+    /// limit, the last for a jump from the limit to its negative. 0 without a limit of jerk.
     fn windows(&self) -> Vec<f64> {
         match (self.limits.jerk, self.limits.acceleration) {
             (Some(jerk), Some(acceleration)) => [1.0, 1.4, 2.0].map(|share| share * acceleration / jerk).to_vec(),

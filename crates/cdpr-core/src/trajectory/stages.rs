@@ -141,8 +141,8 @@ fn at_orientation(scene: &Scene, orientation: &Rotation) -> Result<Scene, Error>
     }
 }
 
-/// The motion between two poses. Its parameter is its length with turns as long as in planning, within the range in which timing
-/// is exact: a turn may be tiny, and so may be its weight.
+/// The motion between two poses. Its parameter is its length, with turns weighted as in planning but kept within the range in
+/// which timing is accurate, since a turn or its weight may be tiny.
 fn turn(scene: &Scene, from: &Pose, to: &Pose) -> Part {
     let attitude = Attitude::between(from.orientation, to.orientation);
     let ends = [from.position, to.position];

@@ -63,8 +63,8 @@ impl Timing {
         self.phase_at(time)[1]
     }
 
-    /// The start of the phase at an instant, and the state of progress then. Rounding takes no phase beyond its end, where the curve
-    /// may turn another way.
+    /// The start of the phase at an instant, and the state of progress then. Rounding never carries the state beyond the end of
+    /// the phase, where the curve may change direction.
     pub fn phase_at(&self, time: f64) -> [Phase; 2] {
         let time = time.clamp(0.0, self.duration);
         let next = self.phases.partition_point(|phase| phase.time <= time).max(1);

@@ -17,8 +17,8 @@ use crate::plan::engine_within;
 use crate::turning::{AllowedTurns, TurningWrench};
 use crate::watch::Watch;
 
-/// What bends on which the platform turns must keep: all conditions of a scene but clearances, and its required wrenches, at any
-/// orientation.
+/// The requirements on bends on which the platform turns: all conditions of a scene except clearances, and its required wrenches,
+/// at any orientation.
 pub struct TurningSpace {
     checker: Box<dyn Checker>,
     reference: Rotation,
@@ -27,8 +27,8 @@ pub struct TurningSpace {
 }
 
 impl TurningSpace {
-    /// That of a scene; `None` if no bend is proved to provide the wrenches that the scene requires: under the rule of a grid, whose
-    /// cells are for one orientation, and for a point mass, whose cables cannot turn it.
+    /// The requirements of a scene. `None` if required wrenches cannot be proved on any bend: under the grid rule, whose cells
+    /// are for one orientation, and for a point mass, which its cables cannot turn.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].

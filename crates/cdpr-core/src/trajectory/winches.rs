@@ -63,7 +63,7 @@ pub struct Winches {
 
 impl Winches {
     /// The cables of a scene's robot for motions at its orientation. Tensions are limited if its mass and all tension limits are
-    /// known and the cables leave no motion free at the start: they could not balance inertia along it.
+    /// known and the cables leave no motion free at the start, since they could not balance inertia along a free motion.
     ///
     /// # Errors
     /// Tension limits of some cables but not of all; a wrench margin without tensions; a moment that a point mass cannot

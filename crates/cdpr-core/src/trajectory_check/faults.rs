@@ -47,7 +47,8 @@ pub enum FaultKind {
 }
 
 impl FaultKind {
-    /// Whether all culprits make one fault, which names the worst: a position that is wrong affects all cables.
+    /// Whether faults of all culprits are reported as one that names the worst: a wrong position, for example, affects
+    /// all cables.
     fn is_one_of_many(self) -> bool {
         matches!(self, FaultKind::CableLength | FaultKind::CableRate)
     }
@@ -101,7 +102,7 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// Adds an instant; `message` is asked for only if this is the worst one so far.
+    /// Adds an instant; `message` is called only if this is the worst one so far.
     pub fn add(&mut self, instant: &Instant, message: impl FnOnce() -> String) {
         let culprits: Vec<String> = instant.culprits.iter().map(ToString::to_string).collect();
         let key = (instant.kind, if instant.kind.is_one_of_many() { Vec::new() } else { culprits.clone() });

@@ -1,4 +1,4 @@
-//! What bodies meet, or nearly meet, between the samples of a motion.
+//! Which bodies meet, or nearly meet, between the samples of a motion.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -18,8 +18,9 @@ use crate::turning::{TurningEngine, nearest_of_poses};
 use crate::watch::Watch;
 use crate::words::small_length;
 
-/// Finds broken conditions between the samples of `shown`, and the nearest approach. The nearest approach of a platform that turns
-/// is measured on about as many motions as `recorded` has samples, since it takes longer. Also notes on what could not be told.
+/// Finds broken conditions between the samples of `shown`, and the nearest approach. If the platform turns, measuring the nearest
+/// approach takes longer, so it is measured on only about as many motions as `recorded` has samples. Also returns notes on what
+/// could not be determined.
 pub fn check(
     scene: &Scene,
     given: &TrajectoryRules,
@@ -71,16 +72,16 @@ fn reach(scene: &Scene) -> f64 {
     corners.chain(attachments).map(|point: &Point| point.coords.norm()).fold(0.0, f64::max)
 }
 
-/// The motion between two poses in steps so short that samples of each find what is broken: where a motion begins in contact, no
-/// more than this contact may be found otherwise.
+/// The motion between two poses in steps short enough that sampling each of them finds what is broken. In longer steps that begin
+/// in contact, only this contact might be found.
 fn divided(from: &Pose, to: &Pose, reach: f64) -> Vec<Pose> {
     let travel = (to.position - from.position).norm() + reach * from.angle_to(to);
     let (motion, count) = (from.toward(to), (travel / SAMPLED_TRAVEL).ceil().clamp(1.0, INSTANTS_OF_STEP));
     (0..=count as usize).map(|k| motion.at(k as f64 / count)).collect()
 }
 
-/// Broken conditions on the straight lines between samples; a line that is not free is divided as told. Returns the first
-/// condition that is not broken as far as is known, but too close to be proved, with its time.
+/// Broken conditions on the straight lines between samples; a line that is not free is split by `divided`. Returns the first
+/// condition that is not known to be broken but too close to be proved, with its time.
 fn conditions<S, V: Validity<S> + ?Sized>(
     engine: &V,
     motion: &Recorded,

@@ -164,8 +164,8 @@ impl Recorded {
         }
     }
 
-    /// How much the mean velocities around those between a sample and the next one change, m/s, with rest before the start and after
-    /// the end. Where positions hardly bend, no velocity can be far from them.
+    /// How much the mean velocities change around the step from a sample to the next one, m/s, with rest before the start and
+    /// after the end. Where they hardly change, no velocity can be far from them.
     pub fn bend_of_positions(&self, k: usize) -> f64 {
         self.bend(&|k| self.mean_velocity(k), k)
     }
@@ -195,7 +195,7 @@ impl Recorded {
         straight + reach * chord_deviation(self.change_of_turn(k), gain, self.step(k))
     }
 
-    /// Second derivatives of parabolas through three values, given the slopes between them; at the ends those beside them.
+    /// Second derivatives of parabolas through three values, given the slopes between them; at both ends the value beside it.
     fn bending(&self, slope: &dyn Fn(usize) -> Vector) -> Vec<Vector> {
         let count = self.times.len();
         let inner = |k: usize| (slope(k) - slope(k - 1)) * (2.0 / (self.times[k + 1] - self.times[k - 1]));

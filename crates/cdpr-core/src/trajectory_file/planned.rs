@@ -93,7 +93,7 @@ impl TrajectoryFile {
     }
 }
 
-/// Quaternions w x y z with the signs between which their digits change least.
+/// Quaternions w x y z, with signs chosen so that their components change least from one to the next.
 fn continuous(orientations: impl Iterator<Item = Rotation>) -> Vec<[f64; 4]> {
     let mut found: Vec<[f64; 4]> = Vec::new();
     for orientation in orientations {
