@@ -20,7 +20,7 @@ pub struct AllowedTurns {
 }
 
 impl AllowedTurns {
-    /// What the table of a scene allows; nothing is forbidden if this is empty.
+    /// The restrictions in the table of a scene; if there are none, all turns are allowed.
     pub fn of(scene: &Scene) -> Vec<Self> {
         let TurningSpec { axis, max_tilt, .. } = scene.turning().copied().unwrap_or_default();
         let axis = match axis {
@@ -34,7 +34,7 @@ impl AllowedTurns {
     }
 
     fn within(kind: Kind, line: Vector, angle: f64) -> Self {
-        // The cosine of a small angle is too close to 1 to tell it from rounding.
+        // The cosine of a small angle is too close to 1 to be distinguished from rounding errors.
         AllowedTurns { kind, line, cosine: (angle + SAME_TURN).max(OFF_AXIS).cos() }
     }
 
@@ -47,7 +47,7 @@ impl AllowedTurns {
         &self.line
     }
 
-    /// Whether all poses keep it at which the line is turned by at most `by`, rad, farther than at this one.
+    /// Whether it is kept at all poses at which the line is turned at most `by`, rad, farther than at this pose.
     pub fn keeps_within(&self, at: &Placed, by: f64) -> bool {
         let turned = self.line.dot(&at.turned(&self.line)).clamp(-1.0, 1.0);
         libm::acos(turned) + by <= libm::acos(self.cosine)

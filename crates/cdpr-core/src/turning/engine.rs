@@ -153,8 +153,8 @@ impl Bounded for Measured<'_> {
     }
 }
 
-/// Divides a motion until a condition is proved, or refused where it is too close. Such a piece is searched for the first part
-/// of at most the share `place` of the motion that is refused as well.
+/// Divides a motion until a condition is proved, or refused where it is too close. A refused piece is then searched for its first
+/// part, no longer than the share `place` of the motion, that is refused as well.
 fn verdict(motion: &Turning, whole: TurningPiece, condition: &impl Bounded, place: f64) -> Verdict {
     let mut left = vec![whole];
     let mut close = Verdict::Kept;

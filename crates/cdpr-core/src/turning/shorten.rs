@@ -107,7 +107,7 @@ impl<'a> PoseShortener<'a> {
                     - self.space.distance(&from, &to);
                 (saved > least && self.valid(&from, &to)).then_some([from, to])
             });
-            // The rests of both sides are parts of valid motions, but not the same numbers.
+            // What remains of both sides is part of valid motions, but its ends are rounded, so it is checked again.
             match found.filter(|[from, to]| self.valid(&before, from) && self.valid(to, &after)) {
                 Some(corner) => cut.extend(corner),
                 None => cut.push(here),

@@ -1,9 +1,9 @@
 //! Proofs that the cables can exert the required wrenches during a motion with a turn.
 //!
 //! As for translations ([`sagging`]): between two poses, each column of the wrench matrix deviates from its chord by a term of
-//! second order, and the slack is below its chord by no more than these deviations, times the tensions, and the changes of the
-//! columns, times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight. Of the motion only
-//! bounds of its derivatives matter ([`PoseCurve`]), so it need not be one at constant rates.
+//! second order, and the slack drops below its chord by at most these deviations times the tensions, plus the changes of the
+//! columns times the ranges of tensions. Here the arms turn as well, and with them the moment of the weight. Only bounds of the
+//! derivatives of the motion are used ([`PoseCurve`]), so its rates need not be constant.
 
 use nalgebra::Vector6;
 
@@ -130,7 +130,7 @@ impl TurningWrench {
         self.keeps_along(&from.toward(to), WRENCH_PIECES)
     }
 
-    /// The same for a curve of poses, in at most about four times as many pieces as told.
+    /// The same for a curve of poses, divided into at most about four times `pieces` pieces.
     pub fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
         let first = self.known(motion, &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
         if !first.iter().all(|known| self.holds(known)) {

@@ -33,7 +33,7 @@ pub struct Demand {
     pub most: [f64; 2],
 }
 
-/// What a wrench needs of the available wrenches.
+/// How much of the available wrenches a wrench uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TensionShare {
     /// The largest share of the slack at rest.
@@ -43,10 +43,10 @@ pub struct TensionShare {
 }
 
 impl TensionShare {
-    /// Of a wrench that needs nothing.
+    /// The share of a zero wrench.
     pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
 
-    /// With a pair of facets, on which the wrench has this height.
+    /// Takes into account a pair of facets above which the wrench has this height.
     fn and(self, height: f64, facets: &FacetPair) -> Self {
         let [out, back] = facets.slack;
         let share = self.share.max(height / out).max(-height / back);
@@ -217,7 +217,7 @@ impl DemandFacets {
             }
             facets(normal, ends);
         });
-        // Nothing is available in these directions; rounding errors are no demand.
+        // Nothing is available in these directions; a demand within rounding errors does not count.
         let nothing = self.margin + BALANCE_RELATIVE * self.statics.largest_tension();
         for normal in span.left_null() {
             facets(normal, [nothing; 2]);
