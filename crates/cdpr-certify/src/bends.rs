@@ -4,14 +4,14 @@
 //! direction v, a cone meets the angle between u and v, contains neither, and so meets the plane of u and v in less than a
 //! half plane. So C is no half-space, and x lies on an edge of that region.
 //!
-//! - If another region's cone contains C, it blocks that angle as well, so C need not be considered: the other region has x
-//!   inside, or only those of its planes contain x that also contain it in C. Of equal cones, the first one counts.
+//! - If another region's cone contains C, it blocks that angle as well, so C need not be considered: either x is inside the other
+//!   region, or all planes of that region through x are planes of C as well. Of equal cones, the first one counts.
 //! - Inside an edge, the edge crosses the plane of u and v. So a path bends at most once on each part of an edge outside all
 //!   regions: between two bends it would run along the edge.
-//! - At a corner at which no other region and no side of the box is near, a path never bends. Its cone C lies in a wedge
-//!   between a plane through u and one through v. On the unit sphere, both ways around the wedge are 2π in all. One of them
-//!   is shorter than π, or both are π and one can be cut short, since C has not both ends of the wedge's edge. So there is
-//!   a shorter path beside the corner.
+//! - At a corner at which no other region and no side of the box is near, a path never bends. Its cone C lies in a wedge between
+//!   a plane through u and one through v. On the unit sphere, both ways around the wedge are 2π in all. One of them is shorter
+//!   than π, or both are π and one can be cut short, since C does not contain both ends of the wedge's edge. So there is a
+//!   shorter path beside the corner.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -26,7 +26,7 @@ use crate::polyhedron::{Corner, HalfSpace, Place, corners_on_planes};
 
 /// The listed place of a bend is at most this far from the bend, m.
 pub const NEAR: f64 = 1e-10;
-/// Sums of lengths are that much larger than they have to be where rounding could matter, m.
+/// Where rounding could matter, sums of lengths must exceed their limit by this, m.
 const SURPLUS: f64 = 1e-9;
 /// A vector this short has no direction, m: the length of a unit vector made of it would not be accurate enough.
 pub const NO_DIRECTION: f64 = 1e-12;
@@ -35,7 +35,7 @@ const SEARCH_STEPS: usize = 100;
 /// Half-spaces before those of the region: the sides of the box.
 const SIDES: usize = 6;
 
-/// What of a certificate is needed.
+/// Which parts of a certificate are needed.
 pub struct Listed {
     /// For each edge: whether it is needed, and the two planes that a bend crosses, if exactly two planes meet there.
     pub edges: Vec<Option<Option<[usize; 2]>>>,

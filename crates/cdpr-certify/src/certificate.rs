@@ -58,11 +58,11 @@ pub struct Region {
 pub struct Cell {
     /// Its least and its largest coordinates, m.
     pub bounds: Bounds,
-    /// What is said of it.
+    /// What the certificate claims about it.
     pub status: Status,
 }
 
-/// What is said of a box.
+/// What a certificate claims about a box.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Status {
     /// Nothing: it may have free positions.
@@ -106,7 +106,7 @@ pub(crate) fn parsed<T: serde::de::DeserializeOwned>(text: &str, format: &str) -
     other_format(text, format).map_or(Ok(certificate), Err)
 }
 
-/// An error if a text is of another format or version, be the rest as it may.
+/// An error if a text is of another format or version, whatever the rest of it contains.
 fn other_format(text: &str, format: &str) -> Option<Error> {
     #[derive(serde::Deserialize)]
     struct Head {

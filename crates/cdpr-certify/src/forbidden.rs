@@ -300,9 +300,9 @@ fn spots(corners: &[Vector], moves: bool) -> Vec<Spot> {
     corners.iter().map(|at| Spot { at: *at, moves }).collect()
 }
 
-/// The distance to keep between two axes or bodies: clearance and radii; where that is not attainable the radii, and
-/// where that is not either, none. By the definition of a scene a distance is attainable up to a shortfall of 0.5e-9 m.
-/// Here it may be as much as rounding errors, which proves less.
+/// The distance to keep between two axes or bodies: clearance plus radii; if that is not attainable, the radii alone, and if that
+/// is not either, none. By the definition of a scene a distance is attainable up to a shortfall of 0.5e-9 m. Here the shortfall
+/// may be no more than rounding errors, which proves less.
 fn kept(clearance: f64, radii: &[f64], attainable: f64) -> Exact {
     let thick: Exact = radii.iter().map(|radius| exact(*radius)).sum();
     let mut choices = [exact(clearance) + &thick, thick].into_iter();

@@ -20,13 +20,13 @@ use cdpr_core::watch::Watch;
 
 use crate::bends::{NEAR, NO_DIRECTION, unit};
 
-/// What a label may exceed the length of a path by for each bend, m. It is shared by what an inequality may lack
-/// ([`LACKING`]), twice the distance between a bend and its listed place ([`NEAR`]), and rounding errors.
+/// How much a label may exceed the length of a path for each bend, m. This covers the shortfall of an inequality ([`LACKING`]),
+/// twice the distance between a bend and its listed place ([`NEAR`]), and rounding errors.
 pub const STEP: f64 = 2e-8;
 const _: () = assert!(LACKING + 2.0 * NEAR + 1e-10 < STEP);
-/// What the inequality of two labels may lack, m.
+/// The shortfall up to which the inequality of two labels is accepted, m.
 pub const LACKING: f64 = 1.9e-8;
-/// Depth inside a region that counts, m: more than a bend may be away from its listed place.
+/// Depth from which a place counts as inside a region, m: more than the distance of a bend from its listed place.
 const DEPTH: f64 = 5e-10;
 /// Height over a plane up to which a place may be below it, and depth up to which it may be above it, m.
 const LEVEL: f64 = 1e-9;
@@ -117,7 +117,7 @@ fn units(from: &Ends, to: &Ends) -> impl Iterator<Item = Vector> {
     middle.chain(beside).chain(others.into_iter().map(|unit| unit(from, to)))
 }
 
-/// By how much the labels grow more than along a unit vector, m.
+/// How much faster the labels grow than the distance along a unit vector, m.
 fn lacking(from: &Ends, to: &Ends, unit: &Vector) -> f64 {
     let pairs = (0..4).map(|k| (k & 1, k >> 1));
     let one = |(a, b): (usize, usize)| to.labels[b] - from.labels[a] - unit.dot(&(to.ends[b] - from.ends[a]));

@@ -207,11 +207,11 @@ struct Proofs<'a> {
     bodies: Bodies<'a>,
     ends: [Place; 2],
     margin: Exact,
-    /// What the pairs that were asked for forbid.
+    /// What each pair forbids, for the pairs examined so far.
     known: BTreeMap<[Member; 2], Vec<Forbidden>>,
     /// Whether contact at one end is enough for contact to be allowed everywhere.
     at_one_end: bool,
-    /// Whether a cable is at a limit of its length at the start and at the goal, for those asked for.
+    /// For each cable whose length is a reason: whether it is at a limit of its length at the start and at the goal.
     at_limit: Vec<[bool; 2]>,
 }
 
