@@ -4,13 +4,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Set by Ctrl-C; long work asks for it.
+/// Set by Ctrl-C and polled by long work.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Held while a file is written, so that none is left half done.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// How long work may take to come to an end of its own, with its best answer, once it is asked to stop.
+/// How long work that is asked to stop may take to finish by itself, with its best answer.
 const GRACE: Duration = Duration::from_millis(70);
 
 /// Exit status of a command that was interrupted.

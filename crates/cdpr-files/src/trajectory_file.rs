@@ -20,7 +20,7 @@ use cdpr_core::numerics::MOST_TRAJECTORY_BYTES;
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 
-/// The text of a trajectory file; of other JSON files no more is said than that they are none.
+/// The text of a trajectory file; `None` for other JSON files.
 ///
 /// # Errors
 /// A file that cannot be read or is larger than [`MOST_TRAJECTORY_BYTES`].
@@ -242,7 +242,7 @@ mod tests {
         json!(moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4))
     }
 
-    /// What is said of a trajectory with one value replaced, or removed if it is null and `key` has one part.
+    /// The message about a trajectory with one value replaced, or removed if it is null and `key` has one part.
     fn said(pointer: &str, value: Value) -> String {
         let mut file = upward();
         match (pointer.rsplit_once('/'), &value) {

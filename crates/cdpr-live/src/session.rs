@@ -16,7 +16,7 @@ use web_time::Instant;
 
 use crate::request::{Ask, Options, Request};
 
-/// Hears of each better path while it is planned: its time in ms, cost in m and waypoints, as JSON.
+/// Called with each better path during planning: its time in ms, cost in m and waypoints, as JSON.
 pub type Improved = dyn Fn(&str) + Sync;
 
 /// Answers one request after the other.
@@ -101,8 +101,8 @@ impl Known {
         Ok(answer)
     }
 
-    /// The scene at its orientation if it selects none, a path in it, what is to be said of the path, with a lower bound if
-    /// `bounded`, and how long planning took, ms.
+    /// The scene at the planned orientation if it selects none, a path in it, the appraisal of the path (with a lower bound if
+    /// `bounded`), and how long planning took, ms.
     fn planned(
         &mut self,
         options: &PlanOptions,

@@ -6,7 +6,7 @@ use crate::session::Session;
 
 #[wasm_bindgen]
 unsafe extern "C" {
-    /// A function of the worker that hears of each better path.
+    /// A function of the worker that is called with each better path.
     fn improved(text: &str);
 }
 
@@ -17,7 +17,7 @@ pub struct Planner(Session);
 
 #[wasm_bindgen]
 impl Planner {
-    /// One that knows no scene yet.
+    /// A planner without a scene.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()

@@ -35,7 +35,7 @@ pub struct Trajectory {
     /// The scene that it was made for, if known, and its cables, which are needed between samples.
     scene: Option<(CoreScene, Winches)>,
     exact: Option<(Curve, Timing)>,
-    /// Whether it was planned here, and not read from a file that may say anything.
+    /// Whether it was planned here rather than read from a file, whose contents may be wrong.
     planned: bool,
 }
 
@@ -222,7 +222,7 @@ impl Trajectory {
         Ok(Trajectory { file, scene: scene.zip(winches), exact, planned: false })
     }
 
-    /// What no tensions allow is a bug if it was planned here, and otherwise a fault of the file.
+    /// If no tensions allow the motion, that is a bug for one planned here, and otherwise a fault of the file.
     fn blamed(&self, error: Error) -> Error {
         match error.class() {
             ErrorClass::Internal if !self.planned => {

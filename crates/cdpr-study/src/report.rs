@@ -10,7 +10,7 @@ pub use study::{Cost, Costs, Study};
 
 use cdpr_view::escaped;
 
-// Plots are drawn for a light page; on a dark one their brightness is turned round, the colours stay.
+// Plots are drawn for a light page; on a dark one their brightness is inverted, and the colours stay.
 const STYLE: &str = ":root{color-scheme:light dark;--text:#1b1f24;--muted:#545c66;--line:#d5dae0}\
 @media(prefers-color-scheme:dark){:root{--text:#eceff3;--muted:#a9b1bb;--line:#434b56}html{background:#14171c}\
 svg{filter:invert(.9) hue-rotate(180deg)}}\
@@ -26,7 +26,7 @@ pub fn plots(study: &Study) -> Vec<Plot> {
     plots::plots(study)
 }
 
-/// How the lengths of scenarios in which the platform may turn are to be read.
+/// A note on how to read the lengths of scenarios in which the platform may turn.
 fn turns(scenarios: &[String]) -> String {
     if scenarios.is_empty() {
         return String::new();

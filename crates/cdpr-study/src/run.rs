@@ -338,7 +338,7 @@ struct Engines {
 struct Compiled {
     key: (Engine, Interference),
     engine: Box<dyn Checker>,
-    /// For each time limit of methods what the decision says within it, so that no row depends on other methods.
+    /// For each time limit of a method, the answer of the decision within it, so that no row depends on other methods.
     answers: Vec<(Option<Duration>, Option<Answer>)>,
 }
 

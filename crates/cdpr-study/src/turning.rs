@@ -9,7 +9,7 @@ use cdpr_core::turning::PoseSpace;
 /// Checks a scene whose platform may turn.
 ///
 /// # Errors
-/// No start or goal, or a goal that turns about the axis of the scene do not reach. The error names the key.
+/// No start or goal, or a goal that cannot be reached by turns about the scene's axis. The error names the key.
 pub fn check_scene(scene: &Scene) -> Result<(), Error> {
     let [start, goal] = Query::of(scene).poses()?;
     PoseSpace::of(scene, [&start, &goal]).map(|_| ())

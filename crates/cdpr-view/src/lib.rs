@@ -48,7 +48,7 @@ pub enum Form {
 pub struct Contents<'a> {
     /// A path, or the answer that there is none.
     pub path: Option<&'a PathFile>,
-    /// What the file of a path that was read states about its planning; a path that has just been planned tells itself.
+    /// What the file of a loaded path states about its planning; a path that was just planned contains this itself.
     pub planning: Option<&'a Planning>,
     /// Where the path is not valid.
     pub violations: &'a [PathViolation],
@@ -150,7 +150,7 @@ fn shortened(mut data: Value) -> Value {
     data
 }
 
-/// Writes numbers that single precision holds with as few digits as tell them apart there, which halves their text.
+/// Writes numbers that fit single precision with the fewest digits that identify them there, which halves their text.
 fn shorten(value: &mut Value) {
     match value {
         Value::Array(items) => items.iter_mut().for_each(shorten),
@@ -242,7 +242,7 @@ fn poses(path: &PathFile) -> Option<Vec<Pose>> {
     path.poses().ok().flatten().filter(|poses| !poses.is_empty())
 }
 
-/// Quaternions of poses, with the signs between which interpolation turns as the platform does.
+/// Quaternions of poses, with signs such that interpolation between them turns the same way as the platform.
 fn quaternions(poses: &[Pose]) -> Vec<Rotation> {
     let mut all: Vec<Rotation> = poses.iter().take(1).map(|pose| pose.orientation).collect();
     for pair in poses.windows(2) {

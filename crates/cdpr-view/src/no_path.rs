@@ -19,7 +19,7 @@ const THICKNESS: usize = 32;
 /// What a page shows of a proof.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Shown<'a> {
-    /// Those who close the way, in the order of `walls`.
+    /// The culprits that close the way, in the order of `walls`.
     culprits: &'a [Vec<String>],
     /// The obstacles among them.
     blocking: &'a [String],
@@ -108,7 +108,7 @@ fn wall_faces(no_path: &NoPath, count: usize) -> Vec<Vec<Face>> {
     walls.faces(no_path.culprits.len())
 }
 
-/// The boxes of the wall, and who closes them, as indices into the culprits.
+/// The boxes of the wall, and what closes each, as indices into the culprits.
 fn wall(no_path: &NoPath) -> impl Iterator<Item = (&Cuboid, usize)> {
     let boxes = no_path.proof.wall.iter().map(|&index| &no_path.proof.boxes[index]);
     boxes.filter_map(|of| no_path.closed_by(of).map(|culprit| (&of.positions, culprit)))

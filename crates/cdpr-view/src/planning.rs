@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 pub struct Planning {
     /// Seed, time, bound, why an end is not valid, and its length.
     pub(crate) result: Value,
-    /// The options as requests to the planner have them, without a time limit.
+    /// The options in the form of a request to the planner, without a time limit.
     pub(crate) options: Value,
 }
 
@@ -42,7 +42,7 @@ fn options(path: &Value) -> Value {
     Value::Object(options)
 }
 
-/// Those of the keys that the value has.
+/// The given keys, as far as the value has them.
 fn picked(value: &Value, keys: &[&str]) -> Map<String, Value> {
     keys.iter().filter_map(|key| Some((key.to_string(), value.get(key)?.clone()))).collect()
 }

@@ -31,7 +31,7 @@ pub(super) struct Shown<'a> {
     times: Vec<f64>,
     /// m.
     positions: Vec<[f32; 3]>,
-    /// If the platform turns, unit quaternions w x y z between which it turns as they are interpolated.
+    /// If the platform turns: unit quaternions w x y z, with signs such that interpolation turns the same way.
     #[serde(skip_serializing_if = "Option::is_none")]
     orientations: Option<Vec<[f32; 4]>>,
     /// If the platform turns, rad/s.
@@ -50,7 +50,7 @@ pub(super) struct Shown<'a> {
 /// Values over time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Curve {
-    /// s; left out if they are those of all samples, and these all have their positions on the page.
+    /// s; left out if the curve has a value at every sample and the page shows the positions of all samples.
     #[serde(skip_serializing_if = "Option::is_none")]
     times: Option<Vec<f64>>,
     values: Vec<f32>,

@@ -183,7 +183,7 @@ impl PlanArgs {
 }
 
 impl PlanArgs {
-    /// Limits of motions and `--rate` are for `--trajectory`.
+    /// Refuses limits of motions and `--rate` without `--trajectory`.
     ///
     /// # Errors
     /// Limits without a trajectory.

@@ -99,8 +99,8 @@ pub fn check_page_name(path: &Path) -> Result<(), Error> {
     }
 }
 
-/// Why the scene has no path between the ends of a certificate, decided anew: a certificate does not tell what is needed
-/// to draw it, such as what can be reached.
+/// Decides again why the scene has no path between the ends of a certificate, since a certificate lacks what is needed to draw
+/// it, such as what can be reached.
 fn proved_again(
     scene: &Scene,
     engine: &dyn Checker,
@@ -117,7 +117,7 @@ fn proved_again(
     Ok(PathFile::without_path(scene, no_path))
 }
 
-/// The path as its file tells it, with the length found now.
+/// The path as given in its file, with its length computed again.
 fn shown(loaded: &LoadedPath, length: f64) -> PathFile {
     let waypoints = loaded.waypoints.iter().map(|p| (*p).into()).collect();
     let orientations = loaded.poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect());

@@ -1,7 +1,7 @@
 //! Trajectories as CSV: `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`, then `length:`, `speed:` and `tension:` with the name of a
 //! cable; s, m, m/s, m/s², N. If the platform turns, its angular velocity `wx,wy,wz`, rad/s, and acceleration
-//! `alphax,alphay,alphaz`, rad/s², world axes, follow those of its origin. Only t, x, y and z must be present when a file is read. Headers begin with letters and
-//! numbers are no text, so no cell begins like a formula of a spreadsheet.
+//! `alphax,alphay,alphaz`, rad/s², world axes, follow those of its origin. Only t, x, y and z must be present when a file is
+//! read. Headers begin with letters and all other cells are numbers, so spreadsheets do not take any cell for a formula.
 
 use std::collections::HashMap;
 
@@ -213,8 +213,8 @@ impl Columns {
         Ok(Table { motion, orientation: one, cables: self.cables.clone() })
     }
 
-    /// The orientations; a quaternion and its negative are the same. If they hardly differ, they are one, unless rates of a turn
-    /// are given.
+    /// The orientations; a quaternion and its negative are the same. If they hardly differ, they count as a single one, unless
+    /// angular rates are given.
     fn orientation(&self, rows: &[Row], rates: bool) -> Result<Orientation, Error> {
         let Some(turns) = self.group(["qw", "qx", "qy", "qz"], rows) else {
             let problem = "found columns of angular rates but none of an orientation, expected qw, qx, qy, qz as well";
