@@ -281,7 +281,8 @@ fn all_workers_of_a_pool_prove_at_once() {
     assert!(statuses.iter().all(|status| *status == Status::NoPath), "{statuses:?}");
 }
 
-/// What is left out of a search must leave no trace in it: no obstacle that blocks is missing, none too many.
+/// Whatever is left out of a search must leave no trace in it: no blocking obstacle is missing, and none is
+/// superfluous.
 #[test]
 fn the_blocking_obstacles_are_those_of_searches_that_know_nothing_else() {
     let spec: RandomScenesSpec = toml::from_str("count = 6").unwrap();

@@ -1,5 +1,5 @@
-//! Looks for wrong proofs: random scenes with random clearances, diameters, length limits and start positions, decided;
-//! where a proof says that there is no path, all planners search for one, and finding it would be a defect.
+//! Looks for wrong proofs: decides random scenes with random clearances, diameters, length limits and start positions.
+//! Where a proof says that there is no path, all planners search for one, and finding one would be a defect.
 //!
 //! `cargo run --release -p cdpr-tests --example no_path_study -- 100000 0` (scenes, first seed)
 
