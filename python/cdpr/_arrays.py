@@ -77,7 +77,7 @@ def quaternion(name: str, values: ArrayLike) -> tuple[float, float, float, float
 
 
 def alike(of: str, *several: tuple[str, tuple[Floats, Shape]]) -> tuple[list[Floats], Shape]:
-    """Broadcast the rows of several arguments to one leading shape; none is copied that has it. `of` names an entry of the first."""
+    """Broadcast rows of several arguments to one leading shape; rows that have it are not copied. `of` names an entry of the first."""
     shape: Shape = several[0][1][1]
     for name, (array, own) in several[1:]:
         try:

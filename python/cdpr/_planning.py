@@ -403,8 +403,8 @@ def lower_bound(
     Returns
     -------
     float
-        Infinite if it is certain that there is no path. With a gap, a budget or a certificate, paths that come closer than 1e-7 m to
-        something between their ends do not count if they are shorter.
+        Infinite if it is certain that there is no path. With a gap, a budget or a certificate, the bound does not apply to
+        paths that come closer than 1e-7 m to something between their ends: they may be shorter.
 
     Examples
     --------

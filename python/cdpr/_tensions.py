@@ -42,7 +42,7 @@ class WrenchReport(ByValue):
         The same as velocity of the platform's origin and angular velocity, m/s and rad/s, scaled so that the largest
         entry is 1.
     capacity_margin, force_margin, moment_margin : float
-        N, N, N·m; NaN where there is none. See `capacity_margin` and its like.
+        N, N, N·m; NaN where there is none. See `capacity_margin`, `force_margin` and `moment_margin`.
     at_greatest, at_least : tuple of str
         Cables at their maximum and minimum tension on the facet that limits the capacity margin.
     cables : tuple of str

@@ -61,7 +61,7 @@ class Limiting(NamedTuple):
     Attributes
     ----------
     start, end : float
-        From when until when, s.
+        Start and end of this time, s.
     limit : str
         "speed", "acceleration", "turn_speed", "turn_acceleration", "jerk", "cable_speed", "cable_acceleration" or "tension".
     cable : str or None
@@ -91,7 +91,7 @@ class MotionState(ByValue):
     Attributes
     ----------
     time : float or ndarray (...)
-        S.
+        Seconds.
     position, velocity, acceleration : ndarray (..., 3)
         Of the platform's origin, world, m, m/s, m/s².
     orientation : ndarray (..., 4)
@@ -380,9 +380,9 @@ def trajectory(
 ) -> Trajectory:
     """Compute the fastest motion along a path that keeps all limits at every instant, from rest to rest.
 
-    Limits that are not given are those of the scene's table ``[motion]``; there must be one of acceleration, of cable
-    acceleration, or of tensions, and for a platform that turns one of turn acceleration, of cable acceleration, or of
-    tensions. Tensions are limited, including the inertia of the platform, if its mass and all tension
+    Limits that are not given are those of the scene's table ``[motion]``. At least one limit of acceleration, cable
+    acceleration or tensions is required, and for a platform that turns at least one of turn acceleration, cable
+    acceleration or tensions. Tensions are limited, including the inertia of the platform, if its mass and all tension
     limits are known and the cables leave no motion free.
 
     Parameters

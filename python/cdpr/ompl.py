@@ -187,7 +187,7 @@ class _Judge:
         return valid(start, end, *self.choice, (first, last))
 
     def violated_at(self, s1: Any, s2: Any) -> float:
-        """Up to which fraction nothing is violated; 0 if nothing is at all."""
+        """The fraction of the motion at which the first violation begins; 0 if there is none."""
         engine, interference = self.choice
         if self.turns:
             (start, first), (end, last) = _pose(s1), _pose(s2)
@@ -317,8 +317,8 @@ class MotionValidator(base.MotionValidator):
 
         Notes
         -----
-        The overload of ``checkMotion`` with ``lastValid``. The bindings of OMPL 2.0.1 do not hand it on to Python,
-        their successors do under this name (https://github.com/ompl/ompl/pull/1442).
+        The overload of ``checkMotion`` with ``lastValid``. The bindings of OMPL 2.0.1 do not expose it to Python;
+        later ones do, under this name (https://github.com/ompl/ompl/pull/1442).
         """
         if self.checkMotion(s1, s2):
             return True, 1.0
@@ -346,7 +346,7 @@ def simple_setup(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Any:
-    """Return OMPL's ``SimpleSetup`` of a scene: space, validity, start and goal; a planner is all that it lacks.
+    """Return OMPL's ``SimpleSetup`` of a scene: space, validity, start and goal; only the planner is left to choose.
 
     The space is a `PoseSpace` if the platform may turn, otherwise a `StateSpace`.
 

@@ -23,8 +23,8 @@ Row: TypeAlias = tuple[float, ...]
 Gap: TypeAlias = tuple[Fraction, Fraction]
 
 NEAR = 1e-10  # m: the listed place of a bend is at most this far from the bend
-SURPLUS = 1e-9  # m: sums of lengths exceed what they have to be by this, because of rounding
-NO_DIRECTION = 1e-12  # m: a vector this short has no direction that is accurate enough
+SURPLUS = 1e-9  # m: sums of lengths must exceed their limit by this, because of rounding
+NO_DIRECTION = 1e-12  # m: the direction of a vector this short is not accurate enough
 SEARCH_STEPS = 100
 
 

@@ -32,7 +32,7 @@ from ._vectors import (
 Test: TypeAlias = Callable[[Exact], bool]
 
 TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than this is allowed
-ROUNDING = Fraction(1e-12)  # m: by this much the witnesses of contact may be apart
+ROUNDING = Fraction(1e-12)  # m: the witnesses of contact may be this far apart
 
 
 @dataclass(frozen=True)
@@ -252,7 +252,7 @@ def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fra
 def _kept(clearance: float, radii: float, attainable: float) -> Fraction:
     """The required distance, as far as some position allows it.
 
-    By the definition of a scene, a shortfall of 0.5e-9 m does not count. Here only rounding errors do not, which proves
-    less.
+    By the definition of a scene, a shortfall of 0.5e-9 m does not count. Here only rounding errors are ignored, which
+    proves less.
     """
     return Fraction(next((gap for gap in (clearance + radii, radii) if gap <= attainable + 1e-12), 0.0))

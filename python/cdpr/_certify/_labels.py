@@ -1,11 +1,15 @@
 """Labels of pieces of edges: lower bounds of the distance from the start, up to STEP for each bend.
 
-A label may be anything up to the straight distance from the start. Between any other piece and each one that may come
-before it, one of these holds, or the certificate is refused: the label grows no more than along some unit
-vector, which is linear, so the ends decide; one region blocks all segments between the pieces; they are on one line, or a
-path cannot bend at one of them towards the other, since from there not exactly one of the planes that meet in the edge is seen
-from outside; with the straight way to the goal, the path is too long. All numbers are at most 1000, so rounding errors are
-below 1e-11, far less than the reserve of every decision.
+A label may be anything up to the straight distance from the start. For any other piece and each one that may come before
+it, one of these must hold, or the certificate is refused:
+
+- The label grows no faster than the distance along some unit vector. That is linear, so the ends decide.
+- One region blocks all segments between the two pieces.
+- The pieces are on one line, or a path cannot bend at one of them towards the other. It can only if, from the other one,
+  exactly one of the planes that meet in the edge is seen from outside.
+- With the straight way to the goal, the path is too long.
+
+All numbers are at most 1000, so rounding errors are below 1e-11, far less than the reserve of every decision.
 """
 
 from __future__ import annotations
@@ -18,9 +22,9 @@ from ._bends import NEAR, NO_DIRECTION, Bends, Row, _between, unit
 from ._certificate import Bound
 from ._vectors import Vector, dot, minus
 
-STEP = 2e-8  # m: what a label may exceed the length of a path by for each bend
-LACKING = 1.9e-8  # m: what the inequality of two labels may lack; STEP also covers 2 NEAR and rounding
-DEPTH = 5e-10  # m: depth inside a region that counts
+STEP = 2e-8  # m: how much a label may exceed the length of a path for each bend
+LACKING = 1.9e-8  # m: accepted shortfall of the inequality of two labels; STEP also covers 2 NEAR and rounding
+DEPTH = 5e-10  # m: depth from which a place counts as inside a region
 LEVEL = 1e-9  # m: what counts as on a plane
 BESIDE = 1 / 16
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from .._arrays import Floats
 
-# Relative to the size of a solid: by so much a line may dip below its surface and still count as lying on it. Pictures
-# are thousands of dots wide, so this is far below what can be seen.
+# How far a line may dip below the surface of a solid and still count as lying on it, relative to the size of the solid.
+# Pictures are thousands of dots wide, so this is far below what can be seen.
 _ON_SURFACE = 1e-6
 # Normals closer than this belong to one flat face.
 _SAME_NORMAL = 1e-6

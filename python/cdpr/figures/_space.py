@@ -32,7 +32,7 @@ _CABLE = {"color": "#333333", "linewidth": 0.8}
 _PASSING = {"color": "#9a9a9a", "linewidth": 0.4}  # cables of poses between the ends
 _POSES, _MOST_POSES = 5, 100
 _FRAME = 0.17  # length of a frame's axes, relative to the robot
-_CASTING = (SKY, PURPLE, GREEN)  # colours of shadows, where so few cables have them; of more all have the first
+_CASTING = (SKY, PURPLE, GREEN)  # colours of shadows of so many cables; with more, all have the first
 
 
 @styled
