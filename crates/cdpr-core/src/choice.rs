@@ -14,9 +14,7 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
     const ALL: &'static [(Self, &'static str, &'static str)];
 
     /// The name of this value.
-    fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(value, ..)| *value == self).expect("every value is listed").1
-    }
+    fn name(self) -> &'static str;
 
     /// The value of a name.
     ///
@@ -39,6 +37,12 @@ macro_rules! choices {
         impl $crate::choice::Choice for $type {
             const WHAT: &'static str = $what;
             const ALL: &'static [(Self, &'static str, &'static str)] = &[$((Self::$variant, $name, $help)),+];
+
+            fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
         }
 
         impl $crate::choice::serde::Serialize for $type {

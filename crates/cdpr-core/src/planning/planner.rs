@@ -47,6 +47,19 @@ choices!(Planner, "planner", [
     RrtStar = "rrt-star": "RRT that also rewires nodes to cheaper parents (the paper, Algorithm 1)",
 ]);
 
+impl Planner {
+    /// The settings that not all planners have.
+    fn own_settings(self) -> &'static [&'static str] {
+        match self {
+            Planner::Anytime => &["gap"],
+            Planner::TwoTrees | Planner::ModifiedRrt => &[],
+            Planner::RrtConnect => &["extend_step"],
+            Planner::Rrt => &["extend_step", "goal_bias"],
+            Planner::RrtStar => &["extend_step", "goal_bias", "near_radius"],
+        }
+    }
+}
+
 /// A planner with its options.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlannerOptions {
@@ -191,7 +204,9 @@ impl PlannerOptions {
             PlannerOptions::RrtConnect(connect) => (connect.step, None, None),
             PlannerOptions::Rrt(rrt) => (Some(rrt.step), Some(rrt.goal_bias), None),
             PlannerOptions::RrtStar(star) => (Some(star.step), Some(star.goal_bias), star.near_radius),
-            _ => (None, None, None),
+            PlannerOptions::Anytime(_) | PlannerOptions::TwoTrees(_) | PlannerOptions::ModifiedRrt(_) => {
+                (None, None, None)
+            }
         };
         PlannerSettings {
             max_samples: Some(limits.max_samples).filter(|n| *n < usize::MAX),
@@ -246,15 +261,17 @@ impl PlannerSettings {
 
     /// Rejects a setting that the planner does not have rather than ignoring it.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
-        for (key, found, owners) in [
-            ("gap", self.gap, &[Planner::Anytime][..]),
-            ("extend_step", self.extend_step, &[Planner::Rrt, Planner::RrtStar, Planner::RrtConnect]),
-            ("goal_bias", self.goal_bias, &[Planner::Rrt, Planner::RrtStar]),
-            ("near_radius", self.near_radius, &[Planner::RrtStar]),
-        ] {
-            if let Some(found) = found.filter(|_| !owners.contains(&planner)) {
+        let given = [
+            ("gap", self.gap),
+            ("extend_step", self.extend_step),
+            ("goal_bias", self.goal_bias),
+            ("near_radius", self.near_radius),
+        ];
+        for (key, found) in given {
+            if let Some(found) = found.filter(|_| !planner.own_settings().contains(&key)) {
+                let owners = Planner::ALL.iter().filter(|(other, ..)| other.own_settings().contains(&key));
+                let owners: Vec<&str> = owners.map(|(_, name, _)| *name).collect();
                 let verb = if owners.len() > 1 { "have" } else { "has" };
-                let owners: Vec<&str> = owners.iter().map(|owner| owner.name()).collect();
                 let (name, owners) = (planner.name(), owners.join(" and "));
                 let problem =
                     format!("found {found}, but the planner {name} has no such setting; only {owners} {verb} it");
