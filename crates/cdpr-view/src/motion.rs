@@ -7,7 +7,7 @@ use super::xyz;
 use cdpr_core::batch::each;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{
-    Clearance, Conditions, Kind, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
+    Clearance, Condition, Conditions, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
 };
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Placed, Point, Pose};
@@ -54,9 +54,14 @@ impl Motion {
     }
 }
 
+/// Whether a condition belongs to a group.
+type Belongs = fn(&Condition) -> bool;
+
 /// The groups of pairs that are plotted apart: what can come near obstacles, and the robot's own neighbours.
-const GROUPS: [(&str, [Kind; 2]); 2] =
-    [("obstacles", [Kind::PlatformObstacle, Kind::CableObstacle]), ("robot", [Kind::CablePlatform, Kind::CableCable])];
+const GROUPS: [(&str, Belongs); 2] = [
+    ("obstacles", |condition| !condition.details().within_robot()),
+    ("robot", |condition| condition.details().within_robot()),
+];
 
 /// The pair of a group with the smallest slack beyond its required gap, at each place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -165,8 +170,8 @@ fn places(scene: &Scene, waypoints: &[Point], length: f64, watch: &Watch) -> Res
 fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Vec<(usize, f64)>, Error> {
     let conditions = Conditions::within(scene, watch)?;
     let mut found = Vec::new();
-    for (_, kinds) in GROUPS {
-        let within = |index: &usize| kinds.contains(&conditions.kind(&conditions.list[*index]));
+    for (_, of) in GROUPS {
+        let within = |index: &usize| of(&conditions.list[*index]);
         let indices: Vec<usize> = (0..conditions.list.len()).filter(within).collect();
         let nearest = path_clearance(&conditions, &indices, waypoints, watch)?;
         found.extend(nearest.map(|(segment, clearance)| (segment, clearance.at)));
@@ -178,13 +183,13 @@ fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<V
 fn approaches<Place: Sync>(
     places: &[Place],
     watch: &Watch,
-    tightest: impl Fn(&Place, &dyn Fn(Kind) -> bool) -> Option<Tightest> + Sync,
+    tightest: impl Fn(&Place, &dyn Fn(&Condition) -> bool) -> Option<Tightest> + Sync,
 ) -> Result<Vec<Approach>, Error> {
     let mut approaches = Vec::new();
-    for (name, kinds) in GROUPS {
+    for (name, of) in GROUPS {
         let found = each(places.len(), 0, &|(), k| {
             watch.check()?;
-            Ok(tightest(&places[k], &|kind| kinds.contains(&kind)))
+            Ok(tightest(&places[k], &of))
         })?;
         let found: Option<Vec<_>> = found.into_iter().collect();
         approaches.extend(found.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
@@ -429,7 +434,7 @@ mod tests {
         for (k, (_, pose)) in places.iter().enumerate().step_by(25) {
             let digits = cdpr_core::geometry::wxyz(&pose.orientation);
             let turned = scene.turned(digits.into()).unwrap();
-            let near_obstacles = |kind| GROUPS[0].1.contains(&kind);
+            let near_obstacles = GROUPS[0].1;
             let there = tightest_of(&Conditions::new(&turned).unwrap(), &pose.position, near_obstacles).unwrap();
             assert!((f64::from(near.gap[k]) - there.clearance.value).abs() < 1e-6);
             // Cables above each other come equally near to an upright pillar.

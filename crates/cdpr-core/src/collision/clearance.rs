@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::along::{at, first_true};
-use crate::conditions::{Condition, Conditions, Kind};
+use crate::conditions::{Condition, Conditions};
 use crate::error::Error;
 use crate::geometry::{Placed, Point};
 use crate::numerics::TOUCH_DEPTH;
@@ -95,10 +95,10 @@ pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Tightest> {
     tightest_of(conditions, position, |_| true)
 }
 
-/// As [`tightest`], for the conditions of some kinds.
-pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(Kind) -> bool) -> Option<Tightest> {
+/// As [`tightest`], for some of the conditions.
+pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(&Condition) -> bool) -> Option<Tightest> {
     let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
-    let deducted = |condition: &Condition| of(conditions.kind(condition)).then(|| required(condition));
+    let deducted = |condition: &Condition| of(condition).then(|| required(condition));
     let (room, index) = least(conditions, position, position, deducted)?;
     let condition = &conditions.list[index];
     let required = required(condition);
@@ -107,10 +107,10 @@ pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(Kind) 
 }
 
 /// As [`tightest_of`], at a pose of bodies that are given at the orientation of the conditions; without points.
-pub fn tightest_at_pose(conditions: &Conditions, at: &Placed, of: impl Fn(Kind) -> bool) -> Option<Tightest> {
+pub fn tightest_at_pose(conditions: &Conditions, at: &Placed, of: impl Fn(&Condition) -> bool) -> Option<Tightest> {
     let Conditions { list, bodies, .. } = conditions;
-    let of_kinds = list.iter().filter(|condition| of(conditions.kind(condition)));
-    let about_gaps = of_kinds.filter(|condition| condition.details().is_about_gap(bodies));
+    let chosen = list.iter().filter(|condition| of(condition));
+    let about_gaps = chosen.filter(|condition| condition.details().is_about_gap(bodies));
     let (room, condition) = about_gaps
         .map(|condition| (condition.details().slack_at(bodies, at), condition))
         .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
