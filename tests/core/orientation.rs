@@ -8,7 +8,7 @@ use cdpr_core::planning::Status;
 use cdpr_core::regions::{RegionOptions, regions};
 use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
 use cdpr_core::{Scene, testing};
-use cdpr_files::{PathFile, load_waypoints, save_path, scene_of_path, waypoints_from_text};
+use cdpr_files::{PathFile, PathFormat, load_waypoints, save_path, scene_of_path, waypoints_from_text};
 use cdpr_view::{Contents, Form};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -167,7 +167,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     let refused = scene_of_path(&across, &loaded, false).unwrap_err().to_string();
     assert!(refused.contains("orientation: found a path at [1.0, 0.0, 0.0, 0.0], but the scene is at"), "{refused}");
     // Waypoints alone have no orientation, and the scene selects none.
-    let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", false).unwrap();
+    let bare = waypoints_from_text("x,y,z\n0.45,1,0.5\n1.55,1,0.5\n", PathFormat::Csv).unwrap();
     let refused = scene_of_path(&scene, &bare, false).unwrap_err().to_string();
     assert!(refused.contains("selects none of across, along, askew; select one"), "{refused}");
     assert!(scene_of_path(&across, &bare, true).is_ok() && Conditions::new(&across).unwrap().notes.is_empty());

@@ -3,7 +3,7 @@
 
 use cdpr_core::Error;
 use cdpr_files::text::Notation;
-use cdpr_files::{ImportOptions, import_robot, robot_from_text, scene_from_text, waypoints_from_text};
+use cdpr_files::{ImportOptions, PathFormat, import_robot, robot_from_text, scene_from_text, waypoints_from_text};
 use cdpr_study::{experiment_from_text, load_study, merge};
 use serde_json::{Value, json};
 
@@ -130,7 +130,7 @@ fn formats() -> Vec<(&'static str, Value, Reader, usize)> {
         ("scene", scene(), |text, notation| scene_from_text(text, notation, None).map(drop), 42),
         ("robot", robot_file(), |text, notation| robot_from_text(text, notation, None).map(drop), 10),
         ("experiment", experiment(), |text, notation| experiment_from_text(text, notation, None).map(drop), 45),
-        ("path", path(), |text, _| waypoints_from_text(text, true).map(drop), 8),
+        ("path", path(), |text, _| waypoints_from_text(text, PathFormat::Json).map(drop), 8),
         ("run", run_file(), |text, _| read_in_folder("run.json", text), 2),
         ("summary", summary_file(), |text, _| read_in_folder("summary.json", text), 2),
     ]

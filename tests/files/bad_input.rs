@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use cdpr_files::text::Notation;
 use cdpr_files::{
-    PathFile, load_robot, load_scene, load_waypoints, save_path, scene_from_text, scene_of_path, waypoints_from_text,
+    PathFile, PathFormat, load_robot, load_scene, load_waypoints, save_path, scene_from_text, scene_of_path,
+    waypoints_from_text,
 };
 
 fn testdata(name: &str) -> PathBuf {
@@ -214,12 +215,12 @@ fn orientations_that_make_no_sense_are_refused() {
         ("\"along\"", "orientations: found the string \"along\", expected an array"),
     ] {
         let text = format!("{{\"waypoints\": [[0, 0, 0], [1, 1, 1]], \"orientations\": {orientations}}}");
-        let message = waypoints_from_text(&text, true).unwrap_err().to_string();
+        let message = waypoints_from_text(&text, PathFormat::Json).unwrap_err().to_string();
         assert!(message.contains(expected), "{orientations}: expected \"{expected}\" in: {message}");
     }
     for number in ["NaN", "inf", "-1e400"] {
         let text = format!("x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0\n1,2,3,{number},0,0,0\n");
-        let message = waypoints_from_text(&text, false).unwrap_err().to_string();
+        let message = waypoints_from_text(&text, PathFormat::Csv).unwrap_err().to_string();
         assert!(message.contains("orientations[1]"), "{number}: {message}");
     }
 }

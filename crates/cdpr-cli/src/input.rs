@@ -12,7 +12,9 @@ use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{LoadedPath, LoadedTrajectory, Loader, PathFile, is_trajectory, read_trajectory, scene_of_path};
+use cdpr_files::{
+    LoadedPath, LoadedTrajectory, Loader, PathFile, PathFormat, is_trajectory, read_trajectory, scene_of_path,
+};
 use cdpr_files::{load_if_trajectory, loaded_if_trajectory, scene_of_loaded};
 use cdpr_files::{scene_of_trajectory, trajectory_from_text, waypoints_from_text};
 use cdpr_study::Experiment;
@@ -114,7 +116,7 @@ pub fn path(
 }
 
 fn path_from_text(scene: &Scene, text: &str, strict: Strict, out: &Console) -> Result<(Scene, LoadedPath), Error> {
-    let loaded = waypoints_from_text(text, text.trim_start().starts_with('{'))?;
+    let loaded = waypoints_from_text(text, PathFormat::of_text(text))?;
     in_scene(scene, loaded, strict, out)
 }
 

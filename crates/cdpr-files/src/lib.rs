@@ -25,7 +25,7 @@ pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::load_mesh;
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
-    LoadedPath, PathFile, SceneId, check_path_name, load_waypoints, save_path, scene_for, scene_of_path,
+    LoadedPath, PathFile, PathFormat, SceneId, check_path_name, load_waypoints, save_path, scene_for, scene_of_path,
     waypoints_from_text,
 };
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};

@@ -22,10 +22,11 @@ pub use cdpr_core::path_file::{PathFile, SceneId};
 /// Another extension, or a file that cannot be written; nothing half-written is left.
 pub fn save_path(path: &Path, file: &impl Serialize) -> Result<(), Error> {
     let json = json!(file);
-    match is_json(path)? {
-        true => write_atomically(path, format!("{json:#}\n").as_bytes()),
-        false => write_atomically(path, &csv_bytes(&json)?),
-    }
+    let bytes = match PathFormat::of(path)? {
+        PathFormat::Json => format!("{json:#}\n").into_bytes(),
+        PathFormat::Csv => csv_bytes(&json)?,
+    };
+    write_atomically(path, &bytes)
 }
 
 /// Checks that a path can be written under this name, before any work is done.
@@ -33,15 +34,31 @@ pub fn save_path(path: &Path, file: &impl Serialize) -> Result<(), Error> {
 /// # Errors
 /// An extension that is neither .json nor .csv.
 pub fn check_path_name(path: &Path) -> Result<(), Error> {
-    is_json(path).map(drop)
+    PathFormat::of(path).map(drop)
 }
 
-/// Whether a path file of this name is JSON; else it is CSV.
-fn is_json(path: &Path) -> Result<bool, Error> {
-    match extension(path).as_deref() {
-        Some("json") => Ok(true),
-        Some("csv") => Ok(false),
-        _ => Err(other_extension(path, ".json or .csv")),
+/// The formats of path files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathFormat {
+    /// Everything that is known about the path.
+    Json,
+    /// The waypoints alone.
+    Csv,
+}
+
+impl PathFormat {
+    /// The format of a file of this name.
+    fn of(path: &Path) -> Result<Self, Error> {
+        match extension(path).as_deref() {
+            Some("json") => Ok(Self::Json),
+            Some("csv") => Ok(Self::Csv),
+            _ => Err(other_extension(path, ".json or .csv")),
+        }
+    }
+
+    /// The format of a text without a name, by how it begins.
+    pub fn of_text(text: &str) -> Self {
+        if text.trim_start().starts_with('{') { Self::Json } else { Self::Csv }
     }
 }
 
@@ -81,16 +98,19 @@ pub struct LoadedPath {
 /// # Errors
 /// Names the file, the key or line, what was found and what was expected.
 pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
-    let json = is_json(path)?;
-    waypoints_from_text(&text::read(path)?, json).map_err(|e| e.in_file(path))
+    let format = PathFormat::of(path)?;
+    waypoints_from_text(&text::read(path)?, format).map_err(|e| e.in_file(path))
 }
 
-/// Parses a path of at least two waypoints from text, JSON or CSV.
+/// Parses a path of at least two waypoints from text.
 ///
 /// # Errors
 /// Names the key or line, what was found and what was expected.
-pub fn waypoints_from_text(text: &str, json: bool) -> Result<LoadedPath, Error> {
-    if json { from_json(text) } else { from_csv(text) }
+pub fn waypoints_from_text(text: &str, format: PathFormat) -> Result<LoadedPath, Error> {
+    match format {
+        PathFormat::Json => from_json(text),
+        PathFormat::Csv => from_csv(text),
+    }
 }
 
 /// The scene at the orientation of a path, and a warning if the path was planned for another scene. The orientation is
