@@ -4,7 +4,7 @@
   re-exported name belongs to the module that defines it. A module may use what its parent modules define, and tests
   may use anything.
 - No two files with the same name in a crate.
-- ARCHITECTURE.md names every top-level module of the core.
+- ARCHITECTURE.md names every module of every crate, those of the core in an order in which each uses only earlier ones.
 - The wheel and the Rust tests share one build of the core and its dependencies.
 """
 
@@ -128,12 +128,30 @@ def test_no_two_files_of_a_crate_share_a_name(crate: str) -> None:
     assert [name for name, times in names.items() if times > 1] == []
 
 
-def test_the_architecture_names_every_module_of_the_core() -> None:
-    text = (ROOT / "ARCHITECTURE.md").read_text()
-    core = text.partition("crates/cdpr-core/src/")[2].partition("crates/cdpr-view/src/")[0]
-    listed = re.findall(r"^  \w.*", core, re.MULTILINE)
-    rooms = {module[0] for module in sources("cdpr-core") if module}
-    assert [room for room in sorted(rooms) if not re.search(rf"\b{room}\b", "".join(listed))] == []
+MAP = (ROOT / "ARCHITECTURE.md").read_text().partition("crates/cdpr-core/src/")[2].partition("\n```")[0]
+
+
+def part_of_map(crate: str) -> str:
+    """The lines of the map of ARCHITECTURE.md about a crate."""
+    start = "" if crate == "cdpr-core" else f"\ncrates/{crate}/src/"
+    return re.split(r"\n(?=\S)", MAP.partition(start)[2] if start else MAP)[0]
+
+
+@pytest.mark.parametrize("crate", [crate for crate in CRATES if crate not in ("cdpr-cli", "cdpr-py")])
+def test_the_architecture_names_every_module(crate: str) -> None:
+    named = set(re.findall(r"\w+", part_of_map(crate)))
+    assert sorted(module[-1] for module in sources(crate) if module and module[-1] not in named) == []
+
+
+def test_the_architecture_lists_the_modules_of_the_core_in_an_order_in_which_each_uses_only_earlier_ones() -> None:
+    crate = Crate(sources("cdpr-core"))
+    modules = {module[0] for module in crate.modules if module}
+    listed = [names.split(", ") for names in re.findall(r"^  (?! )(\w+(?:, \w+)*)", MAP, re.MULTILINE)]
+    order = [name for names in listed for name in names if name in modules]
+    assert sorted(order) == sorted(modules)
+    place = {name: place for place, name in enumerate(order)}
+    arrows = {(module[0], other[0]) for module in crate.modules if module for other in crate.needs(module) if other}
+    assert [f"{a} uses {b}" for a, b in sorted(arrows) if place[b] > place[a]] == []
 
 
 def crates_with_features(*selected: str) -> set[str]:

@@ -294,6 +294,7 @@ const SENTENCES = {
   'cable-length': (who) => `${who[0] ?? 'a cable'} is too short or too long`,
   wrench: () => 'the cables cannot balance the platform',
   tilt: () => 'the platform tilts further than the scene allows',
+  'turning-axis': () => 'the platform turns about another axis than the scene allows',
 };
 
 function describeEvent({ kind, culprits, gap }) {

@@ -8,7 +8,7 @@ use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::trajectory::kept_plan;
+use cdpr_core::trajectory::plan_timed;
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::small_length;
@@ -129,9 +129,9 @@ fn timed(
     let scene = planned.turned.as_ref().unwrap_or(scene);
     let ends = args.query(scene)?.poses()?;
     let (options, limits) = (args.options()?, args.timing.limits.spec());
-    let kept = kept_plan(scene, ends, planned.result, (&options, args.minimise), &limits, watch).map_err(hinted)?;
-    let timed = Timed::kept(scene, &kept, args.minimise, args.timing.rate, watch)?;
-    planned.result = kept.result;
+    let found = plan_timed(scene, ends, planned.result, (&options, args.minimise), &limits, watch).map_err(hinted)?;
+    let timed = Timed::planned(scene, &found, args.minimise, args.timing.rate, watch)?;
+    planned.result = found.result;
     Ok((planned, Some(timed)))
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::trajectory::{Kept, Limits, Minimise, Trajectory};
+use cdpr_core::trajectory::{Limits, Minimise, TimedPlan, Trajectory};
 use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
@@ -121,12 +121,19 @@ impl Timed {
     }
 
     /// The trajectory of a planned path.
-    pub fn kept(scene: &Scene, kept: &Kept, minimise: Minimise, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        let poses = kept.result.poses(scene.orientation());
-        let poses = (!kept.result.orientations.is_empty()).then_some(&poses[..]);
-        let timed = Self::of(scene, (&kept.result.waypoints, poses), &kept.trajectory, rate, watch)?;
-        let Kept { seed, first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
-            *kept;
+    pub fn planned(
+        scene: &Scene,
+        plan: &TimedPlan,
+        minimise: Minimise,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let poses = plan.result.poses(scene.orientation());
+        let poses = (!plan.result.orientations.is_empty()).then_some(&poses[..]);
+        let timed = Self::of(scene, (&plan.result.waypoints, poses), &plan.trajectory, rate, watch)?;
+        let TimedPlan {
+            seed, first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, ..
+        } = *plan;
         let choice = (minimise == Minimise::Time).then_some(Choice {
             seed,
             seed_of_shortest,

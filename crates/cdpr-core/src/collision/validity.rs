@@ -26,8 +26,8 @@ choices!(Engine, "engine", [
 
 /// Whether a robot may be in a state, or move between two states in a straight line.
 ///
-/// The state is a position of the platform's origin (world, m) at the fixed orientation of the engine; spaces with
-/// rotation will have their own state type. Implementations are immutable and shared between threads.
+/// The state is a position of the platform's origin (world, m) at the fixed orientation of the engine, or a pose if the
+/// platform may turn. Implementations are immutable and shared between threads.
 pub trait Validity<State = Point>: Sync {
     /// Whether the robot may be in a state.
     fn state_valid(&self, state: &State) -> bool;

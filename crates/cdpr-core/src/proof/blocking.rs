@@ -1,4 +1,4 @@
-//! Why there is no path: the smallest sets of obstacles and of conditions that close the way.
+//! Why there is no path: obstacles and conditions that close the way, none of which can be left out.
 //!
 //! Obstacles are left out one after another, as long as there is still no path. Most can be left out without a search: if the cells
 //! that an obstacle closes are opened, start and goal remain separated. For each of the others the search continues without it.

@@ -34,7 +34,7 @@ const FASTER: f64 = 0.999;
 
 /// A planned path with its motion.
 #[derive(Debug)]
-pub struct Kept {
+pub struct TimedPlan {
     /// The path.
     pub result: PlanResult,
     /// The motion along it.
@@ -56,17 +56,17 @@ pub struct Kept {
 ///
 /// # Errors
 /// As [`Trajectory::new`], if there is no motion along any path.
-pub fn kept_plan(
+pub fn plan_timed(
     scene: &Scene,
     ends: [Pose; 2],
     first: PlanResult,
     (options, minimise): (&PlanOptions, Minimise),
     given: &MotionSpec,
     watch: &Watch,
-) -> Result<Kept, Error> {
+) -> Result<TimedPlan, Error> {
     let timed = motion_along(scene, &first, given, watch);
     let (duration, seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
-    let mut best = timed.map(|trajectory| Kept {
+    let mut best = timed.map(|trajectory| TimedPlan {
         result: first,
         first_seed: seed,
         trajectory,
@@ -87,14 +87,22 @@ pub fn kept_plan(
             Ok(trajectory) => {
                 tried += 1;
                 if best.as_ref().map_or(true, |best| trajectory.duration() < FASTER * best.trajectory.duration()) {
-                    best = Ok(Kept { result, trajectory, seed, first_seed, room, tried, duration_of_first: duration });
+                    best = Ok(TimedPlan {
+                        result,
+                        trajectory,
+                        seed,
+                        first_seed,
+                        room,
+                        tried,
+                        duration_of_first: duration,
+                    });
                 }
             }
             Err(error) if error.class() == ErrorClass::Input => {}
             Err(error) => return Err(error),
         }
     }
-    best.map(|kept| Kept { tried, ..kept })
+    best.map(|plan| TimedPlan { tried, ..plan })
 }
 
 /// The motion along a planned path.
@@ -155,7 +163,7 @@ mod tests {
         let first = plan(query, &options, &()).unwrap().result;
         let kept = |minimise| {
             let ends = query.poses().unwrap();
-            kept_plan(&scene, ends, first.clone(), (&options, minimise), &limits, &Watch::NONE).unwrap()
+            plan_timed(&scene, ends, first.clone(), (&options, minimise), &limits, &Watch::NONE).unwrap()
         };
         let (short, fast) = (kept(Minimise::Length), kept(Minimise::Time));
         assert_eq!((short.tried, short.duration_of_first), (1, Some(short.trajectory.duration())));
