@@ -10,13 +10,17 @@ SITE := target/site
 CARGO_INCREMENTAL ?= 0
 export CARGO_INCREMENTAL
 
-.PHONY: test lint rust-test long-test portable-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
+.PHONY: test checked lint rust-test long-test portable-test mutation-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
 	package-test reference docs workflows packages deny demo figures bench viewer page browser clean
 
-test: lint rust-test python-test docs workflows
+test: checked rust-test python-test docs workflows
+
+# The Python packages arrive while the code is checked.
+checked:
+	@$(MAKE) --no-print-directory --jobs 2 lint $(VENV)/ready
 
 # Tests that take too long for everyday use, after `make test`: Python tests marked "long" are part of wheel-test.
-long-test: portable-test release-test wheel-test wasm-check
+long-test: portable-test mutation-test release-test wheel-test wasm-check
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -43,6 +47,10 @@ rust-test:
 # as many cases as in `make test`.
 portable-test:
 	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --locked --test oracles
+
+# Damaged files for every reader, three times as many as in `make test`.
+mutation-test:
+	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
 
 # The same on the code that users run, release without debug assertions; with damaged certificates, and large meshes.
 release-test:

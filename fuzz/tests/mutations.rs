@@ -12,11 +12,11 @@ use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 #[global_allocator]
 static ALLOCATOR: Memory = Memory::new(std::alloc::System, MEMORY);
 
-/// Cases per reader: some seconds.
-const CASES: u32 = 1500;
+/// Cases per reader: some seconds for all of them.
+const CASES: u32 = 500;
 
 /// Cases for readers whose results take long to use: meshes are decomposed, plots drawn.
-const FEW_CASES: u32 = 300;
+const FEW_CASES: u32 = 100;
 const SLOW: [&str; 5] = ["mesh_stl", "mesh_obj", "parts_json", "summary_json", "trials_csv"];
 
 /// Unusual numbers.

@@ -146,7 +146,7 @@ def test_the_architecture_names_every_module(crate: str) -> None:
 def test_the_architecture_lists_the_modules_of_the_core_in_an_order_in_which_each_uses_only_earlier_ones() -> None:
     crate = Crate(sources("cdpr-core"))
     modules = {module[0] for module in crate.modules if module}
-    listed = [names.split(", ") for names in re.findall(r"^  (?! )(\w+(?:, \w+)*)", MAP, re.MULTILINE)]
+    listed = [names.split(", ") for names in re.findall(r"^  (?! )(\w+(?:, \w+)*)", part_of_map("cdpr-core"), re.MULTILINE)]
     order = [name for names in listed for name in names if name in modules]
     assert sorted(order) == sorted(modules)
     place = {name: place for place, name in enumerate(order)}

@@ -176,9 +176,10 @@ fn pairs(scene: &Scene) -> Option<Vec<Pair>> {
 #[test]
 fn every_pair_is_held_to_its_own_demand() {
     let mut rng = rng(21);
-    let many = effort() as usize;
+    // Unoptimised code takes long; `make long-test` judges all of them.
+    let many = effort() as usize * if cfg!(debug_assertions) { 1 } else { 3 };
     let (mut scenes, mut refused, mut explained, mut measured, mut near_misses) = (0, 0, 0, 0, 0);
-    while scenes < 84 * many {
+    while scenes < 28 * many {
         let diameter = [0.0, 0.01, 0.05][scenes % 3];
         let kind = Kind { clearance: 0.02, diameter, special: scenes % 2 == 0, mixed: true };
         let scene = scene(&mut rng, kind);
@@ -218,7 +219,7 @@ fn every_pair_is_held_to_its_own_demand() {
         }
     }
     eprintln!("{refused} refused, {explained} explained, {measured} measured, {near_misses} too near but apart");
-    assert!(refused > 333 * many && explained > 33 * many && measured > 100 * many && near_misses > 66 * many);
+    assert!(refused > 111 * many && explained > 11 * many && measured > 33 * many && near_misses > 22 * many);
 }
 
 #[test]

@@ -54,9 +54,10 @@ fn needed(sample: &Sample) -> Vec<usize> {
     (0..sample.certificate.edges.len()).filter(|k| without(k).is_err()).collect()
 }
 
-/// Damages of each sample; all kinds in turn. `CDPR_VERIFY=n` makes n times as many.
+/// Damages of each sample; all kinds in turn. `CDPR_VERIFY=n` makes n times as many; optimised code judges three times as many.
 fn rounds() -> usize {
-    66 * std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse::<usize>().expect("CDPR_VERIFY is a number"))
+    let few = if cfg!(debug_assertions) { 22 } else { 66 };
+    few * std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse::<usize>().expect("CDPR_VERIFY is a number"))
 }
 
 /// Each damage leaves no true proof, by construction: lengths beyond a known path, edges that have to be listed but are not
@@ -139,7 +140,7 @@ fn what_is_accepted_with_changed_labels_is_true() {
     let mut random = Random(2);
     let mut refused = 0;
     for sample in samples() {
-        for _ in 0..100 {
+        for _ in 0..rounds() {
             let mut changed = sample.certificate.clone();
             changed.length += 1e-3 * random.below(60) as f64;
             let edges = changed.edges.len();
@@ -154,7 +155,7 @@ fn what_is_accepted_with_changed_labels_is_true() {
             }
         }
     }
-    assert!(refused > 100, "{refused}");
+    assert!(refused > rounds(), "{refused}");
 }
 
 #[test]
