@@ -1,6 +1,8 @@
 //! Proofs that there is no path, against planners and known answers.
 
 use cdpr_certify::{Summary, check_certificate};
+use std::collections::BTreeSet;
+
 use cdpr_core::Error;
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
@@ -84,6 +86,26 @@ fn boxes_tile_the_positions_and_closed_ones_are_inside_their_regions() {
         found.boxes.iter().filter(|b| b.content == Content::Open && b.positions.touches(&at)).count()
     };
     assert!(holds(&found.start) > 0 && holds(&found.goal) > 0);
+}
+
+#[test]
+fn the_wall_is_made_of_the_closed_boxes_that_touch_those_around_the_start() {
+    let found = proof(walled(0.94));
+    let touch = |a: usize, b: usize| found.boxes[a].positions.touches(&found.boxes[b].positions);
+    let (open, closed): (Vec<usize>, Vec<usize>) =
+        (0..found.boxes.len()).partition(|&k| found.boxes[k].content == Content::Open);
+    let at_start = Cuboid::new(found.start, found.start);
+    let mut waiting: Vec<usize> =
+        open.iter().copied().filter(|&k| found.boxes[k].positions.touches(&at_start)).collect();
+    let mut around = BTreeSet::new();
+    while let Some(a) = waiting.pop() {
+        if around.insert(a) {
+            waiting.extend(open.iter().copied().filter(|&b| touch(a, b)));
+        }
+    }
+    let wall: Vec<usize> = closed.into_iter().filter(|&b| around.iter().any(|&a| touch(a, b))).collect();
+    assert!(around.len() > 20 && wall.len() > 10, "{} {}", around.len(), wall.len());
+    assert_eq!((Vec::from_iter(around), wall), (found.around_start, found.wall));
 }
 
 #[test]
