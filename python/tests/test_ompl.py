@@ -78,10 +78,10 @@ def test_conditions_of_ompl_and_of_python_end_a_search(hard1):
     setup = cdpr.ompl.simple_setup(hard1)
     setup.setPlanner(geometric.RRTstar(setup.getSpaceInformation()))
     asked = []
-    enough = base.PlannerTerminationCondition(lambda: bool(asked.append(1)) or len(asked) > 2000)
+    enough = base.PlannerTerminationCondition(lambda: bool(asked.append(1)) or len(asked) > 10_000)
     exact = base.exactSolnPlannerTerminationCondition(setup.getProblemDefinition())
     assert setup.solve(base.plannerOrTerminationCondition(enough, exact))
-    assert 0 < len(asked) <= 2001 and cdpr.check(hard1, cdpr.ompl.path(setup)).valid
+    assert 0 < len(asked) <= 10_001 and cdpr.check(hard1, cdpr.ompl.path(setup)).valid
 
 
 def test_simplifying_asks_our_validator_too(hard3):

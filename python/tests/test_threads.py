@@ -55,11 +55,17 @@ def plenty(scene):
 @pytest.mark.parametrize("name", list(plenty(None)))
 def test_a_ticking_thread_goes_on(hard1, name):
     call = plenty(hard1)[name]
-    n, took = 500, 0.0
-    while took < LONG and n < 400_000:  # enough work for a result on any machine
+    n, seen = 500, []
+    while n < 400_000:  # enough work for a result on any machine
         n *= 2
         _, took, pause = longest_pause(lambda n=n: call(n))
-    assert took >= LONG and pause < SILENT * took, (n, took, pause)
+        if took >= LONG:
+            seen.append((n, took, pause))
+            if pause < SILENT * took:
+                return
+            if len(seen) == 3:  # a machine that stands still for a moment does not do so three times
+                break
+    pytest.fail(f"the thread fell silent: {seen}")
 
 
 def test_threads_plan_at_once_and_find_what_one_finds(hard1):
