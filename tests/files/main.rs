@@ -8,5 +8,6 @@ mod hostile_files;
 mod import;
 mod mesh;
 mod mesh_bodies;
+mod mesh_coverage;
 mod mesh_parts;
 mod wrench_map;

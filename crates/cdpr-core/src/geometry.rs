@@ -3,6 +3,7 @@
 mod cell;
 pub(crate) mod clip;
 pub(crate) mod convex_parts;
+mod coverage;
 mod cuboid;
 pub mod features;
 pub mod gjk;

@@ -295,15 +295,32 @@ pub const MOST_XML_NODES: u32 = 100_000;
 /// by coordinates round them to single precision (6e-8).
 pub const WELD_RELATIVE: f64 = 3e-7;
 
+/// Number of comparisons of corners with open edges after which joining them is given up: some tenths of a second.
+pub const MOST_MENDING_STEPS: usize = 50_000_000;
+
+/// Relative rounding error of a ray's distance from an edge, with a large reserve: a ray that passes closer to it, as
+/// seen from its origin, is replaced by another one.
+pub const RAY_ROUNDING: f64 = 1e-13;
+
 /// Thickness added on each side of a surface without an interior, m: engines avoid bodies with volume, and
 /// parts of such a surface overlap by this along their seams.
 pub const SHEET: f64 = 1e-4;
+
+/// Height over a plane up to which a surface without an interior counts as flat, m: far less than [`SHEET`].
+pub const FLAT_SHEET: f64 = 0.01 * SHEET;
+
+/// Distance from the corner of a cell at which the body next to it is looked for, as a share of the piece's extent: well
+/// above rounding, well below details.
+pub const CORNER_PROBE: f64 = 1e-5;
 
 /// Relative difference up to which two volumes or areas count as equal: rounding errors of meshes.
 pub const EXACT_VOLUME: f64 = 1e-6;
 
 /// Minimum share of the surface in a cell for a plane to be cut along; smaller faces belong to something round.
 pub const FACE_SHARE: f64 = 0.02;
+
+/// Number of planes up to which a piece is a body with flat faces: all of them may be cut along, however small.
+pub const FEW_PLANES: usize = 200;
 
 /// Maximum number of corners of a convex mesh that is used as it is; the fast engine adds them to the platform's.
 pub const MOST_CONVEX_CORNERS: usize = MOST_CORNERS;

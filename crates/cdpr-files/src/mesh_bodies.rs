@@ -253,7 +253,7 @@ struct Kept {
 
 /// Identifies a decomposition: the mesh, the settings, and the version of the method.
 fn key(bytes: &[u8], (scale, tolerance): (f64, Option<f64>)) -> String {
-    const METHOD: &str = "convex parts 6";
+    const METHOD: &str = "convex parts 7";
     let asked = format!("{METHOD} {scale} {tolerance:?} {}", env!("CARGO_PKG_VERSION"));
     hex(&[asked.as_bytes(), bytes])
 }

@@ -1,15 +1,20 @@
 //! The content of one cell of a mesh decomposition: polygons over points, and the cutting planes.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use nalgebra::{Matrix3, SymmetricEigen};
 
+use super::hull::flat_ring;
 use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
+use crate::numerics::{FLAT_SHEET, ON_SURFACE};
 use crate::watch::Watch;
 
 /// Polygons between two checks of the watch.
 const LOOK: usize = 1 << 12;
+
+/// Maximum number of pairs of edges that are compared to find out whether a flat surface is convex.
+const MOST_RIM_STEPS: usize = 100_000_000;
 
 /// An intersection of half-spaces, and the flat convex polygons of the surface in it.
 pub(super) struct Cell {
@@ -189,6 +194,41 @@ impl<'a> Half<'a> {
         }
         self.end(plane);
     }
+}
+
+/// How far the surface in a cell is from flat, m, if it is flat up to [`FLAT_SHEET`] and fills the convex hull of its points;
+/// `None` otherwise.
+///
+/// Seen along the normal, all polygons turn the same way, so where edges of neighbours do not cancel, they bound the
+/// region that is covered. If all that are left lie on the rim of the hull, every point within is covered equally often.
+pub(super) fn flat_excess(cell: &Cell) -> Option<f64> {
+    let largest = cell.polygons().map(|(_, ring)| cell.doubled_area(ring));
+    let normal = largest.max_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared()))?.try_normalize(0.0)?;
+    let plane = HalfSpace::through(&cell.points[0], normal);
+    let excess = cell.points.iter().map(|p| plane.height(p).abs()).fold(0.0, f64::max);
+    if excess > FLAT_SHEET {
+        return None;
+    }
+    let mut left: HashSet<[u32; 2]> = HashSet::new();
+    for (_, ring) in cell.polygons() {
+        let turned = cell.doubled_area(ring).dot(&normal) < 0.0;
+        for (k, i) in ring.iter().enumerate() {
+            let j = ring[(k + 1) % ring.len()];
+            let [from, to] = if turned { [j, *i] } else { [*i, j] };
+            if !left.remove(&[to, from]) && !left.insert([from, to]) {
+                return None; // polygons lie on each other
+            }
+        }
+    }
+    let rim = flat_ring(&cell.points)?;
+    let sides = rim.iter().zip(rim.iter().cycle().skip(1));
+    let sides: Vec<HalfSpace> =
+        sides.filter_map(|(p, q)| Some(HalfSpace::through(p, (q - p).cross(&normal).try_normalize(0.0)?))).collect();
+    let on_rim = |[i, j]: &[u32; 2]| {
+        let ends = [i, j].map(|i| cell.points[*i as usize]);
+        sides.iter().any(|side| ends.iter().all(|p| side.height(p).abs() <= ON_SURFACE))
+    };
+    (left.len() * sides.len() <= MOST_RIM_STEPS && left.iter().all(on_rim)).then_some(excess)
 }
 
 /// Mean of a cell's surface, and its principal axes, longest first.

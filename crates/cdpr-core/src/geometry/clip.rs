@@ -54,6 +54,7 @@ pub fn wedge_mesh(apex: &Point, [a, b]: [Vector; 2], within: &Aabb) -> Option<Tr
 }
 
 /// A convex body that is being cut; removed corners stay in the list.
+#[derive(Clone)]
 pub(super) struct Polyhedron {
     pub vertices: Vec<Point>,
     /// Corners in counter-clockwise order seen from outside.
@@ -69,6 +70,24 @@ impl Polyhedron {
             |k: usize| Point::from(std::array::from_fn(|axis| if k >> axis & 1 == 1 { max } else { min }[axis]));
         let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         Some(Polyhedron { vertices: (0..8).map(corner).collect(), faces: faces.map(Vec::from).to_vec() })
+    }
+
+    /// The corners that are left.
+    pub fn corners(&self) -> impl Iterator<Item = Point> + '_ {
+        let mut left: Vec<usize> = self.faces.iter().flatten().copied().collect();
+        left.sort_unstable();
+        left.dedup();
+        left.into_iter().map(|k| self.vertices[k])
+    }
+
+    /// The mean of the corners that are left, an interior point.
+    pub fn middle(&self) -> Point {
+        let (mut sum, mut count) = (Vector::zeros(), 0.0);
+        self.corners().for_each(|v| {
+            sum += v.coords;
+            count += 1.0;
+        });
+        Point::from(sum / count)
     }
 
     /// Cuts off everything outside a half-space; `None` if nothing is left. Corners up to [`TOUCH_DEPTH`] outside may
@@ -158,7 +177,7 @@ fn crossing((inner, below): (Point, f64), (outer, above): (Point, f64)) -> Point
     inner + (outer - inner) * share
 }
 
-fn box_sides(Aabb { min, max }: &Aabb) -> [HalfSpace; 6] {
+pub(super) fn box_sides(Aabb { min, max }: &Aabb) -> [HalfSpace; 6] {
     let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
     [(max, x), (max, y), (max, z), (min, -x), (min, -y), (min, -z)].map(|(corner, n)| HalfSpace::through(corner, n))
 }

@@ -2,39 +2,50 @@
 //!
 //! If the hull of a piece extends too far beyond it, the piece is cut by a plane, and so are the halves. A part
 //! encloses the content of one cell of the cuts: all of the surface in it, and the corners of the cell that are inside
-//! the body. Every extreme point of the intersection of body and cell is one of these, so the parts cover the body
-//! wherever the cuts are; the cuts only determine how far the parts extend beyond it. A cut goes where the hull extends
-//! farthest: along the largest face on that side, or else where it makes the halves smallest. Neighbours that one body
-//! encloses within the tolerance are merged at the end.
+//! the body or end it. Every extreme point of the intersection of body and cell is one of these, so the parts cover the
+//! body wherever the cuts are; the cuts only determine how far the parts extend beyond it. A cut goes where the hull
+//! extends farthest: along the largest face on that side, or else where it makes the halves smallest. Neighbours that one
+//! body encloses within the tolerance are merged at the end. That the parts cover the piece is then proved ([`coverage`]),
+//! and parts for which the proof fails are enlarged.
+//!
+//! [`coverage`]: super::coverage
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::cell::{Cell, mean_and_axes};
+use super::cell::{Cell, flat_excess, mean_and_axes};
+use super::coverage::{missing, polyhedron};
 use super::inner_hull::InnerHull;
 use super::merge::merged;
 use super::part::{Part, Task};
-use super::reach::{Reach, Until, reach};
+use super::reach::{Bounded, Reach, Until};
 use super::surface::Piece;
-use super::wrap::{Wrap, is_sound, thickened};
-use super::{Aabb, HalfSpace, Point, Polytope, Vector, convex_mesh};
+use super::wrap::{Wrap, box_around, is_sound, thickened};
+use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
 use crate::numerics::{
-    CELLS_PER_PART, CLOSE, EXACT_VOLUME, FACE_SHARE, MEASURE_STEPS, MEASURE_STEPS_IN_ALL, MOST_CONVEX_CORNERS,
-    MOST_REACH_STEPS, MUCH_SMALLER, ON_SURFACE, POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE, REACH_STEPS_PER_PART, SHEET,
+    CELLS_PER_PART, CLOSE, CORNER_PROBE, FACE_SHARE, FEW_PLANES, GAP_TOLERANCE, MEASURE_STEPS, MEASURE_STEPS_IN_ALL,
+    MOST_CONVEX_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER, ON_SURFACE, POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE,
+    REACH_STEPS_PER_PART, SHEET,
 };
 use crate::watch::Watch;
 
 /// Minimum number of boxes that a proof of reach may examine, however few are left for all parts together.
 const LEAST_STEPS: usize = 200;
 
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
+
 /// Shares of the tolerance up to which neighbours are merged, one after another, while there are too many parts.
 const MERGE_SHARES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
 /// Number of corners up to which hulls are grown to compare cuts by volume.
 const ROUGH_CORNERS: usize = 40;
+
+/// Maximum number of times that a part is enlarged before it becomes a box around the piece.
+const MOST_ENLARGED: usize = 4;
 
 /// Convex parts of a piece.
 #[derive(Debug, Clone)]
@@ -43,56 +54,84 @@ pub struct ConvexParts {
     pub bodies: Vec<Polytope>,
     /// Upper bound of the distance of any point of a part from the piece, m.
     pub reach: f64,
+    /// Number of parts that were enlarged because the proof that they cover the piece failed.
+    pub enlarged: usize,
 }
 
 /// Parts of a piece that extend at most `tolerance` metres beyond it (but at least four times [`SHEET`]), unless that
 /// takes more than `most` parts or more proof steps than [`REACH_STEPS_PER_PART`] allows. The reach in the result
-/// is valid in any case, except for a closed surface that intersects itself.
+/// is valid in any case. Walls of the piece that no part covers become parts of their own, in addition.
 ///
 /// # Errors
 /// The errors of the watch.
 pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
-    if let Some(body) = convex(piece, watch)? {
-        return Ok(ConvexParts { bodies: vec![body], reach: 0.0 });
+    let mut parts = match convex(piece, watch)? {
+        Some(body) => ConvexParts { bodies: vec![body], reach: 0.0, enlarged: 0 },
+        None => Cutter::new(piece, tolerance.max(4.0 * SHEET), watch)?.parts(most)?,
+    };
+    for wall in &piece.walls {
+        if !parts.bodies.iter().any(|body| wall.iter().all(|p| covers(body, p))) {
+            let task = Task { piece, tolerance: 4.0 * SHEET, watch };
+            parts.bodies.push(task.enclosing(thickened(wall))?.polytope().0);
+            parts.reach = parts.reach.max(SHEET_REACH);
+        }
     }
-    let cutter = Cutter::new(piece, tolerance.max(4.0 * SHEET), watch)?;
-    let parts = cutter.few(most)?;
-    let steps = (MEASURE_STEPS_IN_ALL / parts.len().max(1)).max(MEASURE_STEPS);
-    let bodies: Vec<(Polytope, f64)> =
-        parts.into_par_iter().map(|part| cutter.finished(part, steps)).collect::<Result<_, _>>()?;
-    let reach = bodies.iter().map(|(_, reach)| *reach).fold(0.0, f64::max);
-    Ok(ConvexParts { bodies: bodies.into_iter().map(|(body, _)| body).collect(), reach })
+    Ok(parts)
 }
 
-/// The hull of a piece that is already convex and has few corners.
+/// How far a thickened sheet extends: to the corners of a cube with an inner radius of [`SHEET`].
+const SHEET_REACH: f64 = SQRT_3 * SHEET;
+
+fn covers(body: &Polytope, p: &Point) -> bool {
+    body.depth_of(p) >= -0.5 * GAP_TOLERANCE
+}
+
+/// The hull of a piece that is already convex and has few corners: all triangles lie on the hull's surface, and the body
+/// is inside.
 fn convex(piece: &Piece, watch: &Watch) -> Result<Option<Polytope>, Error> {
-    let Some(volume) = piece.volume else { return Ok(None) };
-    let points: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
-    let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
-    let left = inner.grow(0.5 * ON_SURFACE, MOST_CONVEX_CORNERS, watch)?;
-    if left > 0.5 * ON_SURFACE || (inner.volume() - volume).abs() > EXACT_VOLUME * volume {
+    if piece.volume.is_none() {
         return Ok(None);
     }
-    watch.check()?;
-    Ok(Polytope::hull_of(&inner.corners()).ok().filter(|body| is_sound(body, &inner.candidates())))
+    let points: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
+    let Some(mut inner) = InnerHull::new(&points) else { return Ok(None) };
+    if inner.grow(0.5 * ON_SURFACE, MOST_CONVEX_CORNERS, watch)? > 0.5 * ON_SURFACE {
+        return Ok(None);
+    }
+    let Ok(body) = Polytope::hull_of(&inner.corners()) else { return Ok(None) };
+    if !is_sound(&body, &inner.candidates()) || !piece.distance.encloses(&body.centroid()) {
+        return Ok(None);
+    }
+    for (k, triangle) in piece.triangles.iter().enumerate() {
+        if k % 64 == 0 {
+            watch.check()?;
+        }
+        // Depth is a concave function: a triangle is nowhere more than three times as deep as at its middle.
+        let middle = Point::from(triangle.iter().map(|p| p.coords).sum::<Vector>() / 3.0);
+        if body.depth_of(&middle) > ON_SURFACE || !triangle.iter().all(|p| covers(&body, p)) {
+            return Ok(None);
+        }
+    }
+    Ok(Some(body))
 }
 
 /// Result of examining a cell.
 struct Judged {
-    cell: Cell,
+    cell: Arc<Cell>,
     part: Part,
     reach: Reach,
 }
 
 /// A cell to be examined, and its parent.
-type Open = (Cell, Option<usize>);
+type Open = (Arc<Cell>, Option<usize>);
 
 /// An examined cell. Those that are not cut cover the body.
 struct Node {
     part: Part,
+    /// The cell, unless it was cut.
+    cell: Option<Arc<Cell>>,
     /// The parent cell.
     parent: Option<usize>,
-    /// Halves that are not empty and not discarded.
+    /// Halves that were examined.
     halves: usize,
     /// Whether this cell's part is among those that cover the body.
     stands: bool,
@@ -135,12 +174,28 @@ fn undo(nodes: &mut [Node], most: usize) {
     }
 }
 
+/// The parts that stand, each with the cells that it covers.
+fn standing(nodes: &[Node]) -> Vec<Part> {
+    let mut covered: Vec<Vec<Arc<Cell>>> = vec![Vec::new(); nodes.len()];
+    for (k, node) in nodes.iter().enumerate() {
+        if let Some(cell) = &node.cell {
+            let above = std::iter::successors(Some(k), |k| nodes[*k].parent);
+            let stands = above.into_iter().find(|k| nodes[*k].stands).expect("a part covers every cell");
+            covered[stands].push(cell.clone());
+        }
+    }
+    let parts = nodes.iter().zip(covered).filter(|(node, _)| node.stands);
+    parts.map(|(node, cells)| Part { cells, ..node.part.clone() }).collect()
+}
+
 struct Cutter<'a> {
     task: Task<'a>,
     aabb: Aabb,
     /// Planes of the triangles, without duplicates.
     planes: Vec<HalfSpace>,
     plane_of: Vec<u32>,
+    /// Largest side of the box around the piece, m.
+    extent: f64,
     /// Height up to which a point counts as on a plane, m.
     on_plane: f64,
 }
@@ -171,20 +226,32 @@ impl<'a> Cutter<'a> {
                 planes.len() as u32 - 1
             }));
         }
-        Ok(Cutter { task: Task { piece, tolerance, watch }, aabb, planes, plane_of, on_plane: 1e-9 * extent })
+        Ok(Cutter { task: Task { piece, tolerance, watch }, aabb, planes, plane_of, extent, on_plane: 1e-9 * extent })
+    }
+
+    /// At most `most` parts, proved to cover the piece.
+    fn parts(&self, most: usize) -> Result<ConvexParts, Error> {
+        let parts = self.few(most)?;
+        let steps = (MEASURE_STEPS_IN_ALL / parts.len().max(1)).max(MEASURE_STEPS);
+        let found: Vec<(Polytope, f64, bool)> =
+            parts.into_par_iter().map(|part| self.finished(part, steps)).collect::<Result<_, _>>()?;
+        Ok(ConvexParts {
+            reach: found.iter().map(|(_, reach, _)| *reach).fold(0.0, f64::max),
+            enlarged: found.iter().filter(|(.., enlarged)| *enlarged).count(),
+            bodies: found.into_iter().map(|(body, ..)| body).collect(),
+        })
     }
 
     /// At most `most` parts. If that many can be close enough, they are used; otherwise more cells, which reach as far
     /// as allowed, are merged. If merging leaves too many, the cuts that gain least are undone.
     fn few(&self, most: usize) -> Result<Vec<Part>, Error> {
         let close = CLOSE * self.task.tolerance;
-        let standing = |nodes: &[Node]| nodes.iter().filter(|node| node.stands).map(|node| node.part.clone()).collect();
-        let parts: Vec<Part> = standing(&self.cut_up(close, (most, most), true)?);
+        let parts = standing(&self.cut_up(close, (most, most), true)?);
         if parts.iter().all(|part| part.reach.is_some()) {
             return merged(&self.task, parts, close);
         }
         let mut nodes = self.cut_up(self.task.tolerance, (most.saturating_mul(CELLS_PER_PART), most), false)?;
-        let parts: Vec<Part> = standing(&nodes);
+        let parts = standing(&nodes);
         if parts.len() <= most {
             return merged(&self.task, parts, close);
         }
@@ -205,7 +272,8 @@ impl<'a> Cutter<'a> {
     /// which threads finish. If not all can be cut, those that extend farthest are, or none if only the complete set is
     /// useful. A piece that one part encloses within the tolerance is not cut.
     fn cut_up(&self, within: f64, (cells, most): (usize, usize), all: bool) -> Result<Vec<Node>, Error> {
-        let mut open = vec![(Cell::whole(&self.task.piece.triangles, &self.plane_of, self.task.watch)?, None)];
+        let whole = Cell::whole(&self.task.piece.triangles, &self.plane_of, self.task.watch)?;
+        let mut open: Vec<Open> = vec![(Arc::new(whole), None)];
         let mut nodes: Vec<Node> = Vec::new();
         let mut standing = 0;
         let mut steps = most.saturating_mul(REACH_STEPS_PER_PART);
@@ -215,12 +283,11 @@ impl<'a> Cutter<'a> {
             let share = (steps / open.len()).clamp(LEAST_STEPS, MOST_REACH_STEPS);
             let judge = |(cell, parent): Open| {
                 let within = if parent.is_some() { within } else { self.task.tolerance };
-                Ok(self.judged(cell, within, share)?.map(|judged| (judged, parent)))
+                Ok((self.judged(cell, within, share)?, parent))
             };
-            let judged: Vec<Option<(Judged, Option<usize>)>> =
-                open.into_par_iter().map(judge).collect::<Result<_, Error>>()?;
+            let judged: Vec<(Judged, Option<usize>)> = open.into_par_iter().map(judge).collect::<Result<_, Error>>()?;
             let mut far = Vec::new();
-            for (Judged { cell, part, reach }, parent) in judged.into_iter().flatten() {
+            for (Judged { cell, part, reach }, parent) in judged {
                 steps = steps.saturating_sub(reach.steps);
                 standing += 1;
                 if let Some(parent) = parent {
@@ -229,42 +296,56 @@ impl<'a> Cutter<'a> {
                     standing -= usize::from(std::mem::take(&mut whole.stands));
                 }
                 if part.reach.is_none() {
-                    far.push((cell, reach, nodes.len()));
+                    far.push((cell.clone(), reach, nodes.len()));
                 }
-                nodes.push(Node { part, parent, halves: 0, stands: true });
+                nodes.push(Node { part, cell: Some(cell), parent, halves: 0, stands: true });
             }
             let worst = |reach: &Reach| reach.worst.map_or(0.0, |(worst, _)| worst);
             far.sort_by(|a, b| worst(&b.1).total_cmp(&worst(&a.1)));
             let room = cells.saturating_sub(standing);
             let enough = steps > 0 && polygons > 0 && (far.len() <= room || !all);
             far.truncate(if enough { room } else { 0 });
-            let cut = |(cell, reach, node): (Cell, Reach, usize)| {
-                Ok(self.cut(&cell, &reach)?.map(|halves| halves.map(|half| (half, Some(node)))))
+            let cut = |(cell, reach, node): (Arc<Cell>, Reach, usize)| {
+                Ok(self.cut(&cell, &reach)?.map(|halves| halves.map(|half| (Arc::new(half), Some(node)))))
             };
             let halves: Vec<Option<[Open; 2]>> = far.into_par_iter().map(cut).collect::<Result<_, Error>>()?;
             open = halves.into_iter().flatten().flatten().collect();
+            open.iter().filter_map(|(_, node)| *node).for_each(|node| nodes[node].cell = None);
         }
         Ok(nodes)
     }
 
-    /// The part of a cell, and whether it is good enough; `None` if the cell is empty.
-    fn judged(&self, cell: Cell, within: f64, steps: usize) -> Result<Option<Judged>, Error> {
+    /// The part of a cell, and whether it is good enough.
+    fn judged(&self, cell: Arc<Cell>, within: f64, steps: usize) -> Result<Judged, Error> {
         let mut points = cell.points.clone();
         if self.task.piece.volume.is_some() && !cell.sides.is_empty() {
-            let corners = convex_mesh(&cell.sides, &self.aabb).map(|mesh| mesh.vertices).unwrap_or_default();
-            points.extend(corners.into_iter().filter(|v| self.task.piece.distance.at(v).0 < -self.on_plane));
-        }
-        if points.is_empty() {
-            return Ok(None);
+            points.extend(self.corners_of_body(&cell));
         }
         let wrap = self.wrapped(points)?;
-        if self.task.piece.volume.is_some() && self.fills(&cell, &wrap) {
-            let reach = Reach { bound: 0.0, worst: None, steps: 0 };
-            return Ok(Some(Judged { cell, part: Part { wrap, reach: Some(0.0) }, reach }));
-        }
-        let reach = self.task.proved(&wrap, within, steps)?;
+        let known = match self.task.piece.volume {
+            Some(_) => self.fills(&cell, &wrap).then_some(0.0),
+            None => flat_excess(&cell).filter(|_| wrap.exact).map(|excess| SHEET_REACH + excess),
+        };
+        let reach = match known {
+            Some(bound) => Reach { bound, worst: None, steps: 0 },
+            None => self.task.proved(&wrap, within, steps)?,
+        };
         let within = (reach.bound <= within).then_some(reach.bound);
-        Ok(Some(Judged { cell, part: Part { wrap, reach: within }, reach }))
+        Ok(Judged { cell, part: Part { wrap, reach: within, cells: Vec::new() }, reach })
+    }
+
+    /// The corners of a cell that end the part of the body in it. A corner on the surface does so if the body is next to
+    /// it within the cell, whichever cell the surface there belongs to.
+    fn corners_of_body(&self, cell: &Cell) -> Vec<Point> {
+        let Some(whole) = polyhedron(cell, &self.aabb) else { return Vec::new() };
+        let (middle, surface) = (whole.middle(), &self.task.piece.distance);
+        let ends_body = |v: &Point| {
+            let inward = middle - v;
+            let step = (CORNER_PROBE * self.extent / inward.norm()).min(0.5);
+            let on_surface = surface.within(v, 4.0 * self.on_plane, &mut 0);
+            surface.encloses(&if on_surface { v + inward * step } else { *v })
+        };
+        whole.corners().filter(ends_body).collect()
     }
 
     /// A convex body with volume around points.
@@ -276,17 +357,32 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// The body of a part, and how far it extends beyond the piece.
-    fn finished(&self, part: Part, steps: usize) -> Result<(Polytope, f64), Error> {
-        let (body, proved) = part.wrap.polytope();
-        let proved = part.reach.filter(|_| proved);
+    /// The body of a part, how far it extends beyond the piece, and whether it was enlarged to cover the piece.
+    fn finished(&self, part: Part, steps: usize) -> Result<(Polytope, f64, bool), Error> {
+        let (mut body, proved) = part.wrap.polytope();
+        let mut proved = part.reach.filter(|_| proved);
+        let mut rounds = 0;
+        loop {
+            let missing = missing(self.task.piece, &part.cells, &body, (&self.aabb, self.on_plane), self.task.watch)?;
+            if missing.is_empty() {
+                break;
+            }
+            proved = None;
+            rounds += 1;
+            if rounds > MOST_ENLARGED {
+                body = box_around(&self.aabb);
+                break;
+            }
+            body = self.task.enclosing(body.vertices().iter().copied().chain(missing).collect())?.polytope().0;
+        }
         if proved == Some(0.0) {
-            return Ok((body, 0.0));
+            return Ok((body, 0.0, false));
         }
         // The proof ended as soon as the bound was low enough; most parts extend less.
         let until = Until { enough: 0.0, or_beyond: false, steps };
-        let found = reach(&self.task.piece.distance, &body.half_spaces(), body.aabb(), &until, self.task.watch)?;
-        Ok((body, proved.map_or(found.bound, |reach| reach.min(found.bound))))
+        let bounded = Bounded { planes: body.half_spaces(), aabb: *body.aabb(), frame: None };
+        let found = self.task.measured(bounded, body.vertices(), &until)?;
+        Ok((body, proved.map_or(found.bound, |reach| reach.min(found.bound)), rounds > 0))
     }
 
     /// Whether a part equals the body in its cell: the surface does not pass through the part's interior, and the
@@ -296,16 +392,14 @@ impl<'a> Cutter<'a> {
             ring.iter().all(|i| side.height(&cell.points[*i as usize]).abs() <= ON_SURFACE)
         };
         let outside = |ring: &[u32]| wrap.planes.iter().any(|side| on(side, ring));
-        wrap.exact
-            && self.task.piece.distance.at(&wrap.middle).0 < 0.0
-            && cell.polygons().all(|(_, ring)| outside(ring))
+        wrap.exact && self.task.piece.distance.encloses(&wrap.middle) && cell.polygons().all(|(_, ring)| outside(ring))
     }
 
     /// Both halves of a cell, cut where its part extends too far: along a large face on that side, or else where the
-    /// halves become smallest. `None` if no cut leaves something on both sides.
+    /// halves become smallest. `None` if no cut leaves surface or body on both sides.
     fn cut(&self, cell: &Cell, reach: &Reach) -> Result<Option<[Cell; 2]>, Error> {
-        let Some((_, void)) = reach.worst else { return Ok(None) };
-        let (distance, nearest) = self.task.piece.distance.at(&void);
+        let Some((_, void)) = reach.worst.filter(|_| cell.count() > 0) else { return Ok(None) };
+        let (distance, nearest) = self.task.piece.distance.from_surface(&void, f64::INFINITY, &mut 0);
         if let Some(plane) = self.face_toward(cell, &void, distance)
             && let Some(halves) = self.halves(cell, &plane)?
         {
@@ -337,7 +431,10 @@ impl<'a> Cutter<'a> {
     fn halves(&self, cell: &Cell, plane: &HalfSpace) -> Result<Option<[Cell; 2]>, Error> {
         let normals = self.task.piece.volume.is_some().then_some(&self.planes[..]);
         let halves = cell.halves(plane, normals, self.on_plane, self.task.watch)?;
-        Ok(halves.iter().all(|half| half.count() > 0).then_some(halves))
+        // A half without surface is all body or all void.
+        let full =
+            |half: &Cell| polyhedron(half, &self.aabb).is_some_and(|h| self.task.piece.distance.encloses(&h.middle()));
+        Ok(halves.iter().all(|half| half.count() > 0 || full(half)).then_some(halves))
     }
 
     /// Approximate volume of the hulls of both halves; `None` if one side is empty.
@@ -356,7 +453,8 @@ impl<'a> Cutter<'a> {
         Ok(Some(sum))
     }
 
-    /// The plane with the largest share of a cell's surface, among those that a point is well in front of.
+    /// The plane with the largest share of a cell's surface, among those that a point is well in front of; `None` if that is
+    /// no more than a facet of something round.
     fn face_toward(&self, cell: &Cell, place: &Point, distance: f64) -> Option<HalfSpace> {
         let mut areas: HashMap<u32, f64> = HashMap::new();
         let mut total = 0.0;
@@ -373,6 +471,7 @@ impl<'a> Cutter<'a> {
         };
         let candidates = areas.into_iter().filter_map(|(k, area)| Some((area, k, facing(&self.planes[k as usize])?)));
         let largest = candidates.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))?;
-        (largest.0 >= FACE_SHARE * total).then_some(largest.2)
+        let few = self.planes.len() <= FEW_PLANES;
+        (few || largest.0 >= FACE_SHARE * total).then_some(largest.2)
     }
 }

@@ -4,11 +4,12 @@ use std::cmp::Ordering;
 
 use rayon::prelude::*;
 
-use super::Point;
 use super::inner_hull::InnerHull;
 use super::part::{Part, Task};
+use super::wrap::Wrap;
+use super::{HalfSpace, Point};
 use crate::error::Error;
-use crate::numerics::{EXACT_VOLUME, MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
+use crate::numerics::{MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
 
 /// Maximum number of pairs examined, per initial part.
 const PAIRS_PER_PART: usize = 12;
@@ -136,16 +137,36 @@ fn joint(
     steps: usize,
 ) -> Result<(usize, Option<Part>), Error> {
     let wrap = task.enclosing(both([a, b]))?;
-    let apart = a.wrap.volume + b.wrap.volume;
-    let loss = wrap.volume - apart;
+    let cells = || a.cells.iter().chain(&b.cells).cloned().collect();
     let fill = a.reach == Some(0.0) && b.reach == Some(0.0);
-    if fill && wrap.exact && loss <= EXACT_VOLUME * apart {
-        return Ok((0, Some(Part { wrap, reach: Some(0.0) })));
+    if fill && wrap.exact && are_one([&a.wrap, &b.wrap]) {
+        return Ok((0, Some(Part { wrap, reach: Some(0.0), cells: cells() })));
     }
     if exactly {
         return Ok((0, None));
     }
     let found = task.proved(&wrap, within, steps)?;
-    let part = (found.bound <= within).then_some(Part { wrap, reach: Some(found.bound) });
+    let part = (found.bound <= within).then(|| Part { wrap, reach: Some(found.bound), cells: cells() });
     Ok((found.steps, part))
+}
+
+/// Whether the union of two convex bodies on different sides of a plane is convex: both have a face in that plane, and
+/// every other face of one has the other body behind it. (Let A' and B' be the bodies without the plane. Then A' ∩ B' is A
+/// on one side of the plane, since A lies in B', and B on the other.)
+fn are_one([a, b]: [&Wrap; 2]) -> bool {
+    let behind = |plane: &HalfSpace, points: &[Point]| points.iter().all(|p| plane.height(p) <= ON_SURFACE);
+    // The corners of one face lie in the plane of the other.
+    let within = |own: &HalfSpace, points: &[Point], other: &HalfSpace| {
+        points.iter().all(|p| own.height(p) < -ON_SURFACE || other.height(p).abs() <= ON_SURFACE)
+    };
+    let opposite = |p: &HalfSpace, q: &HalfSpace| {
+        p.normal.dot(&q.normal) < 0.0 && within(p, &a.points, q) && within(q, &b.points, p)
+    };
+    a.planes.iter().any(|p| {
+        b.planes.iter().any(|q| {
+            opposite(p, q)
+                && a.planes.iter().all(|side| side == p || behind(side, &b.points))
+                && b.planes.iter().all(|side| side == q || behind(side, &a.points))
+        })
+    })
 }

@@ -1,9 +1,12 @@
 //! A convex part that may still be merged, and its task: the piece to be covered, and how closely.
 
+use std::sync::Arc;
+
 use super::Point;
-use super::reach::{Reach, Until, reach};
+use super::cell::Cell;
+use super::reach::{Bounded, Reach, Until, reach};
 use super::surface::Piece;
-use super::wrap::{Wrap, thickened, wrap};
+use super::wrap::{Wrap, along_its_axes, thickened, wrap};
 use crate::error::Error;
 use crate::numerics::TIGHT_WRAP;
 use crate::watch::Watch;
@@ -15,6 +18,8 @@ pub(super) struct Part {
     /// How far it extends beyond the piece, if this is proved to be within the tolerance, m; zero if it equals the body
     /// there.
     pub reach: Option<f64>,
+    /// The cells in which it covers the piece.
+    pub cells: Vec<Arc<Cell>>,
 }
 
 /// The piece that parts must cover, how far they may extend beyond it, m, and how long that may take.
@@ -36,8 +41,13 @@ impl Task<'_> {
 
     /// How far a body extends beyond the piece, computed until it is clear whether that is too far.
     pub fn proved(&self, wrap: &Wrap, within: f64, steps: usize) -> Result<Reach, Error> {
-        let until = Until { enough: within, or_beyond: true, steps };
-        let (planes, aabb) = wrap.widened();
-        reach(&self.piece.distance, &planes, &aabb, &until, self.watch)
+        self.measured(wrap.widened(), wrap.corners(), &Until { enough: within, or_beyond: true, steps })
+    }
+
+    /// How far a body with these corners extends beyond the piece.
+    pub fn measured(&self, body: Bounded, corners: &[Point], until: &Until) -> Result<Reach, Error> {
+        // Boxes along the axes of the world would be many in a thin body that is tilted.
+        let body = if self.piece.volume.is_some() { body } else { along_its_axes(body, corners) };
+        reach(&self.piece.distance, &body, until, self.watch)
     }
 }

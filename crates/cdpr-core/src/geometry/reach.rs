@@ -8,6 +8,8 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use nalgebra::Rotation3;
+
 use super::solid::SignedDistance;
 use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
@@ -42,7 +44,8 @@ pub(super) struct Until {
     pub steps: usize,
 }
 
-/// A box, the distance of its centre from the surface, a bound on how far it extends, and the planes that cut it.
+/// A box, the distance of its centre from the surface (negative inside the body), a bound on how far it extends, and the
+/// planes that cut it.
 struct Cuboid {
     middle: Point,
     half: Vector,
@@ -109,17 +112,22 @@ impl Ord for Cuboid {
     }
 }
 
-/// How far the body behind planes and in a box extends beyond a surface.
+/// A convex body: the points behind planes and in a box.
+pub(super) struct Bounded {
+    pub planes: Vec<HalfSpace>,
+    pub aabb: Aabb,
+    /// From the axes of planes and box to those of the surface; `None` if they are the same. Boxes along a thin body
+    /// are few.
+    pub frame: Option<Rotation3<f64>>,
+}
+
+/// How far a convex body extends beyond a surface.
 ///
 /// # Errors
 /// The errors of the watch.
-pub(super) fn reach(
-    surface: &SignedDistance,
-    planes: &[HalfSpace],
-    aabb: &Aabb,
-    until: &Until,
-    watch: &Watch,
-) -> Result<Reach, Error> {
+pub(super) fn reach(surface: &SignedDistance, body: &Bounded, until: &Until, watch: &Watch) -> Result<Reach, Error> {
+    let Bounded { planes, aabb, frame } = body;
+    let placed = |p: &Point| frame.as_ref().map_or(*p, |frame| frame * p);
     let mut triangles = 0;
     // A box known to extend no farther than this is not examined again: the result is "low enough" or a larger bound.
     let settled = if until.or_beyond { until.enough } else { f64::NEG_INFINITY };
@@ -151,9 +159,17 @@ pub(super) fn reach(
                 (ball, least) = (Some(candidate), beyond);
             }
         }
-        let near = least <= settled || surface.within(&middle, settled - half.norm(), &mut triangles);
+        let near = least <= settled || surface.within(&placed(&middle), settled - half.norm(), &mut triangles);
         let hint = parent.map_or(f64::INFINITY, |(parent, way)| parent.distance.abs() + way);
-        let distance = if near { 0.0 } else { surface.counted(&middle, hint, &mut triangles).0 };
+        let mut distance = if near { 0.0 } else { surface.from_surface(&placed(&middle), hint, &mut triangles).0 };
+        // The surface does not pass between the centre of the parent and a centre closer to it than the surface.
+        let inside_body = match parent {
+            Some((parent, way)) if way < parent.distance.abs() => parent.distance < 0.0,
+            _ => !near && surface.encloses(&placed(&middle)),
+        };
+        if inside_body {
+            distance = -distance;
+        }
         let steps = 1 + std::mem::take(&mut triangles) / TRIANGLES_PER_STEP;
         if near {
             return Measured::Settled(steps);
@@ -187,7 +203,7 @@ pub(super) fn reach(
         let beyond = until.or_beyond && worst > UNDECIDED * until.enough;
         if low_enough || beyond || found.steps >= until.steps {
             found.bound = found.bound.max(top.bound);
-            found.worst = found.worst.or(Some((top.distance, top.middle)));
+            found.worst = found.worst.or(Some((top.distance, top.middle))).map(|(far, p)| (far, placed(&p)));
             return Ok(found);
         }
         let axis = top.half.imax();
@@ -205,5 +221,6 @@ pub(super) fn reach(
             add(&mut open, &mut found, new);
         }
     }
+    found.worst = found.worst.map(|(far, p)| (far, placed(&p)));
     Ok(found)
 }

@@ -5,9 +5,12 @@
 //! highest over. Every plane has all points behind it, so the body encloses them wherever the planes are. Its distance
 //! from the hull is largest at a corner, since the distance from a convex set is a convex function.
 
-use super::clip::Polyhedron;
+use nalgebra::{Matrix3, Rotation3};
+
+use super::clip::{Polyhedron, box_sides};
 use super::hull::flat_ring;
 use super::inner_hull::InnerHull;
+use super::reach::Bounded;
 use super::solid::nearest_on_triangle;
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
@@ -143,10 +146,8 @@ fn tightened(
             planes.push(plane);
         }
     }
-    let mut left: Vec<usize> = body.faces.iter().flatten().copied().collect();
-    left.sort_unstable();
-    left.dedup();
-    Ok((planes, left.into_iter().map(|k| body.vertices[k]).collect()))
+    let corners = body.corners().collect();
+    Ok((planes, corners))
 }
 
 fn distance(p: &Point, triangles: &[([Point; 3], Vector)]) -> f64 {
@@ -156,8 +157,27 @@ fn distance(p: &Point, triangles: &[([Point; 3], Vector)]) -> f64 {
     if nearest.is_finite() { nearest.sqrt() } else { 0.0 }
 }
 
+/// A body with these corners in the frame in which it is thinnest along the last axis.
+pub(super) fn along_its_axes(body: Bounded, corners: &[Point]) -> Bounded {
+    let frame = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&frame(corners)));
+    let turned = |plane: HalfSpace| HalfSpace { normal: frame.inverse() * plane.normal, ..plane };
+    let planes = body.planes.into_iter().chain(box_sides(&body.aabb)).map(turned).collect();
+    let corners: Vec<Point> = corners.iter().map(|v| frame.inverse() * v).collect();
+    Bounded { planes, aabb: widened(&Aabb::around(&corners)), frame: Some(frame) }
+}
+
+fn widened(aabb: &Aabb) -> Aabb {
+    let room = Vector::repeat(ROOM);
+    Aabb { min: aabb.min - room, max: aabb.max + room }
+}
+
 fn mean(points: &[Point]) -> Point {
     Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / points.len() as f64)
+}
+
+/// A box a little larger than the given one.
+pub(super) fn box_around(aabb: &Aabb) -> Polytope {
+    Polytope::hull_of(&box_corners(aabb)).expect("a box")
 }
 
 fn box_corners(Aabb { min, max }: &Aabb) -> Vec<Point> {
@@ -178,24 +198,26 @@ impl Wrap {
         }
     }
 
-    /// The planes with the allowance for rounding: what is proved of the set behind them holds for [`Wrap::polytope`],
-    /// if it reports so.
-    pub fn widened(&self) -> (Vec<HalfSpace>, Aabb) {
-        let room = Vector::repeat(ROOM);
-        let aabb = Aabb { min: self.aabb.min - room, max: self.aabb.max + room };
-        (self.planes.iter().map(|plane| plane.widened(ROOM)).collect(), aabb)
+    /// The body with an allowance for rounding: what is proved of it holds for [`Wrap::polytope`], if that reports so.
+    pub fn widened(&self) -> Bounded {
+        let planes = self.planes.iter().map(|plane| plane.widened(ROOM)).collect();
+        Bounded { planes, aabb: widened(&self.aabb), frame: None }
     }
 
     /// The body with its corners and faces, and whether it lies behind the widened planes. If rounding prevents the
     /// faces from closing, the result is a box.
     pub fn polytope(&self) -> (Polytope, bool) {
         let body = Polytope::hull_of(&self.corners).ok().filter(|body| is_sound(body, &self.points));
-        let boxed = || Polytope::hull_of(&box_corners(&self.aabb)).expect("a box");
-        let body = body.unwrap_or_else(boxed);
-        let (planes, aabb) = self.widened();
+        let body = body.unwrap_or_else(|| box_around(&self.aabb));
+        let Bounded { planes, aabb, .. } = self.widened();
         let in_box = |v: &Point| (0..3).all(|k| aabb.min[k] <= v[k] && v[k] <= aabb.max[k]);
         let behind = |v: &Point| in_box(v) && planes.iter().all(|plane| plane.height(v) <= 0.0);
         let within = body.vertices().iter().all(behind);
         (body, within)
+    }
+
+    /// The body's corners, the ends of [`Wrap::widened`] in any direction.
+    pub fn corners(&self) -> &[Point] {
+        &self.corners
     }
 }

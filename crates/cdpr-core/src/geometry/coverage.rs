@@ -1,0 +1,80 @@
+//! Proof that convex parts cover a piece, by other means than those that made the parts; and what is missing where the
+//! proof fails.
+//!
+//! The cells divide space, and each polygon of the surface belongs to one of them. A part covers the surface in a cell if
+//! it contains the corners of its polygons. It covers the body in the cell if the region of the cell above each of its
+//! facets is free of the body: that region is convex and contains no surface (which is below the facet), so the winding
+//! number of the surface is the same everywhere in it, and zero at one place means zero at all.
+
+use std::sync::Arc;
+
+use super::cell::Cell;
+use super::clip::Polyhedron;
+use super::surface::Piece;
+use super::{Aabb, HalfSpace, Point, Polytope};
+use crate::error::Error;
+use crate::numerics::GAP_TOLERANCE;
+use crate::watch::Watch;
+
+/// Allowance for rounding, m: what lies no farther above a facet counts as covered.
+const ROOM: f64 = 0.5 * GAP_TOLERANCE;
+
+/// The part of a box in a cell; `None` if it is thinner than rounding.
+pub(super) fn polyhedron(cell: &Cell, aabb: &Aabb) -> Option<Polyhedron> {
+    let mut body = Polyhedron::cuboid(aabb)?;
+    for side in &cell.sides {
+        body.cut(side)?;
+    }
+    Some(body)
+}
+
+/// Points that a convex body must also enclose in order to cover a piece within some cells; none if it covers it.
+/// `aabb` is the box around the piece; points on a cell's sides may be `on_plane` metres off.
+///
+/// # Errors
+/// The errors of the watch.
+pub(super) fn missing(
+    piece: &Piece,
+    cells: &[Arc<Cell>],
+    body: &Polytope,
+    (aabb, on_plane): (&Aabb, f64),
+    watch: &Watch,
+) -> Result<Vec<Point>, Error> {
+    let planes = body.half_spaces();
+    let mut missing = Vec::new();
+    for cell in cells {
+        watch.check()?;
+        let outside = |p: &&Point| planes.iter().any(|plane| plane.height(p) > ROOM + on_plane);
+        missing.extend(cell.points.iter().filter(outside));
+        if piece.volume.is_some()
+            && let Some(whole) = polyhedron(cell, aabb)
+        {
+            for plane in &planes {
+                if let Some(beyond) = body_above(piece, &whole, plane, on_plane) {
+                    missing.extend(beyond);
+                }
+            }
+        }
+    }
+    Ok(missing)
+}
+
+/// Corners of the region of a cell above a facet, if it belongs to the body.
+fn body_above(piece: &Piece, cell: &Polyhedron, facet: &HalfSpace, on_plane: f64) -> Option<Vec<Point>> {
+    let low = 2.0 * (ROOM + on_plane);
+    let corners: Vec<Point> = cell.corners().collect();
+    let heights = corners.iter().map(|v| facet.height(v));
+    let (highest, height) = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    if height <= low {
+        return None;
+    }
+    // Between the highest corner and the middle of the cell, at least half as high as the corner.
+    let middle = cell.middle();
+    let fall = height - facet.height(&middle);
+    let share = if fall > height { 0.5 * height / fall } else { 0.5 };
+    if !piece.distance.encloses(&(corners[highest] + (middle - corners[highest]) * share)) {
+        return None;
+    }
+    let mut region = cell.clone();
+    region.cut(&HalfSpace { normal: -facet.normal, offset: -facet.offset }).map(|()| region.corners().collect())
+}
