@@ -45,9 +45,11 @@ class Violation:
         platform turns.
     gap : float or None
         Smallest gap over the motion, m: between surfaces, or minus the penetration depth if bodies overlap; for the
-        workspace and cable lengths, the remaining room. None for the kinds "wrench", "tilt" and "turning-axis".
+        workspace and cable lengths, the remaining room. Of a thick cable that ends on a body or cannot stay clear of it,
+        only the axis must not enter it, and the gap is that of the axis. None for the kinds "wrench", "tilt" and
+        "turning-axis".
     required : float or None
-        Required gap, m.
+        Required gap, m; 0 for bodies that only have to stay apart.
 
     Examples
     --------

@@ -266,3 +266,22 @@ fn tables_of_clearances_are_read_and_slips_are_told() {
         assert!(words.iter().all(|word| told.contains(word)), "{words:?} in {told}");
     }
 }
+
+#[test]
+fn a_cable_that_enters_its_own_part_is_reported_by_the_depth_of_its_axis_and_nothing_is_required() {
+    for diameter in [0.0, 0.02] {
+        let mut spec = paper_scene("own part", Vec::new());
+        let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
+        robot.cables.truncate(1);
+        robot.cables[0].diameter = Some(diameter);
+        robot.cables[0].attachment = [0.0, 0.0, 0.025]; // on top of the platform, above the outlet
+        for engine in both(&spec) {
+            let above = Point::new(0.1, 0.1, 1.0);
+            let found = engine.explain(&above, &above).unwrap();
+            assert_eq!(found.kind, Kind::CablePlatform);
+            let [gap, required, margin] = [found.gap, found.required, found.margin].map(Option::unwrap);
+            assert_eq!(required.to_bits(), 0.0_f64.to_bits(), "{required}");
+            assert!((gap + 0.05).abs() < 1e-9 && gap == margin, "{diameter}: {gap} {margin}"); // the platform's height
+        }
+    }
+}

@@ -39,17 +39,8 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         true => distance_at(from),
         false => least_between(first, last, SAMPLES, |t| distance_at(&at(from, to, t))).value,
     });
-    let required = details.required(bodies);
-    Violation {
-        unproved: false,
-        wrench: None,
-        at: first,
-        kind: details.kind(),
-        culprits: conditions.culprits(condition),
-        gap: Some(gap),
-        required: Some(required),
-        margin: Some((gap - required).min(0.0)), // a positive difference is a rounding error: the condition is broken
-    }
+    let members = (details.kind(), conditions.culprits(condition));
+    Violation::of_distance(first, members, gap, details.required(bodies))
 }
 
 /// Merges violations of the same kind and culprits: a body of several parts is one body.

@@ -15,10 +15,11 @@ pub struct Violation {
     /// The names of the members involved.
     pub culprits: Vec<String>,
     /// Worst gap over the motion, m: between surfaces, negative by the penetration depth where bodies overlap; for the
-    /// workspace and the length of a cable, the distance from the limits, negative outside. `None` if there is no such
-    /// distance (wrench).
+    /// workspace and the length of a cable, the distance from the limits, negative outside. Of a thick cable that ends on a
+    /// body or cannot stay clear of it, only the axis must not enter it, and the gap is that of the axis. `None` if there
+    /// is no such distance (wrench).
     pub gap: Option<f64>,
-    /// The required gap, m.
+    /// The required gap, m; 0 for bodies that only have to stay apart.
     pub required: Option<f64>,
     /// Gap minus required gap, m: never positive.
     pub margin: Option<f64>,
@@ -86,6 +87,15 @@ impl WrenchLimit {
 }
 
 impl Violation {
+    /// The violation of a condition of this kind, on these culprits, that begins at this fraction of a motion: the worst gap
+    /// between surfaces and the required one, m. The latter is not positive where only axes have to stay apart.
+    pub fn of_distance(at: f64, (kind, culprits): (Kind, Vec<String>), gap: f64, required: f64) -> Self {
+        let (gap, required) = if required > 0.0 { (gap, required) } else { (gap - required, 0.0) };
+        let margin = (gap - required).min(0.0); // a positive difference is a rounding error: the condition is broken
+        let [gap, required, margin] = [gap, required, margin].map(Some);
+        Violation { at, kind, culprits, gap, required, margin, unproved: false, wrench: None }
+    }
+
     /// The violation of a wrench requirement that begins at this fraction of a motion; marked as unproved if its limit is
     /// no failure.
     pub fn of_wrench(at: f64, limit: WrenchLimit) -> Self {

@@ -250,16 +250,9 @@ impl TurningEngine {
         let details = condition.details();
         let required = details.required(&conditions.bodies);
         let worst = least_during(motion, |at| details.slack_at(&conditions.bodies, at)).value.min(slack);
-        Violation {
-            at,
-            kind: details.kind(),
-            culprits: conditions.culprits(condition),
-            gap: Some(worst + required),
-            required: Some(required),
-            margin: Some(worst.min(0.0)),
-            unproved: worst >= -TOUCH_DEPTH,
-            wrench: None,
-        }
+        let members = (details.kind(), conditions.culprits(condition));
+        let found = Violation::of_distance(at, members, worst + required, required);
+        Violation { margin: Some(worst.min(0.0)), unproved: worst >= -TOUCH_DEPTH, ..found }
     }
 }
 
