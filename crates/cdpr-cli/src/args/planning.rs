@@ -25,7 +25,7 @@ pub struct PlanArgs {
     pub planner: Planner,
     #[command(flatten)]
     pub settings: PlannerArgs,
-    /// Stop after this time, ms, including the time to compile the scene (the search may end earlier).
+    /// Stop this long after all files are read, ms; includes the time to compile the scene (the search may end earlier).
     #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
     pub budget_ms: Option<Duration>,
     #[command(flatten)]
