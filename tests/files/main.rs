@@ -9,5 +9,6 @@ mod import;
 mod mesh;
 mod mesh_bodies;
 mod mesh_coverage;
+mod mesh_notes;
 mod mesh_parts;
 mod wrench_map;

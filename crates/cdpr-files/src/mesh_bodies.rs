@@ -1,6 +1,7 @@
 //! Replaces bodies given as meshes by convex parts. Decompositions that take time are cached beside the file, under a
 //! key made from the contents of the file and the settings.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use hmac_sha256::Hash;
@@ -275,8 +276,12 @@ fn kept_parts(path: &Path, key: &str) -> Option<Parts> {
     (kept.key == key && kept.sum == sum(&parts) && !parts.parts.is_empty()).then_some(parts)
 }
 
-/// Caches parts beside a file. If the folder cannot be written, they are just computed again next time.
+/// Caches parts beside a file. If the folder cannot be written, they are just computed again next time. Only a regular
+/// file is replaced: a pipe would wait for a reader, and a link may lead to anything.
 fn keep(path: &Path, key: &str, parts: &Parts) {
+    if fs::symlink_metadata(path).is_ok_and(|found| !found.is_file()) {
+        return;
+    }
     let kept = Kept { key: key.to_string(), sum: sum(parts), parts: parts.clone() };
     let text = serde_json::to_string(&kept).expect("parts are finite");
     let _ = write_atomically(path, text.as_bytes());

@@ -1,0 +1,84 @@
+//! What may lie at the path of a mesh's cache.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cdpr_core::Scene;
+use cdpr_core::geometry::TriangleMesh;
+use cdpr_core::testing::paper_scene;
+use cdpr_files::load_scene;
+use cdpr_tests::meshes::*;
+
+/// A scene with one obstacle for each of these meshes.
+fn load(folder: &Path, meshes: &[(String, TriangleMesh)]) -> Scene {
+    let mut text = toml::to_string(&paper_scene("meshes", Vec::new())).unwrap();
+    for (name, mesh) in meshes {
+        write_obj(&folder.join(name), mesh, 1.0);
+        text += &format!("[[obstacles]]\nmesh = \"{name}\"\n");
+    }
+    let path = folder.join("scene.toml");
+    fs::write(&path, text).unwrap();
+    load_scene(&path).unwrap()
+}
+
+/// The path of the cache of a mesh that is read from this folder.
+fn cache_of(folder: &Path) -> PathBuf {
+    let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    names.into_iter().find(|path| path.to_string_lossy().ends_with(".parts.json")).expect("the parts are kept")
+}
+
+#[test]
+#[cfg(unix)]
+fn a_cache_that_is_no_regular_file_is_neither_read_nor_written() {
+    use std::io::{Read, Write};
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempfile::tempdir().unwrap();
+    let meshes = [("angle.obj".to_string(), angle())];
+    let scene = load(folder.path(), &meshes);
+    let cache = cache_of(folder.path());
+    let kept = fs::read(&cache).unwrap();
+    let elsewhere = folder.path().join("elsewhere");
+
+    fs::remove_file(&cache).unwrap();
+    assert!(std::process::Command::new("mkfifo").arg(&cache).status().unwrap().success());
+    let mut pipe = fs::OpenOptions::new().read(true).write(true).open(&cache).unwrap(); // so that writing does not wait
+    assert_eq!(load(folder.path(), &meshes), scene);
+    pipe.write_all(b"!").unwrap();
+    let mut first = [0];
+    pipe.read_exact(&mut first).unwrap();
+    assert_eq!(&first, b"!", "nothing else was written");
+    fs::remove_file(&cache).unwrap();
+
+    fs::create_dir(&cache).unwrap();
+    assert_eq!(load(folder.path(), &meshes), scene);
+    fs::remove_dir(&cache).unwrap();
+
+    for target in [Path::new("/dev/null"), Path::new("nowhere"), &elsewhere] {
+        fs::write(&elsewhere, "precious").unwrap();
+        symlink(target, &cache).unwrap();
+        assert_eq!(load(folder.path(), &meshes), scene, "{}", target.display());
+        assert!(fs::symlink_metadata(&cache).unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(&elsewhere).unwrap(), "precious");
+        assert!(!folder.path().join("nowhere").exists());
+        fs::remove_file(&cache).unwrap();
+    }
+
+    fs::write(&elsewhere, &kept).unwrap();
+    symlink(&elsewhere, &cache).unwrap();
+    assert_eq!(load(folder.path(), &meshes), scene, "a link to a cache is read");
+    fs::remove_file(&cache).unwrap();
+
+    fs::write(&cache, "{}").unwrap();
+    let mode = |path: &Path, mode: u32| fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
+    mode(&cache, 0o000);
+    assert_eq!(load(folder.path(), &meshes), scene, "not readable");
+    mode(&cache, 0o644);
+    let read_only = folder.path().join("read only");
+    fs::create_dir(&read_only).unwrap();
+    load(&read_only, &meshes);
+    fs::remove_file(cache_of(&read_only)).unwrap();
+    mode(&read_only, 0o555);
+    assert_eq!(load_scene(&read_only.join("scene.toml")).unwrap(), scene);
+    assert_eq!(fs::read_dir(&read_only).unwrap().count(), 2, "nothing can be kept");
+    mode(&read_only, 0o755);
+}
