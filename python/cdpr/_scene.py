@@ -170,9 +170,8 @@ class Scene(Immutable):
 
     def _adopt(self, core: _core.Scene, level: int = 3, told: Sequence[str] = ()) -> None:
         self._keep(core)
-        for note in core.notes():
-            if note not in told and note not in core.good_notes():
-                warnings.warn(note, CdprWarning, stacklevel=level)
+        for note in core.warnings(list(told)):
+            warnings.warn(note, CdprWarning, stacklevel=level)
 
     def _keep(self, core: _core.Scene) -> None:
         self._core = core
@@ -441,7 +440,7 @@ class Scene(Immutable):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Remarks about the scene: the warnings issued, and how meshes were replaced by convex parts."""
+        """Remarks about the scene, and how meshes were replaced by convex parts. One warning stands for many alike."""
         return tuple(self._core.notes())
 
     @property

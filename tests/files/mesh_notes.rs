@@ -1,10 +1,10 @@
-//! What may lie at the path of a mesh's cache.
+//! Notes about many meshes, in brief; what may lie at the path of a mesh's cache.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use cdpr_core::Scene;
-use cdpr_core::geometry::TriangleMesh;
+use cdpr_core::geometry::{TriangleMesh, Vector};
 use cdpr_core::testing::paper_scene;
 use cdpr_files::load_scene;
 use cdpr_tests::meshes::*;
@@ -19,6 +19,47 @@ fn load(folder: &Path, meshes: &[(String, TriangleMesh)]) -> Scene {
     let path = folder.join("scene.toml");
     fs::write(&path, text).unwrap();
     load_scene(&path).unwrap()
+}
+
+/// A mesh that is scaled, and moved to where the robot is not.
+fn away(mesh: &TriangleMesh, scale: f64, k: usize) -> TriangleMesh {
+    let by = Vector::new(10.0 + 10.0 * k as f64, 0.0, 0.0);
+    TriangleMesh { vertices: mesh.vertices.iter().map(|v| v * scale + by).collect(), ..mesh.clone() }
+}
+
+#[test]
+fn notes_about_many_meshes_are_one_for_each_kind_and_state_the_largest_length() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut holed = block([0.0; 3], [1.0, 1.0, 1.0]);
+    holed.triangles.truncate(10);
+    let mut meshes = Vec::new();
+    for k in 0..6 {
+        let scale = 1.0 + ((k * 5) % 6) as f64 / 4.0;
+        meshes.push((format!("ring {k}.obj"), away(&torus(24, 12), scale, 3 * k)));
+        meshes.push((format!("angle {k}.obj"), away(&angle(), scale, 3 * k + 1)));
+        meshes.push((format!("holed {k}.obj"), away(&holed, scale, 3 * k + 2)));
+    }
+    let scene = load(folder.path(), &meshes);
+    let notes = scene.notes();
+    assert!(notes.len() >= 18, "{notes:#?}");
+    let brief = scene.in_brief(notes);
+    assert!(brief.len() <= 5, "{brief:#?}");
+    for (words, many) in [("fill it exactly", 6), ("not sound", 6)] {
+        let found = brief.iter().find(|note| note.contains(words)).unwrap();
+        assert!(found.starts_with(&format!("{many} meshes have a note like this one: obstacles[")), "{found}");
+    }
+    let reach =
+        |note: &str| -> Option<f64> { note.split_once("which reach at most ")?.1.split_once(" mm")?.0.parse().ok() };
+    let farthest = notes.iter().max_by(|a, b| reach(a).partial_cmp(&reach(b)).unwrap()).unwrap();
+    let found = brief.iter().find(|note| note.contains("which states the largest length")).unwrap();
+    assert_eq!(reach(found), reach(farthest));
+    assert!(notes.iter().any(|note| found.ends_with(note.as_str())), "{found}");
+    let good = scene.good_notes();
+    assert_eq!(good.len(), 6);
+    assert_eq!(scene.in_brief(&notes[..3]), notes[..3], "a sentence about all does not stand for some of them");
+
+    let few = load(folder.path(), &meshes[..4]);
+    assert_eq!(few.in_brief(few.notes()), few.notes(), "three of a kind are printed as they are");
 }
 
 /// The path of the cache of a mesh that is read from this folder.

@@ -46,7 +46,7 @@ pub struct TalkArgs {
     /// Print results and errors only.
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Also print what was read and how the search progresses.
+    /// Also print what was read, each note, and how the search progresses.
     #[arg(short, long, global = true)]
     verbose: bool,
 }

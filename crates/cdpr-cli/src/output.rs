@@ -104,13 +104,25 @@ impl Console {
     }
 
     /// Prints remarks about a scene, except those about pairs exempt from a clearance.
-    pub fn notes(&self, conditions: &Conditions) {
-        conditions.notes.iter().for_each(|note| self.note(note));
+    pub fn notes(&self, scene: &Scene, conditions: &Conditions) {
+        self.in_brief(scene, &conditions.notes).iter().for_each(|note| self.note(note));
     }
 
     /// Prints all remarks about a scene, for commands whose result does not list exempt pairs.
-    pub fn remarks(&self, conditions: &Conditions) {
-        conditions.remarks().iter().for_each(|note| self.note(note));
+    pub fn remarks(&self, scene: &Scene, conditions: &Conditions) {
+        self.in_brief(scene, &conditions.remarks()).iter().for_each(|note| self.note(note));
+    }
+
+    /// Notes as they are printed: with `--verbose` every one, otherwise one in place of many that are alike.
+    pub fn in_brief(&self, scene: &Scene, notes: &[String]) -> Vec<String> {
+        if self.talk == Talk::Verbose {
+            return notes.to_vec();
+        }
+        let mut brief = scene.in_brief(notes);
+        if brief.len() < notes.len() {
+            brief.push(format!("{} notes in all; -v prints each", notes.len()));
+        }
+        brief
     }
 
     /// Prints an error, even with `--quiet`.

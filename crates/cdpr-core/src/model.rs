@@ -11,7 +11,7 @@ pub mod spec;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
-pub use scene::{GRAVITY, Scene};
+pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
     BodySpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec,
     OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec,

@@ -60,7 +60,7 @@ impl Loader<'_> {
         imported.whole = imported.robot.clone();
         let mut told = Told::default();
         mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut told, &self.watch)?;
-        imported.notes.extend(told.notes);
+        imported.notes.extend(told.notes.iter().map(ToString::to_string));
         Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
         Ok(imported)
     }

@@ -1,8 +1,9 @@
 //! Replaces bodies given as meshes by convex parts. Decompositions that take time are cached beside the file, under a
 //! key made from the contents of the file and the settings.
 
-use std::fs;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs};
 
 use hmac_sha256::Hash;
 use rayon::prelude::*;
@@ -14,7 +15,7 @@ use super::text::read_bytes_at_most;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
 use cdpr_core::model::body::{coordinates, one_shape, positive};
-use cdpr_core::model::{BodySpec, MeshSource, Unit, WorkspaceSpec};
+use cdpr_core::model::{AlikeNotes, BodySpec, MeshSource, Unit, WorkspaceSpec};
 use cdpr_core::numerics::{
     EXACT_VOLUME, HUGE_MESH, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL,
     MOST_PIECES, SHEET, USELESS_REACH,
@@ -22,17 +23,68 @@ use cdpr_core::numerics::{
 use cdpr_core::watch::Watch;
 use cdpr_core::words::{count, length};
 
+/// Number of meshes up to which each note of a kind is printed.
+const MOST_ALIKE: usize = 3;
+
+/// A remark about a mesh.
+#[derive(Debug, Clone)]
+pub(super) struct Remark {
+    /// Where the scene or robot names the mesh, and its file.
+    mesh: String,
+    text: String,
+    /// Whether it needs no warning.
+    pub good: bool,
+}
+
+impl Remark {
+    /// What remarks of this kind have in common: their first words, without numbers and plurals.
+    fn kind(&self) -> (bool, String) {
+        let head = self.text.split([',', ':', ';']).next().unwrap_or_default();
+        let words = head.split_whitespace().filter(|word| !word.starts_with(|c: char| c.is_ascii_digit()));
+        (self.good, words.map(|word| word.trim_end_matches('s')).collect::<Vec<_>>().join(" "))
+    }
+
+    /// The largest length that it states, mm.
+    fn largest_length(&self) -> Option<f64> {
+        let words: Vec<&str> = self.text.split([' ', ',', ';', '(', ')']).collect();
+        let lengths = words.windows(2).filter(|pair| pair[1] == "mm").filter_map(|pair| pair[0].parse().ok());
+        lengths.max_by(f64::total_cmp)
+    }
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.mesh, self.text)
+    }
+}
+
 /// Remarks about the meshes of a scene or robot.
 #[derive(Debug, Default)]
 pub(super) struct Told {
     /// The workspace, if there is one, to compare sizes with.
     pub workspace: Option<WorkspaceSpec>,
     /// What the user should know.
-    pub notes: Vec<String>,
-    /// The notes that need no warning.
-    pub good: Vec<String>,
+    pub notes: Vec<Remark>,
     /// Possible causes of a later error.
-    pub hints: Vec<String>,
+    pub hints: Vec<Remark>,
+}
+
+impl Told {
+    /// The notes of each kind that concerns many meshes, with a sentence in their place: the note that states the largest
+    /// length, or else the first one.
+    pub fn alike(&self) -> Vec<AlikeNotes> {
+        let mut kinds: BTreeMap<(bool, String), Vec<&Remark>> = BTreeMap::new();
+        self.notes.iter().chain(&self.hints).for_each(|note| kinds.entry(note.kind()).or_default().push(note));
+        let many = kinds.into_values().filter(|notes| notes.len() > MOST_ALIKE);
+        many.map(|notes| {
+            let longest = notes.iter().filter_map(|note| note.largest_length()).max_by(f64::total_cmp);
+            let shown = notes.iter().find(|note| note.largest_length() == longest).expect("there are many");
+            let largest = if longest.is_some() { ", which states the largest length" } else { "" };
+            let sentence = format!("{} meshes have a note like this one{largest}: {shown}", notes.len());
+            AlikeNotes { sentence, notes: notes.iter().map(ToString::to_string).collect() }
+        })
+        .collect()
+    }
 }
 
 /// Replaces every mesh by its convex parts: the first part in place of the mesh, the others after all bodies, so that
@@ -66,10 +118,9 @@ pub(super) fn in_place(
                 (place.clone(), parts_of(&mesh, size, watch).map_err(|e| e.under(&format!("{place}.mesh")))?)
             }
         };
-        let notes: Vec<String> = parts.notes.iter().map(|note| format!("{what}: {note}")).collect();
-        told.good.extend(notes.iter().filter(|_| parts.exact).cloned());
-        told.notes.extend(notes);
-        told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| format!("{what}: {hint}")));
+        let remark = |good: bool, text: &String| Remark { mesh: what.clone(), text: text.clone(), good };
+        told.notes.extend(parts.notes.iter().map(|note| remark(parts.exact, note)));
+        told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| remark(false, &hint)));
         let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
         let first = specs.next().expect("a mesh has parts");
         behind.extend(specs);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::loader::Loader;
-use super::mesh_bodies::{self, Told};
+use super::mesh_bodies::{self, Remark, Told};
 use super::text::{self, Notation};
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
@@ -109,7 +109,7 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
         RobotSource::File(name) => {
             let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
             let robot = robot_spec(&path, &mut told, watch)?;
-            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&told.hints).in_file(&path))?;
+            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&words(&told.hints)).in_file(&path))?;
             spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
         }
         RobotSource::Inline(robot) if robot.version.is_some() => {
@@ -123,7 +123,12 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
         }
     }
     mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut told, watch)?;
-    let Told { notes, good, hints, .. } = told;
+    let good = told.notes.iter().filter(|note| note.good).map(ToString::to_string).collect();
+    let [notes, hints] = [&told.notes, &told.hints].map(|remarks| words(remarks));
     let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;
-    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good))
+    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good).with_alike(told.alike()))
+}
+
+fn words(remarks: &[Remark]) -> Vec<String> {
+    remarks.iter().map(ToString::to_string).collect()
 }

@@ -55,7 +55,7 @@ pub fn starter_scene(
     if let Some([start, goal]) = query {
         spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() });
     }
-    let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes(dense.notes().to_vec());
+    let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes_of(&dense);
     Ok((spec, scene, query.is_some()))
 }
 

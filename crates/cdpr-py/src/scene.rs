@@ -1,5 +1,6 @@
 //! The class `Scene`: validity, clearance, checks, tensions and planning.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
@@ -107,9 +108,11 @@ impl Scene {
         Ok(interruptible(py, |stop| Conditions::within(&self.0, &Watch::on(stop)))?.remarks())
     }
 
-    /// Notes that need no warning, such as a mesh that is filled exactly.
-    fn good_notes(&self) -> Vec<String> {
-        self.0.good_notes().to_vec()
+    /// The warnings to issue, except for notes that were already told: one in place of many notes that are alike.
+    fn warnings(&self, py: Python<'_>, told: Vec<String>) -> PyResult<Vec<String>> {
+        let known: HashSet<&String> = told.iter().chain(self.0.good_notes()).collect();
+        let new: Vec<String> = self.notes(py)?.into_iter().filter(|note| !known.contains(note)).collect();
+        Ok(self.0.in_brief(&new))
     }
 
     /// Whether each row of an (n, 3) array is a valid position, at the scene's orientation or that in the same row of an (n, 4)

@@ -41,7 +41,7 @@ fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Cons
     }
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
     let engine = engine_within(scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
-    out.notes(engine.conditions());
+    out.notes(scene, engine.conditions());
     let found = check(scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
@@ -59,7 +59,7 @@ fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Cons
 /// Checks a path along which the platform turns.
 fn check_turning(args: &PathArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
     let engine = input::turning_engine(scene, &args.scene.scene, args.checker)?;
-    out.notes(engine.conditions());
+    out.notes(scene, engine.conditions());
     let check = |stop: &Interrupt| plan::check_turning(scene, &engine, poses, &Watch::on(stop));
     let found = with_sign_of_life(out, "checking", check)?;
     let CheckReport { path: report, wrench } = &found;

@@ -18,13 +18,13 @@ pub fn run(args: &SceneArgs, out: &Console) -> Result<Answer, Error> {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(survey))),
         Format::Text => {
             out.result(&scene_line(&scene));
-            lines(&survey).iter().for_each(|line| out.result(line));
+            lines(&survey, &out.in_brief(&scene, &survey.notes)).iter().for_each(|line| out.result(line));
         }
     }
     Ok(Answer::Yes)
 }
 
-fn lines(s: &Survey) -> Vec<String> {
+fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
     let mut lines = vec![format!("parts: platform {}, obstacles {}", s.platform_parts, s.obstacle_parts)];
     if !s.orientations.is_empty() {
         let this = s.orientation_name.as_ref().map_or(format!("{:?}", s.orientation), |name| name.to_string());
@@ -60,6 +60,6 @@ fn lines(s: &Survey) -> Vec<String> {
         lines.extend(reason.iter().map(|r| format!("{end} is not valid: {}", r.sentence())));
     }
     lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
-    lines.extend(s.notes.iter().map(|note| format!("note: {note}")));
+    lines.extend(notes.iter().map(|note| format!("note: {note}")));
     lines
 }

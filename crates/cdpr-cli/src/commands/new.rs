@@ -62,7 +62,7 @@ fn example(notation: Notation) -> Result<String, Error> {
 }
 
 fn tell(scene: &Scene, solvable: bool, out: &Console) {
-    scene.notes().iter().for_each(|note| out.note(note));
+    out.in_brief(scene, scene.notes()).iter().for_each(|note| out.note(note));
     match (scene.start(), scene.goal()) {
         (Some(start), Some(goal)) if !solvable => {
             let ends = format!("from {} to {}", position(&start), position(&goal));

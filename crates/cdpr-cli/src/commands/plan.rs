@@ -60,7 +60,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Ok((planned, timed, appraisal, bound))
     };
     let (planned, timed, appraisal, certificate) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
-    planned.checker().iter().for_each(|checker| out.notes(checker.conditions()));
+    planned.checker().iter().for_each(|checker| out.notes(&scene, checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let here = if turned.is_some() { " at this orientation" } else { "" };
     let scene = turned.unwrap_or(scene);

@@ -45,7 +45,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     }
     let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))
         .map_err(|e| e.in_file(&given.scene.scene))?;
-    out.remarks(engine.conditions());
+    out.remarks(&scene, engine.conditions());
     let processing = args.options()?;
     let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
     let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
@@ -57,7 +57,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
 /// Shortens a path on which the platform turns, in the only way that there is.
 fn shorten_turning(args: &PostArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
     let engine = input::turning_engine(scene, &args.path.scene.scene, args.path.checker)?;
-    out.remarks(engine.conditions());
+    out.remarks(scene, engine.conditions());
     let shorten = |stop: &Interrupt| shorten_poses(scene, &engine, poses, &Watch::on(stop));
     let of_path = |e: &Error| e.place().is_some_and(|place| place.starts_with("waypoints"));
     let shorter = with_sign_of_life(out, "shortening", shorten)

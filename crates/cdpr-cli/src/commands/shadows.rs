@@ -20,7 +20,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let watch = Watch::on(&interrupted);
     let found = regions_within(&scene, &args.options(), &watch).map_err(|e| e.in_file(&args.scene.scene))?;
     if args.all {
-        out.remarks(&Conditions::new(&scene)?);
+        out.remarks(&scene, &Conditions::new(&scene)?);
     }
     if has_round_regions(&scene) {
         out.note(

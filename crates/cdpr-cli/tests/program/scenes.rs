@@ -237,3 +237,28 @@ fn a_proof_for_one_orientation_says_nothing_about_a_platform_that_may_turn() {
         assert!(stderr(&refused).contains("turning.toml: turning: found a scene whose platform may turn"));
     }
 }
+
+#[test]
+fn many_notes_about_meshes_are_few_lines_unless_each_is_asked_for() {
+    let folder = folder();
+    let mut scene = fs::read_to_string(testdata("scenes/empty.toml")).unwrap();
+    scene = scene.replace("../robots/paper.toml", &testdata("robots/paper.toml"));
+    for k in 0..20 {
+        let x = 10 + k;
+        fs::write(folder.path().join(format!("{k}.obj")), format!("v {x} 0 0\nv {x} 1 0\nv {x} 0 1\nf 1 2 3\n"))
+            .unwrap();
+        scene += &format!("\n[[obstacles]]\nmesh = \"{k}.obj\"\n");
+    }
+    fs::write(folder.path().join("hall.toml"), scene).unwrap();
+    let run = |arguments: &[&str]| cdpr_in(folder.path(), &[arguments, &["hall.toml"]].concat());
+    let lines = |text: &str, words: &str| text.lines().filter(|line| line.contains(words)).count();
+    let [info, each, plan] = [&["info"][..], &["info", "-v"], &["plan"]].map(run);
+    let all = json(&run(&["info", "--format", "json"]))["notes"].as_array().unwrap().len();
+    assert!(all >= 40, "{all}");
+    for text in [stdout(&info), stderr(&plan)] {
+        assert!(lines(&text, "note: ") <= 5, "{text}");
+        assert_eq!(lines(&text, "20 meshes have a note like this one"), 3, "{text}");
+        assert_eq!(lines(&text, &format!("note: {all} notes in all; -v prints each")), 1, "{text}");
+    }
+    assert_eq!(lines(&stdout(&each), "note: "), all);
+}

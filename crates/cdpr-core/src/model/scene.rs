@@ -1,5 +1,7 @@
 //! A checked scene: robot, obstacles, workspace and planning query.
 
+use std::collections::{HashMap, HashSet};
+
 use super::body::{self, Turn};
 use super::obstacle::{Obstacle, obstacle_seams, obstacles};
 use super::pairs::{Member, PairRules};
@@ -34,6 +36,16 @@ pub struct Scene {
     end_orientations: [Option<Rotation>; 2],
     notes: Vec<String>,
     good_notes: Vec<String>,
+    alike: Vec<AlikeNotes>,
+}
+
+/// Notes of one kind, about many bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AlikeNotes {
+    /// What is printed in their place.
+    pub sentence: String,
+    /// The notes.
+    pub notes: Vec<String>,
 }
 
 impl Scene {
@@ -89,7 +101,6 @@ impl Scene {
             at_end("goal_orientation", &query.goal_orientation)?,
         ];
         let notes = degrees_hints(&spec, &robot);
-        let good_notes = Vec::new();
         Ok(Scene {
             spec,
             robot,
@@ -103,7 +114,8 @@ impl Scene {
             goal,
             end_orientations,
             notes,
-            good_notes,
+            good_notes: Vec::new(),
+            alike: Vec::new(),
         })
     }
 
@@ -117,6 +129,41 @@ impl Scene {
     pub fn with_good_notes(mut self, notes: Vec<String>) -> Self {
         self.good_notes.extend(notes);
         self
+    }
+
+    /// The same scene, with these of its notes printed as one sentence each.
+    pub fn with_alike(mut self, alike: Vec<AlikeNotes>) -> Self {
+        self.alike.extend(alike);
+        self
+    }
+
+    /// The same scene with the notes of another one, from which it was made, instead of its own.
+    pub fn with_notes_of(self, other: &Scene) -> Self {
+        let Scene { notes, good_notes, alike, .. } = other.clone();
+        Scene { notes, good_notes, alike, ..self }
+    }
+
+    /// Notes as they are printed: one sentence in place of all that are alike, if all of these are among them.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::model::AlikeNotes;
+    /// let [notes, others] = [["a.stl: open", "b.stl: open"], ["a.stl: open", "far"]].map(|notes| notes.map(String::from));
+    /// let alike = AlikeNotes { sentence: "2 meshes are open".to_string(), notes: notes.to_vec() };
+    /// let scene = cdpr_core::testing::empty().with_alike(vec![alike]);
+    /// assert_eq!(scene.in_brief(&notes), ["2 meshes are open"]);
+    /// assert_eq!(scene.in_brief(&others), others);
+    /// ```
+    pub fn in_brief(&self, notes: &[String]) -> Vec<String> {
+        let given: HashSet<&String> = notes.iter().collect();
+        let whole = self.alike.iter().filter(|alike| alike.notes.iter().all(|note| given.contains(note)));
+        let kinds: HashMap<&String, &AlikeNotes> =
+            whole.flat_map(|alike| alike.notes.iter().map(move |note| (note, alike))).collect();
+        let printed = notes.iter().filter_map(|note| match kinds.get(note) {
+            None => Some(note),
+            Some(alike) => (alike.notes[0] == *note).then_some(&alike.sentence),
+        });
+        printed.cloned().collect()
     }
 
     /// The notes that need no warning.
