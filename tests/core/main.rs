@@ -11,6 +11,7 @@ mod planning;
 mod proof;
 mod proof_limits;
 mod properties;
+mod proposal;
 mod random_scenes;
 mod regions;
 mod regressions;

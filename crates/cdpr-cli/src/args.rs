@@ -112,9 +112,10 @@ pub enum Command {
     /// Write a commented scene that can be planned at once: a small example, or one built around your own robot and
     /// meshes.
     ///
-    /// With --robot, the workspace is the box around outlets and meshes, extended down to the floor. If start or goal
-    /// is not given, cdpr looks for positions that are far apart with something in the way. If the robot has a mass and
-    /// tension limits, the scene requires that the cables can hold the platform along the whole path.
+    /// With --robot, the workspace is the box around outlets and meshes, extended down to the floor, and widened where
+    /// the platform would have no room. If start or goal is not given, cdpr looks for positions that are far apart, with
+    /// something in the way if there are such. If the robot has a mass and tension limits, the scene requires that the
+    /// cables can hold the platform along the whole path, unless they hold it nowhere.
     #[command(after_help = "Examples:
   cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html
   cdpr new hall.toml --robot cogiro.toml --obstacle machine.stl

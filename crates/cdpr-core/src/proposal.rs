@@ -1,27 +1,48 @@
-//! Proposals for a new scene: a workspace around robot and obstacles, and a non-trivial query.
+//! Proposals for a new scene: a workspace around robot and obstacles, whether the cables can be required to hold the
+//! platform, and a non-trivial query.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::collision::{Checker, Engine, Interference};
-use crate::error::Error;
+use crate::batch::BatchOptions;
+use crate::collision::many::{motions_valid, states_valid};
+use crate::collision::{Checker, Engine, Interference, WrenchLimit};
+use crate::conditions::Broken;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::{Aabb, Point};
-use crate::model::Scene;
+use crate::model::{Scene, SceneSpec};
 use crate::plan::{PlanOptions, Query, engine_within, plan};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use crate::watch::{Interrupt, Watch};
+use crate::words::count;
 
-/// Random positions drawn to find valid ones.
-const DRAWN: usize = 5_000;
+/// Random positions drawn to find valid ones; a tenth of them where checks are slow.
+const DRAWN: usize = 50_000;
+/// Positions checked at a time.
+const AT_A_TIME: usize = 1_000;
 /// Valid positions that are considered in pairs.
 const PLACES: usize = 40;
+/// Valid positions found near others, if these are few or given.
+const PLACES_NEARBY: usize = 20;
+/// Positions free of collisions at which the cables are tested.
+const TESTED: usize = 1_000;
+/// Positions at which it is found out why none is valid.
+const EXPLAINED: usize = 100;
 /// Pairs for which a path is searched.
 const TRIALS: usize = 12;
 /// Samples of each such search.
 const SAMPLES: usize = 2_000;
+/// Least freedom of the platform along each axis, as a share of the longest side of workspace or platform.
+const LEAST_FREEDOM: f64 = 0.1;
+/// Freedom of the platform along an axis that is widened, as a multiple of its longest side.
+const FREEDOM: f64 = 2.0;
 
 /// The workspace of a new scene: the box around outlets and obstacles, extended down to the floor, z = 0, if all of
-/// them are above it.
+/// them are above it. Where this leaves the platform hardly any room, as for a single cable or for outlets in a plane,
+/// the box is widened.
 ///
 /// # Example
 /// ```
@@ -33,54 +54,243 @@ pub fn workspace(scene: &Scene) -> Aabb {
     let corners = scene.obstacles().iter().flat_map(|o| &o.parts).flat_map(|part| part.vertices().iter().copied());
     let mut whole = Aabb::around(&outlets.chain(corners).collect::<Vec<_>>());
     whole.min.z = whole.min.z.min(0.0);
-    whole
+    let turned = scene.robot().parts().iter().flat_map(|part| part.vertices()).map(|v| scene.orientation() * v);
+    let platform = Aabb::around(&turned.collect::<Vec<_>>());
+    let [whole_size, platform_size] = [whole.max - whole.min, platform.max - platform.min];
+    let longest = Some(whole_size.max().max(platform_size.max())).filter(|side| *side > 0.0).unwrap_or(1.0);
+    let least = LEAST_FREEDOM * longest;
+    let freedom = least.max(FREEDOM * platform_size.max());
+    let lacking =
+        platform_size.zip_map(
+            &whole_size,
+            |platform, whole| {
+                if whole < platform + least { platform + freedom - whole } else { 0.0 }
+            },
+        );
+    Aabb { min: whole.min - lacking / 2.0, max: whole.max + lacking / 2.0 }
 }
 
-/// A start and a goal, rounded to centimetres, between which a path exists. Pairs whose straight line is blocked and
-/// that are far apart are tried first; of the pairs tried, the one with the largest ratio of path length to straight
-/// distance is returned. A start or goal of the scene is kept. `None` if no pair has a path.
+/// Why the wrenches that a scene requires leave no valid position among random ones that are free of collisions; `None` if
+/// they leave some, or if all positions collide.
+///
+/// # Errors
+/// [`Error::interrupted`].
+pub fn unheld(scene: &Scene, interrupted: &Interrupt) -> Result<Option<String>, Error> {
+    let engine =
+        |scene: &Scene| engine_within(scene, Engine::default(), Interference::default(), &Watch::on(interrupted));
+    let geometry = engine(&Scene::new(SceneSpec { wrench: None, ..scene.spec().clone() })?)?;
+    let whole = match engine(scene) {
+        Err(error) if error.class() == ErrorClass::Input => return Ok(Some(error.to_string())),
+        whole => whole?,
+    };
+    let given = valid(&*geometry, &ends(scene), interrupted)?;
+    let places = valid_places(&*geometry, &given, TESTED, interrupted)?;
+    if places.is_empty() || !valid(&*whole, &places, interrupted)?.is_empty() {
+        return Ok(None);
+    }
+    let lacking = |place: &Point| whole.explain(place, place).map(|found| (*place, found));
+    let found = places.iter().take(EXPLAINED).filter_map(lacking);
+    let best = found.max_by(|(_, a), (_, b)| by_hold(a.wrench.as_ref(), b.wrench.as_ref()));
+    let best = best.map_or(String::new(), |(Point { coords: p }, found)| {
+        format!("; at ({}, {}, {}), {}", p.x, p.y, p.z, found.sentence())
+    });
+    Ok(Some(format!("the cables can hold the platform at none of {} free of collisions{best}", tried(places.len()))))
+}
+
+/// Compares what wrenches lack: by the rank of the wrench matrix, then by the margin.
+fn by_hold(a: Option<&WrenchLimit>, b: Option<&WrenchLimit>) -> Ordering {
+    let rank = |limit: Option<&WrenchLimit>| limit.and_then(|limit| limit.hold.as_ref()).map(|hold| hold.rank);
+    let margin = |limit: Option<&WrenchLimit>| limit.map_or(f64::NEG_INFINITY, WrenchLimit::order);
+    rank(a).cmp(&rank(b)).then(margin(a).total_cmp(&margin(b)))
+}
+
+/// A query for a new scene.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Proposal {
+    /// A start and a goal with a path between them.
+    Query([Point; 2]),
+    /// None was found, for this reason.
+    Lacking(String),
+}
+
+/// A start and a goal, rounded to centimetres or, in small workspaces, more finely, between which there is a path. Of the
+/// pairs whose straight line is blocked and that are joined by straight lines through other positions, some that are far
+/// apart are searched for the largest ratio of path length to straight distance. If there are none, the pair is the one
+/// that is farthest apart on a free straight line. A start or goal of the scene is kept.
 ///
 /// # Errors
 /// As [`engine_within`].
-pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Option<[Point; 2]>, Error> {
+pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Proposal, Error> {
     let engine = engine_within(scene, Engine::default(), Interference::default(), &Watch::on(interrupted))?;
-    let places = valid_places(&*engine, interrupted)?;
-    let ends = |given: Option<Point>| given.map_or(places.clone(), |end| vec![end]);
-    let goals = ends(scene.goal());
-    let pairs = ends(scene.start()).into_iter().flat_map(|start| goals.iter().map(move |goal| [start, *goal]));
-    let mut pairs: Vec<(bool, f64, [Point; 2])> =
-        pairs.map(|[a, b]| (engine.motion_valid(&a, &b), (b - a).norm(), [a, b])).collect();
-    pairs.sort_by(|(free, length, _), (other_free, other, _)| free.cmp(other_free).then(other.total_cmp(length)));
+    for (name, end) in [("start", scene.start()), ("goal", scene.goal())] {
+        if let Some(found) = end.and_then(|end| engine.explain(&end, &end)) {
+            return Ok(Proposal::Lacking(format!("the {name} is not valid: {}", found.sentence())));
+        }
+    }
+    let places = valid_places(&*engine, &ends(scene), PLACES, interrupted)?;
+    if places.is_empty() {
+        return Ok(Proposal::Lacking(why_none(&*engine)));
+    }
+    let pairs = pairs(&*engine, [scene.start(), scene.goal()], &places, interrupted)?;
+    let free = pairs.iter().filter(|pair| pair.free).max_by(|a, b| a.length().total_cmp(&b.length()));
+    let mut blocked: Vec<&Pair> = pairs.iter().filter(|pair| !pair.free && (pair.joined || free.is_none())).collect();
+    blocked.sort_by(|a, b| b.joined.cmp(&a.joined).then(b.length().total_cmp(&a.length())));
+    blocked.truncate(TRIALS);
+    let detour = largest_detour(scene, &*engine, &blocked, interrupted)?;
+    Ok(match detour.or(free.map(|pair| pair.ends)) {
+        Some(ends) => Proposal::Query(ends),
+        None if ends(scene).len() == 2 => {
+            Proposal::Lacking("a short search found no path from the start to the goal".to_string())
+        }
+        None => {
+            let found = count(places.len(), "valid position");
+            Proposal::Lacking(format!("found {found}, but no two with a path between them in a short search"))
+        }
+    })
+}
+
+/// The start and goal of a scene, as far as it has them.
+fn ends(scene: &Scene) -> Vec<Point> {
+    [scene.start(), scene.goal()].into_iter().flatten().collect()
+}
+
+fn tried(positions: usize) -> String {
+    count(positions, "random position")
+}
+
+/// What makes positions invalid, if all are.
+fn why_none(engine: &dyn Checker) -> String {
+    let space = TranslationSpace::of(engine.conditions());
+    let mut rng = ChaCha8Rng::seed_from_u64(0);
+    let positions = (0..EXPLAINED).map_while(|_| space.sample(&mut rng));
+    let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
+    for found in positions.filter_map(|place| engine.explain(&place, &place)) {
+        let without_numbers = Broken { culprits: &found.culprits, gap: None, required: None };
+        *reasons.entry(found.kind.sentence(&without_numbers)).or_default() += 1;
+    }
+    match reasons.into_iter().max_by_key(|(_, times)| *times) {
+        None => "the platform does not fit into the workspace".to_string(),
+        Some((reason, times)) => {
+            format!("found no valid position; at {times} of {}, {reason}", tried(EXPLAINED))
+        }
+    }
+}
+
+/// Two positions, and what is known of the way between them.
+struct Pair {
+    ends: [Point; 2],
+    /// The straight line between them is free.
+    free: bool,
+    /// There is a path along straight lines between valid positions.
+    joined: bool,
+}
+
+impl Pair {
+    fn length(&self) -> f64 {
+        (self.ends[1] - self.ends[0]).norm()
+    }
+}
+
+/// The pairs of valid positions that may be start and goal; one that is given is kept.
+fn pairs(
+    engine: &dyn Checker,
+    [start, goal]: [Option<Point>; 2],
+    places: &[Point],
+    interrupted: &Interrupt,
+) -> Result<Vec<Pair>, Error> {
+    let indices: Vec<[usize; 2]> = (0..places.len()).flat_map(|b| (0..b).map(move |a| [a, b])).collect();
+    let mut free = vec![false; indices.len()];
+    let motion = |k: usize| indices[k].map(|index| places[index]).into();
+    motions_valid(engine, motion, &mut free, &BatchOptions { threads: None, interrupted })?;
+    // The number of a place is that of the first one to which it is joined.
+    let mut part: Vec<usize> = (0..places.len()).collect();
+    for ([a, b], _) in indices.iter().zip(&free).filter(|(_, free)| **free) {
+        let (kept, left) = (part[*a].min(part[*b]), part[*a].max(part[*b]));
+        part.iter_mut().filter(|part| **part == left).for_each(|part| *part = kept);
+    }
+    let fits = |[a, b]: [Point; 2]| start.is_none_or(|start| start == a) && goal.is_none_or(|goal| goal == b);
+    let pair = |([a, b], free): (&[usize; 2], &bool)| {
+        let orders = [[places[*b], places[*a]], [places[*a], places[*b]]];
+        let ends = orders.into_iter().find(|ends| fits(*ends))?;
+        Some(Pair { ends, free: *free, joined: part[*a] == part[*b] })
+    };
+    Ok(indices.iter().zip(&free).filter_map(pair).collect())
+}
+
+/// Of the pairs between which a path is found, the one with the largest ratio of its length to the straight distance.
+fn largest_detour(
+    scene: &Scene,
+    engine: &dyn Checker,
+    pairs: &[&Pair],
+    interrupted: &Interrupt,
+) -> Result<Option<[Point; 2]>, Error> {
     let settings = PlannerSettings { max_samples: Some(SAMPLES), ..PlannerSettings::default() };
     let planner = PlannerOptions::new(Planner::TwoTrees, PlanOptions::default().step, &settings)?;
     let options = PlanOptions { planner, ..PlanOptions::default() };
     let mut best: Option<(f64, [Point; 2])> = None;
-    for (_, straight, [start, goal]) in pairs.into_iter().take(TRIALS) {
-        let found = plan(Query::of(scene).from(start).to(goal).by(&*engine), &options, &|| interrupted())?.result;
-        let detour = found.cost / straight;
+    for pair in pairs {
+        let [start, goal] = pair.ends;
+        let found = plan(Query::of(scene).from(start).to(goal).by(engine), &options, &|| interrupted())?.result;
+        let detour = found.cost / pair.length();
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
-            best = Some((detour, [start, goal]));
+            best = Some((detour, pair.ends));
         }
     }
     Ok(best.map(|(_, ends)| ends))
 }
 
-fn valid_places(engine: &dyn Checker, interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
+/// The given positions, which are valid, and up to `most` more that are: drawn evenly, rounded more finely if this gives too
+/// few, and then near those known.
+fn valid_places(
+    engine: &dyn Checker,
+    given: &[Point],
+    most: usize,
+    interrupted: &Interrupt,
+) -> Result<Vec<Point>, Error> {
     let space = TranslationSpace::of(engine.conditions());
     let mut rng = ChaCha8Rng::seed_from_u64(0);
-    let mut places = Vec::new();
-    for _ in 0..DRAWN {
-        if interrupted() {
-            return Err(Error::interrupted());
+    let drawn = if engine.may_be_slow() { DRAWN / 10 } else { DRAWN };
+    let digits = digits(&space);
+    let mut places = given.to_vec();
+    let gather = |places: &mut Vec<Point>, wanted: usize, drawn: &[Point]| {
+        for some in drawn.chunks(AT_A_TIME) {
+            if places.len() >= wanted {
+                break;
+            }
+            places.extend(valid(engine, some, interrupted)?);
+            places.truncate(wanted);
         }
-        let Some(place) = space.sample(&mut rng) else { break };
-        let place = place.map(|x| (x * 100.0).round() / 100.0);
-        if engine.state_valid(&place) {
-            places.push(place);
-        }
-        if places.len() == PLACES {
-            break;
-        }
+        Ok::<_, Error>(())
+    };
+    for digits in [digits, digits + 2] {
+        let evenly = (0..drawn).map_while(|_| space.sample(&mut rng)).map(|place| rounded(&space, place, digits));
+        gather(&mut places, given.len() + most, &evenly.collect::<Vec<_>>())?;
+    }
+    if !places.is_empty() && (places.len() < most || !given.is_empty()) {
+        let known = places.clone();
+        let near = (0..drawn / 10).filter_map(|k| space.sample_around(&known[k % known.len()], &mut rng));
+        let near: Vec<Point> = near.map(|place| rounded(&space, place, digits + 2)).collect();
+        gather(&mut places, known.len() + PLACES_NEARBY, &near)?;
     }
     Ok(places)
+}
+
+/// Those of some positions that are valid.
+fn valid(engine: &dyn Checker, places: &[Point], interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
+    let mut answers = vec![false; places.len()];
+    states_valid(engine, |k| places[k], &mut answers, &BatchOptions { threads: None, interrupted })?;
+    Ok(places.iter().zip(answers).filter(|(_, valid)| *valid).map(|(place, _)| *place).collect())
+}
+
+/// Decimals of positions: two, or more if the longest side of the box of positions is below 1 m.
+fn digits(space: &TranslationSpace) -> i32 {
+    let longest = space.largest_distance();
+    (2.0 - longest.log10().floor()).clamp(2.0, 6.0) as i32
+}
+
+/// A position with this number of decimals, within the space.
+fn rounded(space: &TranslationSpace, place: Point, digits: i32) -> Point {
+    let scale = 10_f64.powi(digits);
+    let near = place.map(|x| (x * scale).round() / scale);
+    Point::from(near.coords.zip_zip_map(&space.min.coords, &space.max.coords, f64::clamp))
 }

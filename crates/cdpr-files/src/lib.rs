@@ -29,7 +29,7 @@ pub use path_file::{
     waypoints_from_text,
 };
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
-pub use starter_file::{Starter, starter_scene, starter_text};
+pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use trajectory_file::{

@@ -11,7 +11,7 @@ use cdpr_core::model::{
     BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
 use cdpr_core::numerics::MAX_COORDINATE;
-use cdpr_core::proposal;
+use cdpr_core::proposal::{self, Proposal};
 use cdpr_core::watch::{Interrupt, Watch};
 
 /// The contents of a new scene.
@@ -29,34 +29,50 @@ pub struct Starter {
     pub goal: Option<Point>,
 }
 
-/// Makes a scene to be written to `output`: the workspace of [`proposal::workspace`], `[wrench]` if the robot has a
-/// mass and tension limits, start and goal as given or from [`proposal::query`]. Returns plain data with paths relative
-/// to `output`, the scene, and whether a path from start to goal was found.
+/// A new scene.
+#[derive(Debug, Clone)]
+pub struct NewScene {
+    /// Plain data, with paths relative to its file.
+    pub spec: SceneSpec,
+    /// The scene.
+    pub scene: Scene,
+    /// Why the scene does not require that the cables hold the platform although their forces are known.
+    pub unheld: Option<String>,
+    /// Why there is no start and goal with a path between them.
+    pub lacking: Option<String>,
+}
+
+/// Makes a scene to be written to `output`: the workspace of [`proposal::workspace`], start and goal as given or from
+/// [`proposal::query`], and `[wrench]` if the robot has a mass and tension limits and [`proposal::unheld`] has no objection.
 ///
 /// # Errors
 /// As [`super::load_scene`]; [`Error::interrupted`].
-pub fn starter_scene(
-    starter: &Starter,
-    output: &Path,
-    interrupted: &Interrupt,
-) -> Result<(SceneSpec, Scene, bool), Error> {
+pub fn starter_scene(starter: &Starter, output: &Path, interrupted: &Interrupt) -> Result<NewScene, Error> {
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
     let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
-    if dense.robot().knows_its_forces() {
-        spec.wrench = Some(WrenchSpec::default());
-    }
     let around = proposal::workspace(&dense);
     spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
     // The meshes have already been replaced by convex parts.
-    let whole = SceneSpec { workspace: spec.workspace.clone(), wrench: spec.wrench.clone(), ..dense.spec().clone() };
-    let scene = Scene::new(whole.clone())?;
-    let query = proposal::query(&scene, interrupted)?;
-    if let Some([start, goal]) = query {
-        spec.query = Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() });
+    let with = |wrench: Option<WrenchSpec>, query: Option<QuerySpec>| {
+        Scene::new(SceneSpec { workspace: spec.workspace.clone(), wrench, query, ..dense.spec().clone() })
+    };
+    let given = || spec.query.clone();
+    let (mut wrench, mut unheld) = (None, None);
+    if dense.robot().knows_its_forces() {
+        let required = Some(WrenchSpec::default());
+        unheld = proposal::unheld(&with(required.clone(), given())?, interrupted)?;
+        wrench = required.filter(|_| unheld.is_none());
     }
-    let scene = Scene::new(SceneSpec { query: spec.query.clone(), ..whole })?.with_notes_of(&dense);
-    Ok((spec, scene, query.is_some()))
+    let (query, lacking) = match proposal::query(&with(wrench.clone(), given())?, interrupted)? {
+        Proposal::Lacking(reason) => (given(), Some(reason)),
+        Proposal::Query([start, goal]) => {
+            let ends = QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() };
+            (Some(ends), None)
+        }
+    };
+    let scene = with(wrench.clone(), query.clone())?.with_notes_of(&dense);
+    Ok(NewScene { spec: SceneSpec { wrench, query, ..spec }, scene, unheld, lacking })
 }
 
 /// The scene without workspace, wrench and missing start or goal.
@@ -100,15 +116,15 @@ fn obstacles(starter: &Starter, output: &Path) -> Result<Vec<BodySpec>, Error> {
     Ok(bodies)
 }
 
-/// The scene file, commented.
+/// The scene file, commented in TOML.
 ///
 /// # Errors
 /// A scene that cannot be written in the notation (no such scene is known).
-pub fn starter_text(spec: &SceneSpec, notation: Notation) -> Result<String, Error> {
+pub fn starter_text(new: &NewScene, notation: Notation) -> Result<String, Error> {
     let unwritable = |e: toml::ser::Error| Error::invalid("", e.to_string());
     let toml = match notation {
-        Notation::Json => return Ok(format!("{:#}\n", serde_json::json!(spec))),
-        Notation::Toml => toml::to_string(spec).map_err(unwritable)?,
+        Notation::Json => return Ok(format!("{:#}\n", serde_json::json!(new.spec))),
+        Notation::Toml => toml::to_string(&new.spec).map_err(unwritable)?,
     };
     let mut text = HEAD.to_string();
     let mut comments = COMMENTS.to_vec();
@@ -117,7 +133,11 @@ pub fn starter_text(spec: &SceneSpec, notation: Notation) -> Result<String, Erro
         text.push_str(line);
         text.push('\n');
     }
-    text.push_str(if spec.query.is_some() { "" } else { NO_QUERY });
+    let one_line = |text: &str| text.replace(char::is_control, " ");
+    let reason = |reason: &String, table: &str| format!("\n# {}.\n{table}", one_line(reason));
+    text.extend(new.unheld.iter().map(|why| reason(why, NO_WRENCH)));
+    let complete = new.scene.start().is_some() && new.scene.goal().is_some();
+    text.extend(new.lacking.iter().map(|why| reason(why, if complete { "" } else { NO_QUERY })));
     Ok(text)
 }
 
@@ -130,7 +150,8 @@ const HEAD: &str = "\
 const COMMENTS: &[(&str, &str)] = &[
     (
         "[workspace]",
-        "# The box that every corner of the platform must stay in: around outlets and obstacles, down to the floor.\n",
+        "# The box that every corner of the platform must stay in: around outlets and obstacles, down to the floor, and wide \
+         enough for the platform.\n",
     ),
     (
         "[[obstacles]]",
@@ -144,8 +165,13 @@ const COMMENTS: &[(&str, &str)] = &[
     ("[query]", "# Positions of the platform's origin.\n"),
 ];
 
-const NO_QUERY: &str = "
-# No two positions with a path between them were found; put yours here, or use --start and --goal.
+const NO_WRENCH: &str = "\
+# So this scene does not require that the cables hold the platform. To require it:
+# [wrench]
+";
+
+const NO_QUERY: &str = "\
+# Put start and goal here, under [query], or use --start and --goal:
 # [query]
 # start = [x, y, z]
 # goal = [x, y, z]

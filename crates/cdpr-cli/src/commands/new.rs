@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
+use cdpr_core::Error;
 use cdpr_core::geometry::Point;
-use cdpr_core::wrench::Hold;
-use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
-use cdpr_files::{Starter, starter_scene, starter_text};
+use cdpr_files::{NewScene, Starter, starter_scene, starter_text};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
@@ -21,7 +20,7 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
             Format::Text => Notation::Toml,
             Format::Json => Notation::Json,
         };
-        let scene = text(args, notation, Path::new("scene.toml"), out)?;
+        let (scene, _) = text(args, notation, Path::new("scene.toml"), out)?;
         out.write(args.output.as_deref().unwrap_or(Path::new(STANDARD)), scene.as_bytes(), "")?;
         return Ok(Answer::Yes);
     };
@@ -29,14 +28,18 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
     if path.exists() && !args.force {
         return Err(Error::file(path, "already exists; choose another name or overwrite it with --force"));
     }
-    out.write(path, text(args, notation, path, out)?.as_bytes(), "")?;
-    out.say(&format!("next: cdpr plan {} -o path.json --html view.html", path.display()));
+    let (scene, has_query) = text(args, notation, path, out)?;
+    out.write(path, scene.as_bytes(), "")?;
+    out.say(&match has_query {
+        true => format!("next: cdpr plan {} -o path.json --html view.html", path.display()),
+        false => format!("next: cdpr info {}", path.display()),
+    });
     Ok(Answer::Yes)
 }
 
-/// The scene in the notation for this file name.
-fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Result<String, Error> {
-    let Some(robot) = &args.robot else { return example(notation) };
+/// The scene in the notation for this file name, and whether it has a start and a goal.
+fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Result<(String, bool), Error> {
+    let Some(robot) = &args.robot else { return Ok((example(notation)?, true)) };
     let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
     let starter = Starter {
         robot: robot.clone(),
@@ -45,10 +48,9 @@ fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Resul
         start: end(&args.start),
         goal: end(&args.goal),
     };
-    let (spec, scene, solvable) =
-        with_sign_of_life(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
-    tell(&scene, solvable, out);
-    starter_text(&spec, notation)
+    let new = with_sign_of_life(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
+    tell(&new, out);
+    Ok((starter_text(&new, notation)?, new.scene.start().and(new.scene.goal()).is_some()))
 }
 
 fn example(notation: Notation) -> Result<String, Error> {
@@ -61,22 +63,17 @@ fn example(notation: Notation) -> Result<String, Error> {
     }
 }
 
-fn tell(scene: &Scene, solvable: bool, out: &Console) {
+fn tell(NewScene { scene, unheld, lacking, .. }: &NewScene, out: &Console) {
     out.in_brief(scene, scene.notes()).iter().for_each(|note| out.note(note));
-    match (scene.start(), scene.goal()) {
-        (Some(start), Some(goal)) if !solvable => {
-            let ends = format!("from {} to {}", position(&start), position(&goal));
-            out.note(&format!("a short search found no path {ends}; run cdpr plan for details"));
-        }
-        (Some(start), Some(goal)) => {
+    unheld.iter().for_each(|why| out.note(&format!("{why}; so the scene has no [wrench], which would require it")));
+    match (lacking, scene.start().zip(scene.goal())) {
+        (None, Some((start, goal))) => {
             out.say(&format!("query: a path from {} to {}", position(&start), position(&goal)))
         }
-        _ => out.note("found no two positions with a path between them; add start and goal under [query]"),
-    }
-    let room = scene.workspace();
-    let middle = Point::from((room.min.coords + room.max.coords) / 2.0);
-    let hold = scene.wrench().and_then(|_| Hold::at(scene.robot(), scene.orientation(), &middle));
-    if let Some(hold) = hold.filter(|hold| !hold.is_full()) {
-        out.note(&format!("{}; no position meets the requirements of [wrench]", hold.sentence()));
+        (Some(why), Some(_)) => out.note(&format!("{why}; cdpr plan tells more")),
+        (why, None) => {
+            let why = why.iter().map(|why| format!("{why}; ")).collect::<String>();
+            out.note(&format!("{why}put start and goal under [query], or use --start and --goal"))
+        }
     }
 }

@@ -238,6 +238,97 @@ fn a_proof_for_one_orientation_says_nothing_about_a_platform_that_may_turn() {
     }
 }
 
+/// Robot files of one to four cables: in the corners of a room or in a plane, attached at corners of a box or all at one
+/// point, which may be away from the centre of mass; with forces or without.
+fn small_robots() -> Vec<(String, String)> {
+    let corners = [[0.0, 0.0, 3.0], [4.0, 0.0, 3.0], [4.0, 3.0, 3.0], [0.0, 3.0, 3.0]];
+    let plane = [[0.0, 1.5, 0.0], [4.0, 1.5, 0.0], [4.0, 1.5, 3.0], [0.0, 1.5, 3.0]];
+    let sides = [[-0.1, -0.1, 0.05], [0.1, -0.1, 0.05], [0.1, 0.1, 0.05], [-0.1, 0.1, 0.05]];
+    let in_plane = [[-0.1, 0.0, -0.05], [0.1, 0.0, -0.05], [0.1, 0.0, 0.05], [-0.1, 0.0, 0.05]];
+    let kinds = [
+        ("corners", corners, sides),
+        ("planar", plane, in_plane),
+        ("hung", corners, [[0.0, 0.0, 0.05]; 4]),
+        ("offset", corners, [[0.05, 0.0, 0.05]; 4]),
+    ];
+    let mut robots = Vec::new();
+    for (kind, outlets, attachments) in kinds {
+        for count in 1..=4 {
+            for [mass, tension] in [["", ""], ["mass = 5.0\n", "tension = [1.0, 500.0]\n"]] {
+                let mut text = format!("version = 1\n{mass}[[platform]]\nbox = [0.2, 0.2, 0.1]\n");
+                for (outlet, attachment) in outlets.iter().zip(attachments).take(count) {
+                    text += &format!("[[cables]]\noutlet = {outlet:?}\nattachment = {attachment:?}\n{tension}");
+                }
+                robots.push((format!("{kind}{count}{}", if mass.is_empty() { "" } else { "_forces" }), text));
+            }
+        }
+    }
+    robots
+}
+
+/// Runs the command after "next: " and returns its exit status.
+fn status_of_next(folder: &std::path::Path, made: &std::process::Output) -> i32 {
+    let told = stderr(made);
+    let next = told.lines().find_map(|line| line.strip_prefix("next: cdpr ")).unwrap_or_else(|| panic!("{told}"));
+    status(&cdpr_in(folder, &next.split_whitespace().collect::<Vec<_>>()))
+}
+
+#[test]
+fn robots_of_one_to_four_cables_get_a_scene_and_a_next_command_that_works() {
+    let folder = folder();
+    for (name, robot) in small_robots() {
+        let [file, scene] = [format!("{name}.toml"), format!("{name}_hall.toml")];
+        fs::write(folder.path().join(&file), robot).unwrap();
+        let made = cdpr_in(folder.path(), &["new", &scene, "--robot", &file]);
+        assert_eq!(status(&made), 0, "{name}: {}", stderr(&made));
+        assert_eq!(status(&cdpr_in(folder.path(), &["info", &scene])), 0, "{name}");
+        assert!(stderr(&made).contains("query: a path from "), "{name}: {}", stderr(&made));
+        assert_eq!(status_of_next(folder.path(), &made), 0, "{name}: {}", stderr(&made));
+        // No fewer than three cables hold a point, no fewer than six anything else.
+        let holds = ["hung3_forces", "hung4_forces"].contains(&name.as_str());
+        let text = fs::read_to_string(folder.path().join(&scene)).unwrap();
+        let required = text.lines().any(|line| line == "[wrench]");
+        assert_eq!(required, name.ends_with("_forces") && holds, "{name}");
+        let told = stderr(&made).contains("so the scene has no [wrench]");
+        assert_eq!([told, text.contains("\n# [wrench]\n")], [name.ends_with("_forces") && !holds; 2], "{name}");
+    }
+}
+
+#[test]
+fn a_new_scene_without_two_positions_says_why_and_names_a_command_that_works() {
+    let folder = folder();
+    let made = |name: &str, robot: &str, more: &[&str]| {
+        fs::write(folder.path().join("robot.toml"), robot).unwrap();
+        let made = cdpr_in(folder.path(), &[&["new", name, "--robot", "robot.toml", "--force"], more].concat());
+        assert_eq!(status(&made), 0, "{}", stderr(&made));
+        made
+    };
+    let robots = small_robots();
+    let robot = |name: &str| &robots.iter().find(|(known, _)| known == name).unwrap().1;
+    // A cable that is far too short.
+    let short = format!("{}length = [0.0, 0.05]\n", robot("corners4"));
+    let none = made("none.toml", &short, &[]);
+    for words in ["note: found no valid position; at 100 of 100 random positions, cable 3 breaks its length", "[query]"]
+    {
+        assert!(stderr(&none).contains(words), "{}", stderr(&none));
+    }
+    assert!(stderr(&none).contains("next: cdpr info none.toml\n"), "{}", stderr(&none));
+    assert_eq!(status_of_next(folder.path(), &none), 0);
+    let text = fs::read_to_string(folder.path().join("none.toml")).unwrap();
+    assert!(
+        text.contains("\n# found no valid position; at 100 of 100") && text.contains("\n# start = [x, y, z]\n"),
+        "{text}"
+    );
+    // A start outside; both ends given, one of them outside.
+    let outside = ["--start", "0", "0", "9"];
+    let made_outside = made("outside.toml", robot("corners4"), &outside);
+    assert!(stderr(&made_outside).contains("note: the start is not valid: "), "{}", stderr(&made_outside));
+    assert_eq!(status_of_next(folder.path(), &made_outside), 0);
+    let both = made("both.toml", robot("corners4"), &[&outside[..], &["--goal", "2", "1", "1"]].concat());
+    assert!(stderr(&both).contains("the start is not valid") && stderr(&both).contains("next: cdpr plan both.toml"));
+    assert_eq!(status_of_next(folder.path(), &both), 1);
+}
+
 #[test]
 fn many_notes_about_meshes_are_few_lines_unless_each_is_asked_for() {
     let folder = folder();
