@@ -48,9 +48,11 @@ rust-test:
 portable-test:
 	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --locked --test oracles
 
-# Damaged files for every reader, three times as many as in `make test`.
+# Damaged files for every reader, three times as many as in `make test`; damaged meshes against plain readers, 100 000 of each
+# kind.
 mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
+	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) --locked -p cdpr-tests --test files mesh_mutations
 
 # The same on the code that users run, release without debug assertions; with damaged certificates, and large meshes.
 release-test:

@@ -9,6 +9,8 @@ mod import;
 mod mesh;
 mod mesh_bodies;
 mod mesh_coverage;
+mod mesh_files;
+mod mesh_mutations;
 mod mesh_notes;
 mod mesh_parts;
 mod wrench_map;

@@ -400,10 +400,6 @@ pub const MOST_MESH_BYTES: u64 = 100_000_000;
 /// Maximum number of triangles of a mesh.
 pub const MOST_TRIANGLES: usize = 500_000;
 
-/// Maximum number of words of an OBJ file for each of [`MOST_TRIANGLES`]: corners, normals, textures and faces have
-/// some 10.
-pub const WORDS_PER_TRIANGLE: usize = 16;
-
 /// Maximum number of connected pieces of a mesh: more indicate a mesh that is not welded.
 pub const MOST_PIECES: usize = 5_000;
 

@@ -22,7 +22,7 @@ mod xml;
 pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 pub use loader::Loader;
 pub use mesh_file::{RegionFormat, save_regions};
-pub use mesh_reader::load_mesh;
+pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
     LoadedPath, PathFile, PathFormat, SceneId, check_path_name, load_waypoints, save_path, scene_for, scene_of_path,

@@ -9,7 +9,7 @@ use hmac_sha256::Hash;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::mesh_reader::{bytes_of, mesh_from, mesh_of};
+use super::mesh_reader::{MeshFile, bytes_of, mesh_from, mesh_of};
 use super::output::write_atomically;
 use super::text::read_bytes_at_most;
 use cdpr_core::error::Error;
@@ -176,7 +176,10 @@ fn of_file(path: &Path, body: &BodySpec, place: &str, watch: &Watch) -> Result<P
     if let Some(parts) = kept_parts(&kept, &key) {
         return Ok(parts);
     }
-    let parts = parts_of(&mesh_from(path, &bytes)?, size, watch).map_err(|e| e.in_file(path))?;
+    let MeshFile { mesh, notes } = mesh_from(path, &bytes)?;
+    let mut parts = parts_of(&mesh, size, watch).map_err(|e| e.in_file(path))?;
+    parts.exact &= notes.is_empty();
+    parts.notes.splice(..0, notes);
     if parts.parts.len() > 1 {
         keep(&kept, &key, &parts);
     }

@@ -1,19 +1,33 @@
-//! Reading of triangle meshes: STL, binary or text, and OBJ.
+//! Reading of triangle meshes: STL, binary or text, and OBJ. Whatever a file contains is used, or an error or a note
+//! names it.
 
-use std::io::Cursor;
+mod lines;
+mod obj;
+mod stl;
+mod triangulation;
+
 use std::path::Path;
 
 use super::text::{extension, other_extension, read_bytes_at_most};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
 use cdpr_core::model::MeshSpec;
-use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES, WORDS_PER_TRIANGLE};
+use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES};
 
-/// Loads a mesh, in the unit of its file. Polygons with more than three corners are triangulated.
+/// A mesh as its file gives it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshFile {
+    /// The triangles, in the unit of the file.
+    pub mesh: TriangleMesh,
+    /// What the file contains besides, and what is unusual about it.
+    pub notes: Vec<String>,
+}
+
+/// Loads a mesh, in the unit of its file. Polygons with more than three corners are triangulated. [`load_mesh_file`] gives
+/// the notes about the file, too.
 ///
 /// # Errors
-/// An unknown extension, a file in a different format, no triangles or too many, coordinates that are not finite. Holes
-/// and similar defects are not errors; see [`cdpr_core::geometry::pieces`].
+/// As [`load_mesh_file`].
 ///
 /// # Example
 /// ```
@@ -25,6 +39,16 @@ use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES, WORDS_PER_TRIANGLE};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn load_mesh(path: &Path) -> Result<TriangleMesh, Error> {
+    load_mesh_file(path).map(|file| file.mesh)
+}
+
+/// Loads a mesh and the notes about its file.
+///
+/// # Errors
+/// An unknown extension, a file in a different format, or that ends early, statements that are unknown or of curved
+/// surfaces, no triangles or too many, coordinates that are not finite; with the line where there is one. Holes and similar
+/// defects are not errors; see [`cdpr_core::geometry::pieces`].
+pub fn load_mesh_file(path: &Path) -> Result<MeshFile, Error> {
     mesh_from(path, &bytes_of(path)?)
 }
 
@@ -35,17 +59,21 @@ pub(super) fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
 }
 
 /// The mesh in the bytes of a file of this name.
-pub(super) fn mesh_from(path: &Path, bytes: &[u8]) -> Result<TriangleMesh, Error> {
-    let mesh = format_of(path)?(bytes).and_then(checked);
-    mesh.map_err(|e| e.in_file(path))
+pub(super) fn mesh_from(path: &Path, bytes: &[u8]) -> Result<MeshFile, Error> {
+    let read = || {
+        let MeshFile { mesh, notes } = format_of(path)?(bytes)?;
+        let mesh = checked(mesh).map_err(|e| e.with_hints(&notes))?;
+        Ok(MeshFile { mesh, notes })
+    };
+    read().map_err(|e: Error| e.in_file(path))
 }
 
-type Reader = fn(&[u8]) -> Result<TriangleMesh, Error>;
+type Reader = fn(&[u8]) -> Result<MeshFile, Error>;
 
 fn format_of(path: &Path) -> Result<Reader, Error> {
     match extension(path).as_deref() {
-        Some("stl") => Ok(stl),
-        Some("obj") => Ok(obj),
+        Some("stl") => Ok(stl::read),
+        Some("obj") => Ok(obj::read),
         _ => Err(other_extension(path, ".stl or .obj")),
     }
 }
@@ -88,71 +116,6 @@ fn checked(mesh: TriangleMesh) -> Result<TriangleMesh, Error> {
     Ok(TriangleMesh { triangles, vertices: used })
 }
 
-fn too_many(triangles: usize) -> Error {
-    Error::invalid("", format!("found {triangles} triangles, expected at most {MOST_TRIANGLES}; simplify the mesh"))
-}
-
-/// Bytes of a binary STL file before its triangles, and of each triangle.
-const STL_HEADER: usize = 84;
-const STL_TRIANGLE: usize = 50;
-
-fn stl(bytes: &[u8]) -> Result<TriangleMesh, Error> {
-    let told = bytes.get(80..STL_HEADER).map(|b| u32::from_le_bytes(b.try_into().expect("four bytes")) as usize);
-    if let Some(told) = told.filter(|n| *n > MOST_TRIANGLES && !bytes.starts_with(b"solid")) {
-        return Err(too_many(told));
-    }
-    let is_binary = told.is_some_and(|n| n.checked_mul(STL_TRIANGLE) == bytes.len().checked_sub(STL_HEADER));
-    let mut bytes = bytes.to_vec();
-    let is_text = !is_binary && bytes.starts_with(b"solid");
-    if is_binary {
-        bytes[..5].fill(b' '); // some headers begin with "solid", which would read as text
-    } else if is_text {
-        bytes.insert(5, b' '); // "solid" alone in a line: the name was omitted
-    } else if let Some(told) = told {
-        let problem = format!("ends after {} of {told} triangles", (bytes.len() - STL_HEADER) / STL_TRIANGLE);
-        return Err(Error::invalid("", format!("{problem}, or is not an STL file")));
-    }
-    let found = stl_io::read_stl(&mut Cursor::new(bytes))
-        .map_err(|e| Error::invalid("", format!("is not a valid STL file: {e}")))?;
-    let vertices = found.vertices.iter().map(|v| Point::from(<[f32; 3]>::from(*v).map(f64::from))).collect();
-    Ok(TriangleMesh { vertices, triangles: found.faces.iter().map(|f| f.vertices).collect() })
-}
-
-fn obj(bytes: &[u8]) -> Result<TriangleMesh, Error> {
-    let words = bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count();
-    if words > WORDS_PER_TRIANGLE * MOST_TRIANGLES {
-        let problem = format!("found {words} words, expected at most {}", WORDS_PER_TRIANGLE * MOST_TRIANGLES);
-        return Err(Error::invalid("", format!("{problem} ({MOST_TRIANGLES} triangles); simplify the mesh")));
-    }
-    let options = tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
-    let no_materials = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
-    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
-        .map_err(|e| Error::invalid("", format!("is not a valid OBJ file: {e}")))?;
-    let mut whole = TriangleMesh::default();
-    for tobj::Model { mesh, .. } in models {
-        let vertices: Vec<Point> = mesh.positions.chunks_exact(3).map(Point::from_slice).collect();
-        let mut corners = mesh.indices.iter().map(|i| *i as usize);
-        let triangles_only = vec![3; if mesh.face_arities.is_empty() { mesh.indices.len() / 3 } else { 0 }];
-        let arities = mesh.face_arities.iter().chain(&triangles_only);
-        let polygons = arities.map(|n| corners.by_ref().take(*n as usize).collect::<Vec<usize>>());
-        let triangles = polygons.flat_map(|polygon| triangles_of(&polygon, &vertices)).collect();
-        whole.append(&TriangleMesh { vertices, triangles });
-    }
-    Ok(whole)
-}
-
-/// Triangulates a polygon, convex or not; for a polygon that intersects itself, some triangles are missing.
-fn triangles_of(polygon: &[usize], vertices: &[Point]) -> Vec<[usize; 3]> {
-    if let [a, b, c] = polygon {
-        return vec![[*a, *b, *c]];
-    }
-    let Some(places) = polygon.iter().map(|i| vertices.get(*i).map(|p| [p.x, p.y, p.z])).collect::<Option<Vec<_>>>()
-    else {
-        return vec![[usize::MAX; 3]]; // reported with the other corners that do not exist
-    };
-    let (mut flat, mut found) = (Vec::new(), Vec::<usize>::new());
-    if earcut::utils3d::project3d_to_2d(&places, places.len(), &mut flat) {
-        earcut::Earcut::new().earcut(flat, &[], &mut found);
-    }
-    found.chunks_exact(3).map(|t| [polygon[t[0]], polygon[t[1]], polygon[t[2]]]).collect()
+fn too_many(found: impl std::fmt::Display) -> Error {
+    Error::invalid("", format!("found {found} triangles, expected at most {MOST_TRIANGLES}; simplify the mesh"))
 }
