@@ -6,6 +6,7 @@ mod batch;
 mod built_scenes;
 mod hostile_files;
 mod import;
+mod import_whole;
 mod mesh;
 mod mesh_bodies;
 mod mesh_coverage;

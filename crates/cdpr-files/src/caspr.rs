@@ -7,11 +7,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use roxmltree::Node;
-
 use super::import_source::{ImportOptions, Source, inertia_of, platform_of};
 use super::text::extension;
-use super::xml::{at, attribute, child, children, numbers, parse, read};
+use super::xml::{Element, Read, parse, read};
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::geometry::Vector;
 use cdpr_core::model::{CableSpec, InertiaSpec, RobotSpec};
@@ -106,70 +104,75 @@ struct Link {
 }
 
 fn link(text: &str) -> Result<Link, Error> {
-    let document = parse(text)?;
-    let root = rooted(document.root_element(), "bodies_system")?;
-    let links = child(root, "links")?;
-    let mut all = children(links);
-    let link = all.next().filter(|n| n.has_tag_name("link_rigid"));
-    let link = link.ok_or_else(|| at(links, "found no <link_rigid>, expected one"))?;
+    let (document, read) = (parse(text)?, Read::default());
+    let root = Element::root(&document, &read, "bodies_system")?;
+    let links = root.child("links")?;
+    let mut all = links.children();
+    let link = all.next().filter(|link| link.name() == "link_rigid");
+    let link = link.ok_or_else(|| links.wrong("found no <link_rigid>, expected one"))?;
     if let Some(second) = all.next() {
-        return Err(at(second, "found a second link, expected a single rigid platform"));
+        return Err(second.wrong("found a second link, expected a single rigid platform"));
     }
-    let joint = child(link, "joint")?;
-    let kind = attribute(joint, "type")?;
+    if let Some(number) = link.optional_attribute("num").filter(|number| number.trim() != "1") {
+        return Err(link.wrong(format!("found num \"{number}\", expected 1 for the platform")));
+    }
+    let joint = link.child("joint")?;
+    let kind = joint.attribute("type")?;
     if !FREE_JOINTS.iter().any(|free| kind.starts_with(free)) {
-        return Err(at(
-            joint,
-            format!("found a joint {kind}, expected a platform that moves freely (SPATIAL_… or T_XYZ)"),
-        ));
+        return Err(
+            joint.wrong(format!("found a joint {kind}, expected a platform that moves freely (SPATIAL_… or T_XYZ)"))
+        );
     }
-    let physical = child(link, "physical")?;
-    let [mass] = numbers(child(physical, "mass")?)?;
-    let center_of_mass = numbers(child(physical, "com_location")?)?;
-    let mut notes = link_notes(links, link, joint, physical)?;
-    let given = child(physical, "inertia").ok().map(|node| inertia(node, mass, center_of_mass.into())).transpose()?;
+    let physical = link.child("physical")?;
+    let [mass] = physical.child("mass")?.numbers()?;
+    let center_of_mass = physical.child("com_location")?.numbers()?;
+    let mut notes = link_notes(link, joint, physical)?;
+    let given = physical.optional("inertia")?.map(|node| inertia(node, mass, center_of_mass.into())).transpose()?;
     let inertia = given.and_then(|given| inertia_of(given).map_err(|note| notes.push(note)).ok());
+    notes.extend(root.unread());
     Ok(Link { mass, center_of_mass, inertia, notes })
 }
 
 /// Moments and products of inertia about the centre of mass. CASPR gives them about that point or about the joint, and the
 /// products as entries of the tensor (its `BodyModelRigid`).
-fn inertia(node: Node, mass: f64, center: Vector) -> Result<[f64; 6], Error> {
+fn inertia(node: Element, mass: f64, center: Vector) -> Result<[f64; 6], Error> {
     let mut entries = [0.0; 6];
     for (entry, name) in entries.iter_mut().zip(["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"]) {
-        [*entry] = numbers(child(node, name)?)?;
+        [*entry] = node.child(name)?.numbers()?;
     }
     let [x, y, z] = center.into();
     // The parallel axis theorem.
     let of_the_mass =
         [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|product| mass * product);
-    match attribute(node, "ref")? {
+    match node.attribute("ref")? {
         "com" => Ok(entries),
         "joint" => Ok(std::array::from_fn(|k| entries[k] - of_the_mass[k])),
-        other => Err(at(node, format!("found ref \"{other}\", expected com or joint"))),
+        other => Err(node.wrong(format!("found ref \"{other}\", expected com or joint"))),
     }
 }
 
-fn link_notes(links: Node, link: Node, joint: Node, physical: Node) -> Result<Vec<String>, Error> {
-    let mut notes = Vec::new();
-    let kind = attribute(joint, "type")?;
-    let ranges: Vec<_> = joint.attributes().filter(|a| a.name() != "type").collect();
-    let ranges: Vec<String> = ranges.iter().map(|a| format!("{} \"{}\"", a.name(), a.value())).collect();
-    notes.push(format!("joint {kind}: {}", if ranges.is_empty() { "no ranges".into() } else { ranges.join(", ") }));
-    if let Ok(end) = child(physical, "end_location") {
-        let end: [f64; 3] = numbers(end)?;
+fn link_notes(link: Element, joint: Element, physical: Element) -> Result<Vec<String>, Error> {
+    let kind = joint.attribute("type")?;
+    let ranges: Vec<String> = joint
+        .attributes()
+        .filter(|(name, _)| *name != "type")
+        .map(|(name, value)| format!("{name} \"{value}\""))
+        .collect();
+    let mut notes =
+        vec![format!("joint {kind}: {}", if ranges.is_empty() { "no ranges".into() } else { ranges.join(", ") })];
+    if let Some(end) = physical.optional("end_location")? {
+        let end: [f64; 3] = end.numbers()?;
         notes.extend((end != [0.0; 3]).then(|| format!("end_location {end:?}")));
     }
-    if let Ok(parent) = child(link, "parent") {
-        let place: [f64; 3] = numbers(child(parent, "location")?)?;
+    if let Some(parent) = link.optional("parent")? {
+        if let Some(number) = parent.optional("num")? {
+            expect_link(number, 0.0)?;
+        }
+        let place: [f64; 3] = parent.child("location")?.numbers()?;
         let base = format!("location of the joint {place:?}: positions here are in the frame of the outlets");
         notes.extend((place != [0.0; 3]).then_some(base));
     }
-    let known = ["mass", "com_location", "end_location", "inertia"];
-    let unread = children(physical).filter(|n| !known.contains(&n.tag_name().name()));
-    let outside = children(link).filter(|n| !["joint", "physical", "parent"].contains(&n.tag_name().name()));
-    notes.extend(unread.chain(outside).map(|n| n.tag_name().name().to_string()));
-    notes.extend(links.attributes().map(|a| a.name().to_string()));
+    notes.extend(link.optional_attribute("name").map(|name| format!("name of the platform \"{name}\"")));
     Ok(notes)
 }
 
@@ -182,26 +185,32 @@ struct CableSet {
 }
 
 fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, Error> {
-    let document = parse(text)?;
-    let root = rooted(document.root_element(), "cables")?;
-    let sets: Vec<(&str, Node)> =
-        children(root).map(|set| Ok((attribute(set, "id")?, set))).collect::<Result<_, Error>>()?;
-    let default = || root.attribute("default_cable_set").or_else(|| sets.first().map(|(id, _)| *id));
-    let id = wanted.or_else(default).ok_or_else(|| at(root, "found no <cable_set>, expected at least one"))?;
+    let (document, read) = (parse(text)?, Read::default());
+    let root = Element::root(&document, &read, "cables")?;
+    let sets: Vec<(&str, Element)> =
+        root.named("cable_set").map(|set| Ok((set.attribute("id")?, set))).collect::<Result<_, Error>>()?;
+    let named = root.optional_attribute("default_cable_set");
+    let default = || named.or_else(|| sets.first().map(|(id, _)| *id));
+    let id = wanted.or_else(default).ok_or_else(|| root.wrong("found no <cable_set>, expected at least one"))?;
     let Some((_, set)) = sets.iter().find(|(name, _)| *name == id) else {
         let names: Vec<&str> = sets.iter().map(|(name, _)| *name).collect();
         let hint = nearest_name(id, names.iter().copied()).map(|n| format!("; did you mean \"{n}\"?"));
         let problem = format!("found no cable set \"{id}\", expected one of {}", names.join(", "));
-        return Err(at(root, problem + &hint.unwrap_or_default()));
+        return Err(root.wrong(problem + &hint.unwrap_or_default()));
     };
-    let mut unread = BTreeSet::new();
-    let mut cables = children(*set).map(|c| cable(c, link, &mut unread)).collect::<Result<Vec<_>, _>>()?;
-    let mut notes: Vec<String> = unread.into_iter().collect();
+    let others: Vec<&(&str, Element)> = sets.iter().filter(|(name, _)| *name != id).collect();
+    others.iter().for_each(|(_, other)| other.whole());
+    if others.len() + 1 < sets.len() {
+        return Err(set.wrong(format!("found several cable sets \"{id}\", expected one")));
+    }
+    let others: Vec<String> = others.iter().map(|(name, _)| name.to_string()).collect();
+    let mut changed = BTreeSet::new();
+    let mut cables = set.children().map(|c| cable(c, link, &mut changed)).collect::<Result<Vec<_>, _>>()?;
+    let mut notes: Vec<String> = changed.into_iter().chain(root.unread()).collect();
     if repeated_names(&cables) {
         cables.iter_mut().for_each(|c| c.name = None);
         notes.push("names of cables, since two are equal".to_string());
     }
-    let others: Vec<String> = sets.iter().map(|(name, _)| name.to_string()).filter(|name| name != id).collect();
     if !others.is_empty() {
         notes.push(format!("other cable sets: {}", others.join(", ")));
     }
@@ -213,38 +222,31 @@ fn repeated_names(cables: &[CableSpec]) -> bool {
     names.len() < cables.len()
 }
 
-fn rooted<'a, 'i>(root: Node<'a, 'i>, name: &str) -> Result<Node<'a, 'i>, Error> {
-    if root.has_tag_name(name) {
-        return Ok(root);
+fn cable(node: Element, link: &Link, changed: &mut BTreeSet<String>) -> Result<CableSpec, Error> {
+    let properties = node.child("properties")?;
+    let limit = |name: &str| properties.child(name).and_then(Element::numbers::<1>).map(|[x]| x);
+    let diameter = properties.optional("diameter")?.map(Element::numbers::<1>).transpose()?.map(|[x]| x);
+    if node.name() != "cable_ideal" {
+        changed.insert(format!("{}: treated as an ideal cable", node.name()));
     }
-    Err(at(root, format!("found this at the top, expected <{name}>")))
-}
-
-fn cable(node: Node, link: &Link, unread: &mut BTreeSet<String>) -> Result<CableSpec, Error> {
-    let properties = child(node, "properties")?;
-    let limit = |name: &str| child(properties, name).and_then(numbers::<1>).map(|[x]| x);
-    let known = ["force_min", "force_max"];
-    let others = children(properties).filter(|n| !known.contains(&n.tag_name().name()));
-    unread.extend(others.map(|n| format!("{} of cables", n.tag_name().name())));
-    if !node.has_tag_name("cable_ideal") {
-        unread.insert(format!("{}: treated as an ideal cable", node.tag_name().name()));
-    }
-    let ends: Vec<Node> = children(child(node, "attachments")?).collect();
+    let ends: Vec<Element> = node.child("attachments")?.children().collect();
     let [base, platform] = ends[..] else {
-        return Err(at(node, format!("found {} attachments, expected two: base and platform", ends.len())));
+        return Err(node.wrong(format!("found {} attachments, expected two: base and platform", ends.len())));
     };
-    let reference = match node.attribute("attachment_reference") {
+    let reference = match node.optional_attribute("attachment_reference") {
         Some("joint") | None => [0.0; 3],
         Some("com") => link.center_of_mass,
-        Some(other) => return Err(at(node, format!("found attachment_reference \"{other}\", expected joint or com"))),
+        Some(other) => {
+            return Err(node.wrong(format!("found attachment_reference \"{other}\", expected joint or com")));
+        }
     };
     let own: [f64; 3] = attached_to(platform, 1.0)?;
     Ok(CableSpec {
-        name: node.attribute("name").map(cable_name),
-        outlet: outlet(base, unread)?,
+        name: node.optional_attribute("name").map(cable_name),
+        outlet: outlet(base, changed)?,
         attachment: std::array::from_fn(|k| own[k] + reference[k]),
         tension: Some([limit("force_min")?, limit("force_max")?]),
-        diameter: None,
+        diameter,
         length: None,
     })
 }
@@ -254,23 +256,30 @@ fn cable_name(name: &str) -> String {
     if name.chars().all(|c| c.is_ascii_digit()) { format!("cable {name}") } else { name.to_string() }
 }
 
-fn attached_to(end: Node, number: f64) -> Result<[f64; 3], Error> {
-    let link = child(end, "link")?;
-    let [found] = numbers::<1>(link)?;
-    if found != number {
-        return Err(at(link, format!("found link {found}, expected 0 for the base, then 1 for the platform")));
+fn attached_to(end: Element, number: f64) -> Result<[f64; 3], Error> {
+    if end.name() != "attachment" {
+        return Err(end.wrong("found this, expected <attachment>, or <base_rotating_pulley> for the base"));
     }
-    numbers(child(end, "location")?)
+    expect_link(end.child("link")?, number)?;
+    end.child("location")?.numbers()
 }
 
-fn outlet(base: Node, unread: &mut BTreeSet<String>) -> Result<[f64; 3], Error> {
-    if !base.has_tag_name("base_rotating_pulley") {
+fn expect_link(link: Element, number: f64) -> Result<(), Error> {
+    let [found] = link.numbers::<1>()?;
+    if found != number {
+        return Err(link.wrong(format!("found link {found}, expected 0 for the base, then 1 for the platform")));
+    }
+    Ok(())
+}
+
+fn outlet(base: Element, changed: &mut BTreeSet<String>) -> Result<[f64; 3], Error> {
+    if base.name() != "base_rotating_pulley" {
         return attached_to(base, 0.0);
     }
-    let [radius] = numbers::<1>(child(base, "pulley_radius")?)?;
-    unread.insert(format!(
+    let [radius] = base.child("pulley_radius")?.numbers::<1>()?;
+    changed.insert(format!(
         "rotating pulleys of radius {radius} m: cables start at fixed_location, which is up to {} m off",
         2.0 * radius
     ));
-    numbers(child(base, "fixed_location")?)
+    base.child("fixed_location")?.numbers()
 }
