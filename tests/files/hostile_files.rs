@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Error;
-use cdpr_core::numerics::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_TEXT_BYTES};
+use cdpr_core::numerics::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_POLYGON_CORNERS, MOST_TEXT_BYTES};
 use cdpr_files::{ImportOptions, import_robot, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map};
 use cdpr_study::{load_experiment, load_study, merge};
 
@@ -123,6 +123,25 @@ fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
             assert!(message.contains(" MB, expected at most"), "{name}: {message}");
         }
     }
+}
+
+#[test]
+fn polygons_of_many_corners_that_cross_everywhere_are_read_in_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mesh.obj");
+    let vertices: String = (0..1000).map(|k| format!("v {} {} 0\n", k * 617 % 1009, k * 383 % 1013)).collect();
+    let polygon =
+        |n: usize| "f".to_string() + &(0..n).map(|k| format!(" {}", k * 7919 % 1000 + 1)).collect::<String>() + "\n";
+    fs::write(&path, vertices.clone() + &polygon(MOST_POLYGON_CORNERS).repeat(50)).unwrap();
+    let begun = Instant::now();
+    assert!(load_mesh(&path).is_ok());
+    assert!(begun.elapsed() < PATIENCE, "{:?}", begun.elapsed());
+    fs::write(&path, vertices + &polygon(100_000)).unwrap();
+    let message = load_mesh(&path).unwrap_err().to_string();
+    assert!(
+        message.ends_with("found a face with 100000 corners, expected at most 2000: triangulate it (line 1001)"),
+        "{message}"
+    );
 }
 
 /// The message that rejects a scene with this text; it must not take long, even while other tests run.

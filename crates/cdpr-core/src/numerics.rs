@@ -400,6 +400,10 @@ pub const MOST_MESH_BYTES: u64 = 100_000_000;
 /// Maximum number of triangles of a mesh.
 pub const MOST_TRIANGLES: usize = 500_000;
 
+/// Maximum number of corners of a polygon in a mesh file: the time to divide one that crosses itself everywhere into
+/// triangles grows with the square of them, to about a tenth of a second.
+pub const MOST_POLYGON_CORNERS: usize = 2_000;
+
 /// Maximum number of connected pieces of a mesh: more indicate a mesh that is not welded.
 pub const MOST_PIECES: usize = 5_000;
 

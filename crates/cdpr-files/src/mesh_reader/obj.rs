@@ -8,7 +8,7 @@ use super::triangulation::{fan, triangulation};
 use super::{MeshFile, too_many};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
-use cdpr_core::numerics::MOST_TRIANGLES;
+use cdpr_core::numerics::{MOST_POLYGON_CORNERS, MOST_TRIANGLES};
 use cdpr_core::words::count;
 
 /// Statements with names, which may end with a backslash of their own.
@@ -137,9 +137,14 @@ impl File {
     }
 
     fn add_polygon(&mut self, values: &[&[u8]], line: usize) -> Result<(), Error> {
+        let refused = |expected: String| {
+            at(line, format!("found a face with {}, expected {expected}", count(values.len(), "corner")))
+        };
         if values.len() < 3 {
-            let found = count(values.len(), "corner");
-            return Err(at(line, format!("found a face with {found}, expected at least 3")));
+            return Err(refused("at least 3".to_string()));
+        }
+        if values.len() > MOST_POLYGON_CORNERS {
+            return Err(refused(format!("at most {MOST_POLYGON_CORNERS}: triangulate it")));
         }
         self.triangles += values.len() - 2;
         if self.triangles > MOST_TRIANGLES {
