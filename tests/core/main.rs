@@ -15,6 +15,7 @@ mod proposal;
 mod random_scenes;
 mod regions;
 mod regressions;
+mod seams;
 mod trajectory;
 mod turning;
 mod turning_attacks;

@@ -6,6 +6,7 @@ mod cspace;
 mod engine_oracle;
 mod engines_agree;
 mod geometry_oracle;
+mod lattice;
 mod pair_distances;
 mod turning;
 mod wrench_certify;

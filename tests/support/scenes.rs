@@ -4,12 +4,14 @@
 //!
 //! The oracle answers "hit" or "free" only if this is proved by more than the tolerance; otherwise either is right.
 
+use cdpr_core::Error;
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{
     BodySpec, CableSpec, ClearancesSpec, PairClearanceSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec,
     WorkspaceSpec,
 };
 use cdpr_core::numerics::GAP_TOLERANCE;
+use cdpr_core::testing::{paper_robot, paper_scene};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -25,6 +27,24 @@ pub enum Verdict {
 pub fn body_spec(name: Option<&str>, body: &Polytope) -> BodySpec {
     let vertices = body.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
     BodySpec { name: name.map(str::to_string), vertices: Some(vertices), ..BodySpec::default() }
+}
+
+/// A scene with a robot that has one cable, "cable", from an outlet to an attachment; pairs are ignored by name.
+pub fn scene_with_a_cable(
+    platform: Vec<BodySpec>,
+    ends: [Point; 2],
+    obstacles: Vec<BodySpec>,
+    ignore: &[[&str; 2]],
+) -> Result<Scene, Error> {
+    let [outlet, attachment] = ends.map(|p| [p.x, p.y, p.z]);
+    let name = Some("cable".to_string());
+    let cable = CableSpec { name, outlet, attachment, tension: None, diameter: None, length: None };
+    let mut spec = paper_scene("one cable", obstacles);
+    spec.robot = RobotSource::Inline(RobotSpec { mass: None, platform, cables: vec![cable], ..paper_robot() });
+    spec.workspace = WorkspaceSpec { min: [-60.0; 3], max: [60.0; 3] };
+    spec.ignore = ignore.iter().map(|pair| pair.map(str::to_string)).collect();
+    spec.query = None;
+    Scene::new(spec)
 }
 
 /// A platform of one to three parts, some of them flat, a segment or a point.

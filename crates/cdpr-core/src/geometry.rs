@@ -9,6 +9,7 @@ pub mod features;
 pub mod gjk;
 pub(crate) mod half_space;
 mod hull;
+mod inner;
 mod inner_hull;
 mod merge;
 pub(crate) mod mesh;

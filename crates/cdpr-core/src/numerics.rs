@@ -107,6 +107,10 @@ pub const NO_WIDTH: f64 = 1e-12;
 /// Sine of the angle below which a facet counts as parallel to a plane, or a ray to a facet, when seams are built.
 pub const ALONG_FACET: f64 = 1e-9;
 
+/// Sine of the angle up to which a facet that touches a line may contain it: a facet of a part of a tenth of a millimetre
+/// is tilted by this if its corners are [`ON_SURFACE`] from where they should be.
+pub const ALONG_LINE: f64 = 1e-3;
+
 /// Rounding of the numbers of an inertia, as a share of the largest: catalogues print four to seven digits.
 pub const INERTIA_ROUNDING: f64 = 1e-6;
 
@@ -270,7 +274,7 @@ pub const MOST_CABLES: usize = 256;
 /// fifth power.
 pub const MOST_WRENCH_CABLES: usize = 24;
 
-/// Maximum number of convex parts of a platform or of all obstacles of a scene: every pair is examined for a seam.
+/// Maximum number of convex parts of a platform or of all obstacles of a scene: all that touch each other are examined for seams.
 pub const MOST_BODIES: usize = 10_000;
 
 /// Maximum number of orientations of a scene: planning may try each.

@@ -1,5 +1,6 @@
 //! The bodies of a scene at one orientation, independent of the platform's position.
 
+use crate::geometry::seam::Gap;
 use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
 use crate::model::{Member, Scene};
@@ -36,11 +37,10 @@ impl CableAt {
 pub struct ObstacleBody {
     /// Convex body, world, m.
     pub body: Polytope,
-    /// Index into [`Scene::obstacles`], twice; for a seam, the obstacles on both sides, which may be the same.
-    pub between: [usize; 2],
-    /// For a body that closes a seam: the penetration depth that still counts as touching, m. Clearances are measured
-    /// to the adjacent parts only.
-    pub seam: Option<f64>,
+    /// Index into [`Scene::obstacles`]; for a seam, of all obstacles around it, in ascending order.
+    pub between: Vec<usize>,
+    /// For a body that closes a seam: what it closes. Clearances are measured to the adjacent parts only.
+    pub seam: Option<Gap>,
     /// Name of the obstacle.
     pub name: String,
 }
@@ -51,7 +51,7 @@ impl ObstacleBody {
         self.between.iter().any(|j| scene.pairs().ignores(member, Member::Obstacle(*j)))
     }
 
-    /// The obstacle; for a seam, the first of the two it lies between.
+    /// The obstacle; for a seam, the first of those around it.
     pub fn member(&self) -> Member {
         Member::Obstacle(self.between[0])
     }
@@ -119,11 +119,11 @@ fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
 }
 
 fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {
-    let body = |body: &Polytope, between: [usize; 2], seam| {
+    let body = |body: &Polytope, between: Vec<usize>, seam| {
         let name = scene.obstacles()[between[0]].name.clone();
         ObstacleBody { body: body.clone(), between, seam, name }
     };
     let parts = scene.obstacles().iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part)));
-    let parts = parts.map(|(j, part)| body(part, [j, j], None));
-    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between, Some(s.touch)))).collect()
+    let parts = parts.map(|(j, part)| body(part, vec![j], None));
+    parts.chain(scene.seams().iter().map(|s| body(&s.body, s.between.clone(), Some(s.gap)))).collect()
 }

@@ -6,6 +6,9 @@ use crate::geometry::gjk::{nearer_than, overlap, proximity, shape_distance};
 use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, SupportMap, Triangle, Vector, shadow};
 use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
+/// Number of dimensions of a cable.
+pub const CABLE: usize = 1;
+
 /// How a cable must stay clear of a convex body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Demand {

@@ -4,7 +4,7 @@
 //! outlet is on the obstacle, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt, ObstacleBody};
-use super::cable_and_body::{Demand, rounded_shadow};
+use super::cable_and_body::{CABLE, Demand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
@@ -36,8 +36,8 @@ impl CableObstacle {
         if !normals.is_empty() {
             return with(Demand::Leave { normals });
         }
-        if let Some(touch) = obstacle.seam {
-            return with(Demand::Outside { touch });
+        if let Some(gap) = obstacle.seam {
+            return with(Demand::Outside { touch: gap.touch });
         }
         let (gap, distance) =
             (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
@@ -69,7 +69,8 @@ impl PhysicalCondition for CableObstacle {
         for cable in 0..bodies.cables.len() {
             watch.check()?;
             for (body, obstacle) in bodies.obstacles.iter().enumerate() {
-                if !obstacle.ignored(scene, Member::Cable(cable)) {
+                let is_needed = obstacle.seam.is_none_or(|gap| gap.admits(CABLE));
+                if is_needed && !obstacle.ignored(scene, Member::Cable(cable)) {
                     let clearance = scene.pairs().clearance(Member::Cable(cable), obstacle.member());
                     all.push(CableObstacle::of([first + all.len(), cable, body], bodies, clearance, remarks));
                 }
@@ -95,7 +96,7 @@ impl PhysicalCondition for CableObstacle {
     }
 
     fn obstacles(&self, bodies: &Bodies) -> Vec<usize> {
-        bodies.obstacles[self.body].between.to_vec()
+        bodies.obstacles[self.body].between.clone()
     }
 
     fn closes_seam(&self, bodies: &Bodies) -> bool {
@@ -103,11 +104,11 @@ impl PhysicalCondition for CableObstacle {
     }
 
     fn is_seam_beside(&self, other: &dyn PhysicalCondition, bodies: &Bodies) -> bool {
-        let beside = bodies.obstacles[self.body].between.map(Member::Obstacle);
+        let beside = &bodies.obstacles[self.body].between;
         self.closes_seam(bodies)
             && other.kind() == self.kind()
             && !other.closes_seam(bodies)
-            && matches!(other.members(bodies)[..], [cable, part]
+            && matches!(other.members(bodies)[..], [cable, Member::Obstacle(part)]
                 if cable == Member::Cable(self.cable) && beside.contains(&part))
     }
 

@@ -5,13 +5,14 @@
 //! K, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt};
-use super::cable_and_body::{Demand, rounded_shadow};
+use super::cable_and_body::{CABLE, Demand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Forbidden, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
+use crate::geometry::seam::Gap;
 use crate::geometry::{HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
 use crate::model::{Member, Scene};
 use crate::numerics::ON_SURFACE;
@@ -30,11 +31,11 @@ pub struct CablePlatform {
 
 impl CablePlatform {
     /// The condition on a cable and a platform body, at `index` in the list; `None` if the cable cannot break it.
-    /// `seam` is the depth that counts as touching, m, for bodies that close a seam.
+    /// `seam` is what the body closes, if it is a seam.
     fn of(
         [index, cable, body]: [usize; 3],
         bodies: &Bodies,
-        seam: Option<f64>,
+        seam: Option<Gap>,
         clearance: f64,
         remarks: &mut Remarks,
     ) -> Option<Self> {
@@ -46,7 +47,7 @@ impl CablePlatform {
             // A plate, a segment or a point has no interior that the cable could enter.
             _ if distance <= ON_SURFACE && !part.has_volume() => return None,
             _ if distance <= ON_SURFACE => Demand::Leave { normals: part.active_normals(&attachment) },
-            Some(touch) => Demand::Outside { touch },
+            Some(gap) => Demand::Outside { touch: gap.touch },
             None => {
                 let pair = (index, [Member::Cable(cable), Member::Platform]);
                 Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) }
@@ -77,7 +78,10 @@ impl PhysicalCondition for CablePlatform {
             }
             let clearance = scene.pairs().clearance(Member::Cable(cable), Member::Platform);
             for body in 0..bodies.platform.len() {
-                let seam = body.checked_sub(bodies.platform_parts).map(|k| scene.robot().seams()[k].touch);
+                let seam = body.checked_sub(bodies.platform_parts).map(|k| scene.robot().seams()[k].gap);
+                if seam.is_some_and(|gap| !gap.admits(CABLE)) {
+                    continue;
+                }
                 all.extend(CablePlatform::of([first + all.len(), cable, body], bodies, seam, clearance, remarks));
             }
         }

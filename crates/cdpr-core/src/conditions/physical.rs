@@ -96,7 +96,7 @@ pub trait PhysicalCondition {
         None
     }
 
-    /// The obstacles that it is about, as indices into [`crate::model::Scene::obstacles`]; two for the seam between them.
+    /// The obstacles that it is about, as indices into [`crate::model::Scene::obstacles`]; several for a seam between them.
     fn obstacles(&self, _: &Bodies) -> Vec<usize> {
         Vec::new()
     }

@@ -38,7 +38,7 @@ impl PlatformObstacle {
     /// The depth that still counts as touching, m.
     #[inline]
     fn touch(&self, bodies: &Bodies) -> f64 {
-        bodies.obstacles[self.body].seam.unwrap_or(TOUCH_DEPTH)
+        bodies.obstacles[self.body].seam.map_or(TOUCH_DEPTH, |gap| gap.touch)
     }
 }
 
@@ -50,8 +50,7 @@ impl PhysicalCondition for PlatformObstacle {
                 continue;
             }
             for part in 0..bodies.platform_parts {
-                // A part with volume that enters a seam also enters the parts on both sides of it.
-                if obstacle.seam.is_some() && bodies.platform[part].has_volume() {
+                if obstacle.seam.is_some_and(|gap| !gap.admits(bodies.platform[part].dimension())) {
                     continue;
                 }
                 let gap = match obstacle.seam {
@@ -81,7 +80,7 @@ impl PhysicalCondition for PlatformObstacle {
     }
 
     fn obstacles(&self, bodies: &Bodies) -> Vec<usize> {
-        bodies.obstacles[self.body].between.to_vec()
+        bodies.obstacles[self.body].between.clone()
     }
 
     fn closes_seam(&self, bodies: &Bodies) -> bool {

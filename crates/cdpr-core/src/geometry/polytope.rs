@@ -167,6 +167,17 @@ impl Polytope {
         Self::hull_of(&std::array::from_fn::<_, 8, _>(corner))
     }
 
+    /// The octahedron with these half diagonals, which are at right angles and right-handed.
+    pub(super) fn octahedron(middle: &Point, [a, b, c]: &[Vector; 3]) -> Self {
+        let corners = vec![middle + a, middle - a, middle + b, middle - b, middle + c, middle - c];
+        let facet = |k: usize| {
+            let [i, j, k] = [k & 1, 2 + (k >> 1 & 1), 4 + (k >> 2)];
+            Facet::through(&corners, if (i + j + k) % 2 == 0 { vec![i, j, k] } else { vec![i, k, j] })
+        };
+        let facets = (0..8).map(facet).collect();
+        Self::from_hull(Hull { corners, facets }, 3)
+    }
+
     pub(super) fn from_hull(hull: Hull, dimension: usize) -> Self {
         let Hull { corners: vertices, facets } = hull;
         let normals = facets.iter().map(|f| f.normal);

@@ -1,48 +1,115 @@
-//! Seams of bodies made of abutting convex parts.
+//! Seams of bodies made of convex parts.
 //!
-//! A cable in the face shared by two parts is inside their union, but inside neither part. The shared face,
-//! thickened to a bipyramid within the union, is one more convex part; with it, "inside some part" and
-//! "inside the union" agree. Limitation: an edge line where three or more parts meet, no two of which share a face
-//! around it, is not covered; this affects only a cable exactly along that line. Parts without volume have no seams.
+//! A body is the union of its parts, and each part forbids its interior. A cable in the face shared by two parts is
+//! inside the union, but in the interior of neither part. So is a cable along an inner edge, around which several parts
+//! meet, and a point in an inner corner. A seam is one more convex body inside the union, around such a face, edge or
+//! corner; with seams, "inside some body" and "inside the union" agree.
+//!
+//! All seams are built alike. Let C be a face, edge or corner, m its middle, and D a ball around m in the directions
+//! across C: a segment, a disc or a ball. If the parts that contain C cover D, then hull(C ∪ D) is inside the union: each
+//! of its points lies between a point of C and one of D, and a part that contains the latter contains both. The seam is
+//! the hull of C and a segment, a square or an octahedron in D.
+//!
+//! Parts that are at most [`ON_SURFACE`] apart count as abutting. Parts without volume have no seams.
+
+use std::collections::BTreeSet;
 
 use super::hull::Facet;
+use super::inner::{Inner, inner_edges_and_corners};
 use super::{Point, Polytope, Vector};
 use crate::numerics::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
 
-/// A body that closes the seam between two parts.
+/// A body that closes the seam between parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seam {
-    /// Inside the union of the two parts, around the face they share.
+    /// Inside the union of the parts, around the face, edge or corner where they meet.
     pub body: Polytope,
-    /// The two parts.
-    pub between: [usize; 2],
-    /// Depth in the body that still counts as touching, m. The body is thin towards its rim, and thinner for thinner
-    /// parts; this depth in it corresponds to [`TOUCH_DEPTH`] inside the rim of the shared face.
+    /// The parts, in ascending order.
+    pub between: Vec<usize>,
+    /// What it closes.
+    pub gap: Gap,
+}
+
+/// What a seam closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// 2 for a face shared by two parts, 1 for an inner edge, 0 for an inner corner. A body with more dimensions than the
+    /// gap that enters the seam also enters a part, or a seam with more dimensions.
+    pub dimension: usize,
+    /// Depth in the seam's body that still counts as touching, m. The body is thin towards the rim of the face or the ends
+    /// of the edge, and thinner for thinner parts; this depth in it corresponds to [`TOUCH_DEPTH`] inside the face or edge.
     pub touch: f64,
 }
 
-/// The seams between all pairs of parts that share a face; parts that overlap or are apart have none.
+impl Gap {
+    /// Whether a body with this number of dimensions can be inside the union without entering a part or another seam.
+    pub fn admits(&self, dimension: usize) -> bool {
+        dimension <= self.dimension
+    }
+}
+
+/// The seams between parts: of faces, then of inner edges, then of inner corners.
 pub fn seams(parts: &[&Polytope]) -> Vec<Seam> {
+    let neighbours = neighbours(parts);
     let mut found = Vec::new();
-    for (i, a) in parts.iter().enumerate() {
-        for (j, b) in parts.iter().enumerate().skip(i + 1) {
+    for (i, beside) in neighbours.iter().enumerate() {
+        for &j in beside.iter().filter(|j| **j > i) {
+            let (a, b) = (parts[i], parts[j]);
             let Some(face) = shared_face(a, b) else { continue };
-            let steepness = |body: &Polytope| {
-                let rise = |f: &Facet| f.normal.cross(&face.1).norm();
-                body.facets().iter().map(rise).fold(1.0, f64::min)
-            };
+            let steepness = |f: &Facet| f.normal.cross(&face.1).norm();
             let body = bipyramid(&face, a, b);
-            found.extend(body.map(|body| Seam { touch: TOUCH_DEPTH * steepness(&body), body, between: [i, j] }));
+            found.extend(body.map(|body| Seam::new(body, vec![i, j], 2, steepness)));
         }
     }
+    let shared: BTreeSet<[usize; 2]> = found.iter().map(|seam| [seam.between[0], seam.between[1]]).collect();
+    found.extend(inner_edges_and_corners(parts, &neighbours, &shared).into_iter().map(Seam::around));
+    found
+}
+
+impl Seam {
+    /// `steepness` is the sine of the angle between a facet of the body and the face or edge that it closes.
+    fn new(body: Polytope, between: Vec<usize>, dimension: usize, steepness: impl Fn(&Facet) -> f64) -> Self {
+        let touch = TOUCH_DEPTH * body.facets().iter().map(steepness).fold(1.0, f64::min);
+        Seam { body, between, gap: Gap { dimension, touch } }
+    }
+
+    /// The seam of an inner edge or corner.
+    fn around(Inner { line, between, radius }: Inner) -> Self {
+        let middle = line.at(0.5 * line.length);
+        if line.length == 0.0 {
+            let axes = [Vector::x(), Vector::y(), Vector::z()];
+            return Seam::new(Polytope::octahedron(&middle, &axes.map(|axis| axis * radius)), between, 0, |_| 1.0);
+        }
+        let along = line.along;
+        let across = along.cross(&Vector::ith(along.iamin(), 1.0)).normalize();
+        let body = Polytope::octahedron(
+            &middle,
+            &[along * (0.5 * line.length), across * radius, along.cross(&across) * radius],
+        );
+        Seam::new(body, between, 1, |f| f.normal.dot(&along).abs())
+    }
+}
+
+/// For each part with volume, those whose boxes touch its own, in ascending order.
+fn neighbours(parts: &[&Polytope]) -> Vec<Vec<usize>> {
+    let mut found = vec![Vec::new(); parts.len()];
+    let mut sorted: Vec<usize> = (0..parts.len()).filter(|&k| parts[k].has_volume()).collect();
+    let least = |k: usize| parts[k].aabb().min.x;
+    sorted.sort_by(|&a, &b| least(a).total_cmp(&least(b)));
+    for (place, &a) in sorted.iter().enumerate() {
+        let end = parts[a].aabb().max.x + ON_SURFACE;
+        let later = sorted[place + 1..].iter().take_while(|&&b| least(b) <= end);
+        for &b in later.filter(|&&b| !parts[a].aabb().apart_by(parts[b].aabb(), ON_SURFACE)) {
+            found[a].push(b);
+            found[b].push(a);
+        }
+    }
+    found.iter_mut().for_each(|beside| beside.sort_unstable());
     found
 }
 
 /// Polygon in which a facet of `a` lies against a facet of `b`.
 fn shared_face(a: &Polytope, b: &Polytope) -> Option<(Vec<Point>, Vector)> {
-    if !(a.has_volume() && b.has_volume()) || a.aabb().apart_by(b.aabb(), ON_SURFACE) {
-        return None;
-    }
     let opposite = |f: &&Facet, g: &&Facet| f.normal.dot(&g.normal) < -0.5 && lies_on(f, b, g) && lies_on(g, a, f);
     let pairs = a.facets().iter().flat_map(|f| b.facets().iter().map(move |g| (f, g)));
     for (f, _) in pairs.filter(|(f, g)| opposite(f, g)) {
@@ -99,6 +166,9 @@ fn bipyramid((face, normal): &(Vec<Point>, Vector), a: &Polytope, b: &Polytope) 
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
     use super::*;
     use crate::geometry::Rotation;
 
@@ -106,23 +176,181 @@ mod tests {
         Polytope::cuboid(sides).unwrap().transformed(&Rotation::identity(), &Vector::from(at))
     }
 
+    /// The box with these corners.
+    fn span(min: [f64; 3], max: [f64; 3]) -> Polytope {
+        cuboid(std::array::from_fn(|k| max[k] - min[k]), std::array::from_fn(|k| 0.5 * (min[k] + max[k])))
+    }
+
+    fn cube(x: i32, y: i32, z: i32) -> Polytope {
+        cuboid([1.0; 3], [x, y, z].map(|k| f64::from(k) + 0.5))
+    }
+
+    fn turned(parts: &[Polytope], rng: &mut ChaCha8Rng) -> Vec<Polytope> {
+        let angles = Vector::from_fn(|_, _| rng.random_range(-3.0..3.0));
+        let shift = Vector::from_fn(|_, _| rng.random_range(-9.0..9.0));
+        parts.iter().map(|part| part.transformed(&Rotation::from_scaled_axis(angles), &shift)).collect()
+    }
+
+    /// The same parts with an error in each coordinate of each corner.
+    fn rounded(parts: &[Polytope], error: f64, rng: &mut ChaCha8Rng) -> Vec<Polytope> {
+        let off = |p: &Point, rng: &mut ChaCha8Rng| p.map(|x| x + rng.random_range(-error..=error));
+        let part = |part: &Polytope, rng: &mut ChaCha8Rng| {
+            let corners: Vec<Point> = part.vertices().iter().map(|v| off(v, rng)).collect();
+            Polytope::hull_of(&corners).unwrap()
+        };
+        parts.iter().map(|body| part(body, rng)).collect()
+    }
+
+    fn points(list: &[[f64; 3]]) -> Vec<Point> {
+        list.iter().map(|p| Point::from(*p)).collect()
+    }
+
+    /// The numbers of seams of faces, edges and corners. All are convex and inside the union.
+    fn counts(parts: &[Polytope]) -> [usize; 3] {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let seams = seams(&parts.iter().collect::<Vec<_>>());
+        for seam in &seams {
+            let body = &seam.body;
+            assert!(body.facets().iter().all(|f| body.vertices().iter().all(|v| f.height(v) < 1e-12)));
+            assert!(seam.between.is_sorted() && 0.0 < seam.gap.touch && seam.gap.touch <= TOUCH_DEPTH);
+            for _ in 0..200 {
+                let weights: Vec<f64> = body.vertices().iter().map(|_| rng.random::<f64>().powi(3)).collect();
+                let sum = body.vertices().iter().zip(&weights).map(|(v, w)| v.coords * *w).sum::<Vector>();
+                let point = Point::from(sum / weights.iter().sum::<f64>());
+                let is_inside = seam.between.iter().any(|&k| parts[k].depth_of(&point) > -1e-11);
+                assert!(is_inside, "{point} of {seam:?}");
+            }
+        }
+        [2, 1, 0].map(|dimension| seams.iter().filter(|seam| seam.gap.dimension == dimension).count())
+    }
+
+    /// The same in any position, and with rounding errors.
+    fn counts_everywhere(parts: &[Polytope]) -> [usize; 3] {
+        let mut rng = ChaCha8Rng::seed_from_u64(2);
+        let found = counts(parts);
+        for _ in 0..20 {
+            let turned = turned(parts, &mut rng);
+            assert_eq!(counts(&turned), found);
+            assert_eq!(counts(&rounded(&turned, 1e-13, &mut rng)), found);
+        }
+        found
+    }
+
     #[test]
     fn abutting_boxes_have_one_seam_inside_their_union() {
         let parts = [cuboid([1.0, 1.0, 1.0], [0.0; 3]), cuboid([1.0, 0.5, 3.0], [1.0, 0.1, 0.0])];
         let seams = seams(&parts.each_ref());
-        assert_eq!((seams.len(), seams[0].between), (1, [0, 1]));
-        let body = &seams[0].body;
-        assert!(body.depth_of(&Point::new(0.5, 0.1, 0.0)) > 0.05);
-        for v in body.vertices() {
-            assert!(parts.iter().any(|part| part.depth_of(v) > -1e-9), "{v} outside the union");
-        }
+        assert_eq!((seams.len(), &seams[0].between), (1, &vec![0, 1]));
+        assert!(seams[0].body.depth_of(&Point::new(0.5, 0.1, 0.0)) > 0.05);
+        assert_eq!(counts_everywhere(&parts), [1, 0, 0]);
     }
 
     #[test]
     fn boxes_that_share_an_edge_overlap_or_stand_apart_have_none() {
         let first = cuboid([1.0; 3], [0.0; 3]);
-        for at in [[1.0, 1.0, 0.0], [0.5, 0.0, 0.0], [1.5, 0.0, 0.0]] {
+        for at in [[1.0, 1.0, 0.0], [0.5, 0.0, 0.0], [0.5, 0.5, 0.0], [1.5, 0.0, 0.0]] {
             assert!(seams(&[&first, &cuboid([1.0; 3], at)]).is_empty(), "{at:?}");
         }
+    }
+
+    #[test]
+    fn the_edge_where_four_boxes_meet_is_closed_between_its_ends() {
+        let parts = [cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), cube(1, 1, 0)];
+        assert_eq!(counts_everywhere(&parts), [4, 1, 0]);
+        let seams = seams(&parts.each_ref());
+        let edge = &seams[4];
+        assert_eq!(edge.between, [0, 1, 2, 3]);
+        for height in [2e-9, 0.5, 1.0 - 2e-9] {
+            assert!(edge.body.depth_of(&Point::new(1.0, 1.0, height)) > edge.gap.touch, "{height}");
+        }
+        assert!(edge.body.depth_of(&Point::new(1.0, 1.0, 0.5e-9)) < edge.gap.touch);
+        assert_eq!(counts_everywhere(&parts[..3]), [2, 0, 0]);
+    }
+
+    #[test]
+    fn the_edge_where_two_boxes_stand_on_a_larger_one_is_closed() {
+        let floor = span([-1.0, -1.0, -1.0], [3.0, 2.0, 0.0]);
+        assert_eq!(counts_everywhere(&[floor, cube(0, 0, 0), cube(1, 0, 0)]), [3, 1, 0]);
+    }
+
+    #[test]
+    fn an_edge_is_closed_only_where_parts_are_all_around() {
+        let row = span([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]);
+        let behind = span([0.0, 1.0, 0.0], [3.0, 2.0, 1.0]);
+        let above = span([1.0, 0.0, 1.0], [2.0, 1.0, 2.0]);
+        let last = span([1.5, 1.0, 1.0], [4.0, 2.0, 2.0]);
+        let parts = [row, behind, above, last];
+        assert_eq!(counts_everywhere(&parts)[1], 1);
+        let seams = seams(&parts.each_ref());
+        let edge = seams.iter().find(|seam| seam.gap.dimension == 1).unwrap();
+        let bounds = edge.body.aabb();
+        assert_eq!([bounds.min.x, bounds.max.x], [1.5, 2.0]);
+    }
+
+    #[test]
+    fn the_corner_where_eight_boxes_meet_is_closed() {
+        let parts: Vec<Polytope> = (0..8).map(|k| cube(k & 1, k >> 1 & 1, k >> 2)).collect();
+        assert_eq!(counts_everywhere(&parts), [12, 6, 1]);
+        assert_eq!(counts_everywhere(&parts[..7]), [9, 3, 0]);
+    }
+
+    #[test]
+    fn facets_of_overlapping_parts_that_cross_are_closed_without_an_edge_of_any_part() {
+        let third = std::f64::consts::TAU / 3.0;
+        let slab = |k: i32| {
+            let turn = Rotation::from_scaled_axis(Vector::z() * (f64::from(k) * third));
+            cuboid([1.0, 4.0, 1.0], [0.5, 0.0, 0.0]).transformed(&turn, &Vector::zeros())
+        };
+        assert_eq!(counts_everywhere(&[slab(0), slab(1), slab(2)]), [0, 1, 0]);
+        assert_eq!(counts_everywhere(&[slab(0), slab(1)]), [0, 0, 0]);
+    }
+
+    #[test]
+    fn a_point_between_four_overlapping_half_spaces_is_closed() {
+        let slab = |normal: [f64; 3]| {
+            let turn = Rotation::rotation_between(&Vector::x(), &Vector::from(normal)).unwrap();
+            cuboid([1.0, 6.0, 6.0], [0.5, 0.0, 0.0]).transformed(&turn, &Vector::zeros())
+        };
+        let normals = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+        assert_eq!(counts_everywhere(&normals.map(slab)), [0, 0, 1]);
+    }
+
+    #[test]
+    fn fans_of_tetrahedra_are_closed_around_their_common_edge() {
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        for _ in 0..200 {
+            let count = rng.random_range(3..9);
+            let step = std::f64::consts::TAU / f64::from(count);
+            let rim: Vec<[f64; 3]> = (0..count)
+                .map(|k| {
+                    let angle = step * (f64::from(k) + rng.random_range(-0.2..0.2));
+                    let radius = rng.random_range(0.2..1.0);
+                    [radius * angle.cos(), radius * angle.sin(), rng.random_range(-0.5..0.5)]
+                })
+                .collect();
+            let sector = |k: usize| [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], rim[k], rim[(k + 1) % rim.len()]];
+            let fan: Vec<Polytope> = (0..rim.len()).map(|k| Polytope::hull_of(&points(&sector(k))).unwrap()).collect();
+            let fan = turned(&fan, &mut rng);
+            for error in [0.0, 1e-13] {
+                let fan = rounded(&fan, error, &mut rng);
+                assert_eq!(counts(&fan), [fan.len(), 1, 0]);
+                assert_eq!(counts(&fan[1..])[1], 0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_that_the_edge_runs_through_needs_no_seam_there() {
+        let parts = [cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), cube(1, 1, 0), cuboid([1.0; 3], [1.0, 1.0, 0.5])];
+        assert_eq!(counts(&parts)[1..], [0, 0]);
+    }
+
+    #[test]
+    fn parts_that_the_others_make_superfluous_do_not_make_the_seam_thin() {
+        let mut parts = vec![cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), cube(1, 1, 0)];
+        parts.push(span([1.0, 1.0, 0.0], [1.0 + 1e-3, 1.0 + 1e-3, 1.0]));
+        let seams = seams(&parts.iter().collect::<Vec<_>>());
+        let edge = seams.iter().find(|seam| seam.gap.dimension == 1).unwrap();
+        assert!(edge.between == [0, 1, 2, 3] && edge.body.depth_of(&Point::new(1.0, 1.0, 0.5)) > 0.1);
     }
 }

@@ -1,12 +1,13 @@
 //! Obstacles that have been checked: convex parts under one name.
 
 use super::body;
+use super::pairs::PairRules;
 use super::robot::Robot;
 use super::spec::{BodySpec, PLATFORM};
 use crate::error::Error;
 use crate::geometry::Polytope;
 use crate::geometry::seam::{Seam, seams};
-use crate::numerics::LEAST_BODY;
+use crate::numerics::{LEAST_BODY, ON_SURFACE};
 
 /// An obstacle: convex parts under one name, m, world.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,11 +52,35 @@ pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacl
     Ok(obstacles)
 }
 
-/// Bodies that close the seams between abutting parts, each between the indices of its obstacles.
-pub(super) fn obstacle_seams(obstacles: &[Obstacle]) -> Vec<Seam> {
+/// Bodies that close the seams between parts, each between the indices of its obstacles.
+///
+/// A member that ignores an obstacle heeds only the seams between others. So where parts meet an obstacle that some member
+/// ignores, there are also the seams that the others have without it.
+pub(super) fn obstacle_seams(obstacles: &[Obstacle], pairs: &PairRules) -> Vec<Seam> {
     let parts: Vec<(usize, &Polytope)> =
         obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();
-    let mut seams = seams(&parts.iter().map(|(_, part)| *part).collect::<Vec<_>>());
-    seams.iter_mut().for_each(|seam| seam.between = seam.between.map(|k| parts[k].0));
-    seams
+    let mut found = seams_between(&parts);
+    for ignored in pairs.ignored_obstacles() {
+        let meets = |part: &Polytope| {
+            let others = ignored.iter().flat_map(|&j| &obstacles[j].parts);
+            others.into_iter().any(|other| !part.aabb().apart_by(other.aabb(), ON_SURFACE))
+        };
+        let left = parts.iter().copied().filter(|(j, part)| !ignored.contains(j) && meets(part));
+        let more = seams_between(&left.collect::<Vec<_>>());
+        more.into_iter().for_each(|seam| {
+            if !found.contains(&seam) {
+                found.push(seam);
+            }
+        });
+    }
+    found
+}
+
+fn seams_between(parts: &[(usize, &Polytope)]) -> Vec<Seam> {
+    let mut found = seams(&parts.iter().map(|(_, part)| *part).collect::<Vec<_>>());
+    for Seam { between, .. } in &mut found {
+        between.iter_mut().for_each(|k| *k = parts[*k].0);
+        between.dedup();
+    }
+    found
 }

@@ -1,7 +1,7 @@
 //! The rule of a scene for each pair of bodies: a clearance, contact allowed, or ignored. All collision checks look it
 //! up here.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::body;
 use super::obstacle::Obstacle;
@@ -104,6 +104,17 @@ impl PairRules {
     /// Whether a pair is not checked.
     pub fn ignores(&self, a: Member, b: Member) -> bool {
         self.between(a, b) == PairRule::Ignore
+    }
+
+    /// The obstacles that a member ignores, for each member that ignores some; equal sets once.
+    pub(super) fn ignored_obstacles(&self) -> BTreeSet<BTreeSet<usize>> {
+        let mut ignored: BTreeMap<Member, BTreeSet<usize>> = BTreeMap::new();
+        for ([member, other], rule) in self.named() {
+            if let (Member::Obstacle(j), PairRule::Ignore) = (other, rule) {
+                ignored.entry(member).or_default().insert(j);
+            }
+        }
+        ignored.into_values().collect()
     }
 
     /// The clearance of this pair's kind, m, regardless of the rule for the pair itself.

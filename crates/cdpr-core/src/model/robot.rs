@@ -109,7 +109,7 @@ impl Robot {
         &self.parts
     }
 
-    /// Bodies that close the seams between abutting parts, platform frame; see [`crate::geometry::seam`].
+    /// Bodies that close the seams between parts, platform frame; see [`crate::geometry::seam`].
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
@@ -167,7 +167,7 @@ fn attachments_outside(cables: &[Cable], parts: &[Polytope], seams: &[Seam]) -> 
     for (i, cable) in cables.iter().enumerate() {
         let depths = parts.iter().chain(seams.iter().map(|s| &s.body)).map(|part| part.depth_of(&cable.attachment));
         if let Some((k, depth)) = depths.enumerate().find(|(_, depth)| *depth > ON_SURFACE) {
-            let place = if k < parts.len() { format!("platform[{k}]") } else { "two abutting parts".to_string() };
+            let place = if k < parts.len() { format!("platform[{k}]") } else { "several abutting parts".to_string() };
             let problem = format!(
                 "found a point {} inside {place}, expected one on the surface or outside; move it to the surface",
                 small_length(depth)

@@ -81,9 +81,9 @@ impl Scene {
         let workspace = workspace(&spec)?;
         body::at_most("obstacles", spec.obstacles.len(), MOST_BODIES)?;
         let obstacles = obstacles(&spec.obstacles, &robot)?;
-        let seams = obstacle_seams(&obstacles);
-        outlets_outside(&robot, &obstacles, &seams)?;
         let pairs = PairRules::new(&spec, &robot, &obstacles)?;
+        let seams = obstacle_seams(&obstacles, &pairs);
+        outlets_outside(&robot, &obstacles, &seams)?;
         let query = spec.query.clone().unwrap_or_default();
         let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
@@ -197,7 +197,7 @@ impl Scene {
         &self.obstacles
     }
 
-    /// Bodies that close the seams between abutting obstacle parts, of the same obstacle or of two; `between` gives the
+    /// Bodies that close the seams between obstacle parts, of the same obstacle or of several; `between` gives the
     /// obstacles.
     pub fn seams(&self) -> &[Seam] {
         &self.seams

@@ -55,13 +55,10 @@ pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Er
 }
 
 impl<'a> Search<'a> {
-    /// The obstacles that a condition is about; two for a seam between them.
+    /// The obstacles that a condition is about; several for a seam between them.
     fn obstacles_of(&self, condition: usize) -> Vec<usize> {
         let conditions = self.checker.conditions();
-        let mut found =
-            conditions.list.get(condition).map_or(Vec::new(), |c| c.details().obstacles(&conditions.bodies));
-        found.dedup();
-        found
+        conditions.list.get(condition).map_or(Vec::new(), |c| c.details().obstacles(&conditions.bodies))
     }
 
     /// The same search where only these obstacles count.
