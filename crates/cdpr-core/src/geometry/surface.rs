@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::solid::{LOOK, SignedDistance, sorted};
 use super::{Aabb, Point, TriangleMesh, Vector};
 use crate::error::Error;
-use crate::numerics::{MOST_MENDING_STEPS, WELD_RELATIVE};
+use crate::numerics::{MOST_AROUND_AN_EDGE, MOST_MENDING_STEPS, WELD_RELATIVE};
 use crate::watch::Watch;
 
 /// Defects of a mesh, counted. None of them prevents the triangles from being obstacles.
@@ -147,7 +147,7 @@ enum Role {
     Collapsed,
     /// It occurs elsewhere in the list.
     Doubled,
-    /// An equal triangle faces it: nothing is between the two.
+    /// An equal triangle or an equal flat face faces it: nothing is between the two.
     Wall,
 }
 
@@ -243,6 +243,9 @@ impl Welded {
         let corners: Vec<Point> = triangles.iter().flat_map(|k| self.corners[*k]).collect();
         let aabb = Aabb::around(&corners);
         let mut uses = self.uses(&triangles, watch)?;
+        if self.face_each_other(&uses, watch)? {
+            uses = self.uses(&triangles, watch)?;
+        }
         let (mut open, mut turned) = defects(&uses);
         if open > 0
             && let Some((added, joined)) = self.joined(&triangles, &uses, watch)?
@@ -280,6 +283,98 @@ impl Welded {
         Ok(uses)
     }
 
+    /// Makes walls of the flat faces that coincide with one that faces them, however they are divided into triangles.
+    /// Returns whether there are any.
+    fn face_each_other(&mut self, uses: &[Use], watch: &Watch) -> Result<bool, Error> {
+        if edges(uses).all(|same| same.len() <= 2) {
+            return Ok(false);
+        }
+        let mut known: HashMap<Vec<[u32; 2]>, Vec<usize>> = HashMap::new();
+        let mut walls = Vec::new();
+        for (rim, face) in self.faces(uses, watch)? {
+            let facing = {
+                let mut rim: Vec<[u32; 2]> = rim.iter().map(|[i, j]| [*j, *i]).collect();
+                rim.sort_unstable();
+                rim
+            };
+            match known.remove(&facing) {
+                Some(other) => walls.extend(face.into_iter().chain(other)),
+                None => drop(known.insert(rim, face)),
+            }
+        }
+        walls.iter().for_each(|k| self.roles[*k] = Role::Wall);
+        Ok(!walls.is_empty())
+    }
+
+    /// The flat faces all of whose outer edges have more than two triangles: their directed outer edges in ascending
+    /// order, and their triangles.
+    #[allow(clippy::type_complexity)]
+    fn faces(&self, uses: &[Use], watch: &Watch) -> Result<Vec<(Vec<[u32; 2]>, Vec<usize>)>, Error> {
+        let mut triangles: Vec<usize> = uses.iter().map(|edge| edge.3 as usize).collect();
+        triangles.sort_unstable();
+        triangles.dedup();
+        let place = |edge: &Use| triangles.binary_search(&(edge.3 as usize)).expect("listed");
+        let mut parent: Vec<usize> = (0..triangles.len()).collect();
+        let mut outer: Vec<(&Use, bool)> = Vec::new();
+        for (k, same) in edges(uses).enumerate() {
+            if k % LOOK == 0 {
+                watch.check()?;
+            }
+            let beyond = |one: &Use| {
+                let few = same.len() <= MOST_AROUND_AN_EDGE;
+                let mut flat = same.iter().filter(|other| few && self.is_one_face(one, other));
+                flat.next().filter(|_| flat.next().is_none())
+            };
+            for one in same {
+                match beyond(one).filter(|other| beyond(other) == Some(one)) {
+                    Some(other) => {
+                        let (i, j) = (root(&mut parent, place(one)), root(&mut parent, place(other)));
+                        parent[i.max(j)] = i.min(j);
+                    }
+                    None => outer.push((one, same.len() > 2)),
+                }
+            }
+        }
+        let mut rims: BTreeMap<usize, (Vec<[u32; 2]>, bool)> = BTreeMap::new();
+        for (edge, shared) in outer {
+            let (rim, all_shared) = rims.entry(root(&mut parent, place(edge))).or_insert((Vec::new(), true));
+            rim.push(if edge.2 { [edge.1, edge.0] } else { [edge.0, edge.1] });
+            *all_shared &= shared;
+        }
+        rims.retain(|_, (_, all_shared)| *all_shared);
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (k, triangle) in triangles.iter().enumerate() {
+            let face = root(&mut parent, k);
+            if rims.contains_key(&face) {
+                members.entry(face).or_default().push(*triangle);
+            }
+        }
+        let mut faces = Vec::new();
+        for ((mut rim, _), face) in rims.into_values().zip(members.into_values()) {
+            if self.is_flat(&face) {
+                rim.sort_unstable();
+                faces.push((rim, face));
+            }
+        }
+        Ok(faces)
+    }
+
+    /// Whether two triangles on both sides of an edge are part of one flat face.
+    fn is_one_face(&self, one: &Use, other: &Use) -> bool {
+        let [a, b] = [one, other].map(|edge| self.doubled_area(edge.3 as usize));
+        one.2 != other.2 && a.dot(&b) > 0.0 && self.is_flat(&[one.3 as usize, other.3 as usize])
+    }
+
+    /// Whether all corners of triangles are in the plane of the largest one.
+    fn is_flat(&self, triangles: &[usize]) -> bool {
+        let area = |k: &usize| self.doubled_area(*k).norm();
+        let largest = triangles.iter().max_by(|i, j| area(i).total_cmp(&area(j)));
+        let Some(normal) = largest.and_then(|k| self.doubled_area(*k).try_normalize(0.0)) else { return false };
+        let origin = self.points[self.ids[*largest.expect("a triangle")][0]];
+        let height = |i: usize| normal.dot(&(self.points[i] - origin));
+        triangles.iter().flat_map(|k| self.ids[*k]).all(|i| height(i).abs() <= self.near)
+    }
+
     /// The triangles that bound something.
     fn bounding<'a>(&'a self, triangles: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
         triangles.iter().copied().filter(|k| matches!(self.roles[*k], Role::Counts | Role::Joins))
@@ -288,8 +383,7 @@ impl Welded {
     /// Joins corners on open edges to these edges, if that closes the surface: adds triangles without area, and returns
     /// their indices and the number of corners.
     fn joined(&mut self, shell: &[usize], uses: &[Use], watch: &Watch) -> Result<Option<(Vec<usize>, usize)>, Error> {
-        let open: Vec<[usize; 2]> = uses
-            .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+        let open: Vec<[usize; 2]> = edges(uses)
             .filter(|same| same.len() == 1)
             .map(|same| if same[0].2 { [same[0].1, same[0].0] } else { [same[0].0, same[0].1] })
             .map(|edge| edge.map(|i| i as usize))
@@ -356,7 +450,7 @@ impl Welded {
     /// consistent orientations of connected triangles, the one that more of their area has is kept.
     fn turned(&mut self, shell: &[usize], uses: &[Use], watch: &Watch) -> Result<Option<usize>, Error> {
         let mut neighbours: HashMap<usize, Vec<(usize, bool)>> = HashMap::new();
-        for (k, same) in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).enumerate() {
+        for (k, same) in edges(uses).enumerate() {
             if k % LOOK == 0 {
                 watch.check()?;
             }
@@ -479,10 +573,15 @@ fn root(parent: &mut [usize], mut i: usize) -> usize {
     i
 }
 
+/// The directed edges between the same corners, together.
+fn edges(uses: &[Use]) -> impl Iterator<Item = &[Use]> {
+    uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+}
+
 /// Number of open edges, and of edges whose triangles disagree.
 fn defects(uses: &[Use]) -> (usize, usize) {
     let (mut open, mut turned) = (0, 0);
-    for same in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+    for same in edges(uses) {
         let back = same.iter().filter(|(_, _, back, _)| *back).count();
         open += usize::from(same.len() == 1);
         turned += usize::from(same.len() > 1 && 2 * back != same.len());
@@ -535,6 +634,7 @@ fn welded_points(
 
 #[cfg(test)]
 mod tests {
+    use super::super::convex_parts::convex_parts;
     use super::*;
     use crate::geometry::convex_mesh;
     use rand::SeedableRng;
@@ -641,6 +741,19 @@ mod tests {
         assert!((found[0].volume.unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(found[0].walls.len(), 4);
         assert!((found[0].distance.at(&Point::new(1.0, 0.5, 0.4)).0 + 0.4).abs() < 1e-12);
+        // Shifted, the faces that meet are divided along different diagonals.
+        let shifted = |by: [f64; 3]| {
+            let mut cube = first.clone();
+            cube.vertices.iter_mut().for_each(|v| *v += Vector::from(by));
+            cube
+        };
+        let angle = joined(&[first.clone(), shifted([1.0, 0.0, 0.0]), shifted([1.0, 1.0, 0.0])]);
+        let (found, faults) = pieces(&angle, &Watch::NONE).unwrap();
+        assert_eq!((found.len(), found[0].walls.len()), (1, 8), "{faults:?}");
+        assert!((found[0].volume.unwrap() - 3.0).abs() < 1e-12);
+        let parts = convex_parts(&found[0], 0.01, 256, &Watch::NONE).unwrap();
+        assert_eq!((parts.bodies.len(), parts.reach), (2, 0.0));
+        assert!((parts.bodies.iter().map(|body| body.volume()).sum::<f64>() - 3.0).abs() < 1e-9);
         let [a, b, c] = first.triangles[0];
         let sheet = TriangleMesh { triangles: vec![[a, b, c], [b, a, c]], ..first };
         let (found, faults) = pieces(&sheet, &Watch::NONE).unwrap();
