@@ -257,9 +257,9 @@ fn yaml_is_refused_with_the_same_care() {
     };
     import(yaml).unwrap();
     for (from, to, expected) in [
-        ("[0, 0, 3]", "[0, 0, 3, 1]", "found 4 numbers, expected 3"),
-        ("[0, 0, 3]", "[0, 3]", "found 2 numbers, expected 3"),
-        ("[1, 1, 1]", "[1, 1, 1, 1]", "found 4 numbers, expected 3"),
+        ("[0, 0, 3]", "[0, 0, 3, 1]", "points[0].frame: found [0,0,3,1], expected 3 finite numbers"),
+        ("[0, 0, 3]", "[0, 3]", "points[0].frame: found [0,3], expected 3 finite numbers"),
+        ("[1, 1, 1]", "[1, 1, 1, 1]", "platform.size: found [1,1,1,1], expected"),
     ] {
         let message = import(&yaml.replace(from, to)).unwrap_err().to_string();
         assert!(message.contains(expected), "{message}");

@@ -107,6 +107,9 @@ pub const NO_WIDTH: f64 = 1e-12;
 /// Sine of the angle below which a facet counts as parallel to a plane, or a ray to a facet, when seams are built.
 pub const ALONG_FACET: f64 = 1e-9;
 
+/// Maximum number of lines in which facets of overlapping parts of a scene cross whose ends are examined for inner corners.
+pub const MOST_CROSSINGS: usize = 2_000;
+
 /// Sine of the angle up to which a facet that touches a line may contain it: a facet of a part of a tenth of a millimetre
 /// is tilted by this if its corners are [`ON_SURFACE`] from where they should be.
 pub const ALONG_LINE: f64 = 1e-3;

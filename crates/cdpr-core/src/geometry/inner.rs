@@ -1,9 +1,10 @@
 //! Inner edges and corners of a union of convex parts: lines and points inside the union that are in the interior of no
 //! part, and in no face shared by two of them.
 //!
-//! - *Edges.* An inner edge lies on an edge of a part or, where parts overlap, in the line in which two of their facets
-//!   cross. Such a line is divided where parts begin or end to contain it.
-//! - *Corners.* An inner corner is an end of one of these intervals.
+//! - *Edges.* An inner edge lies on an edge of a part or, where parts overlap, in a line in which facets of at least three
+//!   of them cross in pairs. Such a line is divided where parts begin or end to contain it.
+//! - *Corners.* An inner corner is an end of one of these intervals, or of one on a line in which two facets cross. The
+//!   latter, with no edge of a part there, are only examined for up to [`MOST_CROSSINGS`] such lines.
 //! - *Cover.* An interval or an end is inside the union if the parts that contain it cover all directions around it. They
 //!   do if they cover the directions just beyond each of their facets that contain it. These facets divide the plane of
 //!   each of them into sectors; one direction from each sector is enough.
@@ -12,8 +13,11 @@ use std::collections::BTreeSet;
 
 use super::hull::Facet;
 use super::polytope::unit_cross;
-use super::{Point, Polytope, Vector};
-use crate::numerics::{ALONG_LINE, FLAT, ON_SURFACE, SAME_POINT, TOUCH_DEPTH};
+use super::{Aabb, Point, Polytope, Vector};
+use crate::numerics::{ALONG_LINE, FLAT, MOST_CROSSINGS, ON_SURFACE, SAME_POINT, TOUCH_DEPTH};
+
+/// Lines whose distances from a point differ by no more than this may be one, m; rounding is far below it.
+const NEARLY_ONE: f64 = 1e-5;
 
 /// An inner edge or corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +52,11 @@ impl Line {
         self.from + self.along * distance
     }
 
+    /// Distance of a point from the line and its continuation.
+    fn distance(&self, point: &Point) -> f64 {
+        self.along.cross(&(point - self.from)).norm()
+    }
+
     fn is_near(&self, other: &Line) -> bool {
         let near = |a: Point, b: Point| (a - b).norm() <= SAME_POINT;
         let [[a, b], [c, d]] = [self, other].map(|line| [line.from, line.at(line.length)]);
@@ -69,7 +78,7 @@ pub fn inner_edges_and_corners(
     shared: &BTreeSet<[usize; 2]>,
 ) -> Vec<Inner> {
     let examined = vec![Vec::new(); parts.len()];
-    let mut search = Search { parts, neighbours, shared, found: Vec::new(), examined };
+    let mut search = Search { parts, neighbours, shared, found: Vec::new(), crossings_left: MOST_CROSSINGS, examined };
     let mut ends = Vec::new();
     for part in 0..parts.len() {
         for line in search.lines(part) {
@@ -87,24 +96,36 @@ struct Search<'a> {
     neighbours: &'a [Vec<usize>],
     shared: &'a BTreeSet<[usize; 2]>,
     found: Vec<Inner>,
+    /// Number of crossings that may still be examined although no two are in one line.
+    crossings_left: usize,
     /// For each part, the intervals and ends examined so far that it contains, and whether they are inner ones.
     examined: Vec<Vec<(Line, bool)>>,
 }
 
 impl Search<'_> {
     /// The edges of a part, and the lines in which its facets cross those of later parts.
-    fn lines(&self, part: usize) -> Vec<Line> {
+    fn lines(&mut self, part: usize) -> Vec<Line> {
         let body = self.parts[part];
         let edges = body.facets().iter().flat_map(Facet::edges).filter(|[a, b]| a < b);
         let line = |[a, b]: [usize; 2]| Line::between(body.vertices()[a], body.vertices()[b]);
-        let later = self.neighbours[part].iter().filter(|other| **other > part);
-        let crossings = later.flat_map(|&other| crossings(body, self.parts[other]));
-        if self.neighbours[part].is_empty() { Vec::new() } else { edges.map(line).chain(crossings).collect() }
+        let later = self.neighbours[part].iter().filter(|other| **other > part).map(|&other| self.parts[other]);
+        let mut crossings = crossings(body, &later.collect::<Vec<_>>());
+        if crossings.len() > self.crossings_left {
+            crossings.retain(|(_, shared)| *shared);
+        }
+        self.crossings_left = self.crossings_left.saturating_sub(crossings.len());
+        if self.neighbours[part].is_empty() {
+            Vec::new()
+        } else {
+            edges.map(line).chain(crossings.into_iter().map(|(line, _)| line)).collect()
+        }
     }
 
     /// A part and its neighbours that contain at least a point of a line of the part.
     fn within(&self, part: usize, line: &Line) -> Vec<Within> {
+        let box_of_line = Aabb::around(&[line.from, line.at(line.length)]);
         let near = std::iter::once(&part).chain(&self.neighbours[part]);
+        let near = near.filter(|k| !self.parts[**k].aabb().apart_by(&box_of_line, ON_SURFACE));
         near.filter_map(|&k| Within::of(k, self.parts[k], line)).collect()
     }
 
@@ -122,6 +143,7 @@ impl Search<'_> {
             self.examine(interval, &holding.collect::<Vec<_>>());
         }
         cuts.dedup_by(|a, b| *a - *b <= SAME_POINT);
+        cuts.retain(|cut| !within.iter().any(|w| w.encloses(*cut)));
         cuts.into_iter().map(|cut| line.at(cut)).collect()
     }
 
@@ -135,6 +157,9 @@ impl Search<'_> {
 
     /// Keeps an interval or a point if it is inside the union; `within` are the parts that contain it.
     fn examine(&mut self, line: Line, within: &[&Within]) {
+        if within.iter().any(|w| w.facets.is_empty()) {
+            return; // inside a part
+        }
         let Some(known) = within.iter().map(|w| &self.examined[w.part]).min_by_key(|known| known.len()) else { return };
         if known.iter().any(|(known, _)| known.is_near(&line)) {
             return;
@@ -195,6 +220,13 @@ impl Within {
             .map(|&k| &facets[k])
             .try_fold(near, |interval, f| clip(interval, f.height(&line.from), slope(f)))?;
         Some(Within { part, interval, facets: along })
+    }
+}
+
+impl Within {
+    /// Whether the point at this distance from the first end of the line is inside the part.
+    fn encloses(&self, distance: f64) -> bool {
+        self.facets.is_empty() && self.interval[0] + ON_SURFACE < distance && distance < self.interval[1] - ON_SURFACE
     }
 }
 
@@ -267,15 +299,39 @@ fn sectors<'a>(plane: &Vector, others: impl Iterator<Item = &'a Vector>, toleran
     middles.into_iter().flat_map(|angle| [angle, angle + half_turn]).map(|a| u * a.cos() + v * a.sin()).collect()
 }
 
-/// The lines in which facets of two parts cross.
-fn crossings(a: &Polytope, b: &Polytope) -> Vec<Line> {
+/// The lines in which facets of a part cross those of others, and whether those of two others cross in the same line.
+/// Around a line with fewer parts, none of which has an edge there, some directions are free; only its ends may be inner
+/// corners.
+fn crossings(body: &Polytope, others: &[&Polytope]) -> Vec<(Line, bool)> {
     let divides = |f: &Facet, other: &Polytope| {
         let above = |sign: f64| other.vertices().iter().any(|v| sign * f.height(v) > TOUCH_DEPTH);
         above(1.0) && above(-1.0)
     };
-    let of_b: Vec<&Facet> = b.facets().iter().filter(|g| divides(g, a)).collect();
-    let of_a = a.facets().iter().filter(|f| !of_b.is_empty() && divides(f, b));
-    of_a.flat_map(|f| of_b.iter().filter_map(|g| crossing([a, b], [f, g]))).collect()
+    let dividing =
+        |other: &Polytope| (0..other.facets().len()).filter(|&k| divides(&other.facets()[k], body)).collect();
+    let of_others: Vec<Vec<usize>> = others.iter().map(|other| dividing(other)).collect();
+    let mut found = Vec::new();
+    for f in body.facets() {
+        let mut lines: Vec<(f64, usize, Line)> = Vec::new();
+        for (k, other) in others.iter().enumerate().filter(|(k, other)| !of_others[*k].is_empty() && divides(f, other))
+        {
+            let cross = |&g: &usize| crossing([body, other], [f, &other.facets()[g]]);
+            lines.extend(of_others[k].iter().filter_map(cross).map(|line| (line.distance(&body.centroid()), k, line)));
+        }
+        lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut shared = vec![false; lines.len()];
+        for (i, (distance, other, line)) in lines.iter().enumerate() {
+            for (j, (_, another, same)) in
+                lines.iter().enumerate().skip(i + 1).take_while(|(_, next)| next.0 <= distance + NEARLY_ONE)
+            {
+                if other != another && line.along.cross(&same.along).norm() <= ALONG_LINE {
+                    (shared[i], shared[j]) = (true, true);
+                }
+            }
+        }
+        found.extend(lines.iter().map(|(.., line)| *line).zip(shared));
+    }
+    found
 }
 
 fn crossing(bodies: [&Polytope; 2], [f, g]: [&Facet; 2]) -> Option<Line> {
