@@ -305,9 +305,6 @@ pub const WELD_RELATIVE: f64 = 3e-7;
 /// Number of comparisons of corners with open edges after which joining them is given up: some tenths of a second.
 pub const MOST_MENDING_STEPS: usize = 50_000_000;
 
-/// Maximum number of triangles around an edge that are compared with each other.
-pub const MOST_AROUND_AN_EDGE: usize = 64;
-
 /// Relative rounding error of a ray's distance from an edge, with a large reserve: a ray that passes closer to it, as
 /// seen from its origin, is replaced by another one.
 pub const RAY_ROUNDING: f64 = 1e-13;

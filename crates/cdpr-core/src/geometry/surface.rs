@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::solid::{LOOK, SignedDistance, sorted};
 use super::{Aabb, Point, TriangleMesh, Vector};
 use crate::error::Error;
-use crate::numerics::{MOST_AROUND_AN_EDGE, MOST_MENDING_STEPS, WELD_RELATIVE};
+use crate::numerics::{MOST_MENDING_STEPS, WELD_RELATIVE};
 use crate::watch::Watch;
 
 /// Defects of a mesh, counted. None of them prevents the triangles from being obstacles.
@@ -306,8 +306,8 @@ impl Welded {
         Ok(!walls.is_empty())
     }
 
-    /// The flat faces all of whose outer edges have more than two triangles: their directed outer edges in ascending
-    /// order, and their triangles.
+    /// The flat faces all of whose outer edges have more than two triangles, and whose inner edges have two: their directed
+    /// outer edges in ascending order, and their triangles.
     #[allow(clippy::type_complexity)]
     fn faces(&self, uses: &[Use], watch: &Watch) -> Result<Vec<(Vec<[u32; 2]>, Vec<usize>)>, Error> {
         let mut triangles: Vec<usize> = uses.iter().map(|edge| edge.3 as usize).collect();
@@ -320,19 +320,12 @@ impl Welded {
             if k % LOOK == 0 {
                 watch.check()?;
             }
-            let beyond = |one: &Use| {
-                let few = same.len() <= MOST_AROUND_AN_EDGE;
-                let mut flat = same.iter().filter(|other| few && self.is_one_face(one, other));
-                flat.next().filter(|_| flat.next().is_none())
-            };
-            for one in same {
-                match beyond(one).filter(|other| beyond(other) == Some(one)) {
-                    Some(other) => {
-                        let (i, j) = (root(&mut parent, place(one)), root(&mut parent, place(other)));
-                        parent[i.max(j)] = i.min(j);
-                    }
-                    None => outer.push((one, same.len() > 2)),
+            match same {
+                [one, other] if self.is_one_face(one, other) => {
+                    let (i, j) = (root(&mut parent, place(one)), root(&mut parent, place(other)));
+                    parent[i.max(j)] = i.min(j);
                 }
+                _ => outer.extend(same.iter().map(|edge| (edge, same.len() > 2))),
             }
         }
         let mut rims: BTreeMap<usize, (Vec<[u32; 2]>, bool)> = BTreeMap::new();
@@ -741,13 +734,15 @@ mod tests {
         assert!((found[0].volume.unwrap() - 2.0).abs() < 1e-12);
         assert_eq!(found[0].walls.len(), 4);
         assert!((found[0].distance.at(&Point::new(1.0, 0.5, 0.4)).0 + 0.4).abs() < 1e-12);
-        // Shifted, the faces that meet are divided along different diagonals.
-        let shifted = |by: [f64; 3]| {
+        // Faces that meet may be divided along different diagonals, and end where the surface goes on in their plane.
+        let shifted = |[x, y]: [f64; 2], mirrored: bool| {
             let mut cube = first.clone();
-            cube.vertices.iter_mut().for_each(|v| *v += Vector::from(by));
+            let height = |z: f64| if mirrored { 1.0 - z } else { z };
+            cube.vertices.iter_mut().for_each(|v| *v = Point::new(v.x + x, v.y + y, height(v.z)));
+            cube.triangles.iter_mut().filter(|_| mirrored).for_each(|t| t.swap(1, 2));
             cube
         };
-        let angle = joined(&[first.clone(), shifted([1.0, 0.0, 0.0]), shifted([1.0, 1.0, 0.0])]);
+        let angle = joined(&[first.clone(), shifted([1.0, 0.0], true), shifted([1.0, 1.0], false)]);
         let (found, faults) = pieces(&angle, &Watch::NONE).unwrap();
         assert_eq!((found.len(), found[0].walls.len()), (1, 8), "{faults:?}");
         assert!((found[0].volume.unwrap() - 3.0).abs() < 1e-12);
