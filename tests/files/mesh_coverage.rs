@@ -195,46 +195,9 @@ fn star(rng: &mut ChaCha8Rng) -> TriangleMesh {
     mesh
 }
 
-/// The surface of a body made of unit cubes, from its squares: each with two triangles, all corners shared.
-fn cubes(filled: &dyn Fn([i32; 3]) -> bool, size: [i32; 3]) -> TriangleMesh {
-    let mut mesh = TriangleMesh::default();
-    let mut places = std::collections::HashMap::new();
-    for x in 0..size[0] {
-        for y in 0..size[1] {
-            for z in 0..size[2] {
-                let at = [x, y, z];
-                for (axis, up) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
-                    let mut beside = at;
-                    beside[axis] += 2 * up - 1;
-                    let within = (0..3).all(|a| (0..size[a]).contains(&beside[a]));
-                    if !filled(at) || (within && filled(beside)) {
-                        continue;
-                    }
-                    let corner = |u: i32, v: i32| {
-                        let mut corner = at;
-                        corner[axis] += up;
-                        corner[(axis + 1) % 3] += u;
-                        corner[(axis + 2) % 3] += v;
-                        corner
-                    };
-                    let square = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].map(|corner| {
-                        *places.entry(corner).or_insert_with(|| {
-                            mesh.vertices.push(Point::from(corner.map(f64::from)));
-                            mesh.vertices.len() - 1
-                        })
-                    });
-                    let [a, b, c, d] = square;
-                    mesh.triangles.extend(if up == 1 { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] });
-                }
-            }
-        }
-    }
-    mesh
-}
-
 fn random_cubes(size: i32, density: f64, rng: &mut ChaCha8Rng) -> TriangleMesh {
     let bits: Vec<bool> = (0..size.pow(3)).map(|k| k == 0 || rng.random_range(0.0..1.0) < density).collect();
-    cubes(&|[x, y, z]| bits[((x * size + y) * size + z) as usize], [size; 3])
+    of_cubes(&|[x, y, z]| bits[((x * size + y) * size + z) as usize], [size; 3])
 }
 
 /// A sheet of random corners, closed or open, that crosses itself.
@@ -429,7 +392,7 @@ fn assert_filled(name: &str, bodies: &[Polytope], filled: &dyn Fn([i32; 3]) -> b
 
 /// The union of the parts has exactly the volume of the body: it lies in its cubes, fills each, and no parts overlap.
 fn assert_exact(name: &str, filled: &dyn Fn([i32; 3]) -> bool, size: [i32; 3]) -> usize {
-    let found = parts_of(&cubes(filled, size));
+    let found = parts_of(&of_cubes(filled, size));
     assert_eq!((found.reach, found.enlarged), (0.0, 0), "{name}: {} parts", found.bodies.len());
     assert_filled(name, &found.bodies, filled, size);
     found.bodies.len()

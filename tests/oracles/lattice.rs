@@ -1,13 +1,16 @@
 //! Bodies made of unit cubes of a lattice against an exact answer. A point is inside such a body if all cubes around it
-//! belong to the body, however it is divided into convex parts: single cubes, rows, several obstacles; axis-parallel or
-//! rotated. Half of all cables, points and rods are in planes and lines of the lattice, where parts only touch each other.
+//! belong to the body, however it is divided into convex parts: single cubes, rows, parts of the mesh of its surface,
+//! several obstacles; axis-parallel or rotated. Half of all cables, points and rods are in planes and lines of the lattice, where parts only touch each other.
 //!
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity};
-use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
+use cdpr_core::geometry::{Piece, Point, Polytope, Rotation, Vector, convex_parts, pieces};
 use cdpr_core::model::BodySpec;
+use cdpr_core::numerics::MOST_PARTS;
+use cdpr_core::watch::Watch;
+use cdpr_tests::meshes::of_cubes;
 use cdpr_tests::scenes::{body_spec, scene_with_a_cable};
 use cdpr_tests::{effort, rng, rotation, vector};
 use rand::RngExt;
@@ -51,6 +54,24 @@ impl Cubes {
             }
         }
         parts
+    }
+
+    /// The convex parts and their obstacles, turned and moved, in one of three ways: single cubes, rows, or parts of the
+    /// mesh of the surface of each obstacle.
+    fn bodies(&self, rng: &mut ChaCha8Rng, (turn, shift): (&Rotation, &Vector)) -> Vec<(Polytope, usize)> {
+        let way = rng.random_range(0..3);
+        if way < 2 {
+            let parts = self.parts(way == 1);
+            return parts.into_iter().map(|(span, k)| (part(&span, turn, shift), k)).collect();
+        }
+        let of_obstacle = |k: usize| {
+            let mut mesh = of_cubes(&|cube| self.at(cube) == Some(k), [self.size; 3]);
+            mesh.vertices.iter_mut().for_each(|v| *v = *turn * *v + shift);
+            let parts = |piece: &Piece| convex_parts(piece, 0.01, MOST_PARTS, &Watch::NONE).unwrap().bodies;
+            pieces(&mesh, &Watch::NONE).unwrap().0.iter().flat_map(parts).collect::<Vec<_>>()
+        };
+        let obstacles = self.of.iter().flatten().max().map_or(0, |last| last + 1);
+        (0..obstacles).flat_map(|k| of_obstacle(k).into_iter().map(move |body| (body, k))).collect()
     }
 
     /// Whether a point is inside the body: all cubes around it belong to obstacles that count.
@@ -198,12 +219,11 @@ fn obstacles(rng: &mut ChaCha8Rng) -> Option<Counts> {
     let (turn, shift) = pose(rng);
     let placed = |p: &Point| turn * p + shift;
     let names: Vec<String> = (0..count).map(|k| format!("obstacle {k}")).collect();
-    let rows = rng.random_bool(0.5);
-    let bodies = cubes.parts(rows).into_iter().map(|(span, k)| body_spec(Some(&names[k]), &part(&span, &turn, &shift)));
+    let bodies = cubes.bodies(rng, (&turn, &shift)).into_iter().map(|(body, k)| body_spec(Some(&names[k]), &body));
+    let bodies: Vec<BodySpec> = bodies.collect();
     let by_cable = rng.random_bool(0.5);
     let (heeds, other) = if by_cable { ("cable", "platform") } else { ("platform", "cable") };
     let left_out = if count > 1 { rng.random_range(0..=count) } else { count };
-    let bodies: Vec<BodySpec> = bodies.collect();
     let there = |name: &&String| bodies.iter().any(|body| body.name.as_ref() == Some(*name));
     let mut ignore: Vec<[&str; 2]> = names.iter().filter(there).map(|name| [other, name.as_str()]).collect();
     ignore.extend(names.get(left_out).filter(there).map(|name| [heeds, name.as_str()]));
@@ -243,8 +263,7 @@ fn platforms(rng: &mut ChaCha8Rng) -> Option<Counts> {
     let cubes = Cubes::random(rng, 1);
     let size = cubes.size;
     let (turn, shift) = pose(rng);
-    let rows = rng.random_bool(0.5);
-    let platform = cubes.parts(rows).iter().map(|(span, _)| body_spec(None, &part(span, &turn, &shift))).collect();
+    let platform = cubes.bodies(rng, (&turn, &shift)).iter().map(|(body, _)| body_spec(None, body)).collect();
     let (attachment, outlet) = (place(rng, size), Point::from(vector(rng, 3.0)));
     let scene = scene_with_a_cable(platform, [outlet, turn * attachment + shift], Vec::new(), &[]).ok()?;
     // In the lattice of the platform it is the outlet that moves.
