@@ -93,7 +93,7 @@ fn assert_covered(name: &str, mesh: &TriangleMesh, clean: &TriangleMesh, samples
         assert!(covered(&p), "{name}: {p} on the surface is in no part");
     }
     let welded = 1e-6 * extent; // so close to the surface, welding decides
-    let from_surface = |p: &Point| {
+    let to_surface = |p: &Point| {
         let triangles = mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i]));
         triangles.map(|t| from_triangle(p, t)).fold(f64::INFINITY, f64::min)
     };
@@ -106,7 +106,7 @@ fn assert_covered(name: &str, mesh: &TriangleMesh, clean: &TriangleMesh, samples
             corner + Vector::from_fn(|_, _| rng.random_range(-0.05..0.05)) * extent * share(rng)
         };
         if layers(clean, &p).round() != 0.0 && !covered(&p) {
-            assert!(from_surface(&p) <= welded, "{name}: {p} inside is in no part");
+            assert!(to_surface(&p) <= welded, "{name}: {p} inside is in no part");
         }
     }
     for _ in 0..samples / 10 {
@@ -116,7 +116,7 @@ fn assert_covered(name: &str, mesh: &TriangleMesh, clean: &TriangleMesh, samples
         let (s, t) = (share(rng), share(rng));
         for p in [Point::from(p), Point::from(p * s + (q * t + r * (1.0 - t)) * (1.0 - s))] {
             let inside = found.solid && layers(clean, &p).round() != 0.0;
-            let distance = if inside { 0.0 } else { from_surface(&p) };
+            let distance = if inside { 0.0 } else { to_surface(&p) };
             assert!(distance <= found.reach + room + welded, "{name}: {distance} beyond, {} stated", found.reach);
         }
     }

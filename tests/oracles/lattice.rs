@@ -152,12 +152,15 @@ fn beside(rng: &mut ChaCha8Rng, point: &Point, size: i32) -> Point {
 /// Numbers of free and of forbidden states, then of motions.
 type Counts = [usize; 4];
 
+/// The ends of a motion, and whether it meets the body.
+type Motion = ([Point; 2], bool);
+
 /// Compares both engines with the exact answer on states and motions. `motion` draws one in the lattice, with the answer,
 /// and `placed` gives its position in the scene.
 fn compare(
     scene: &Scene,
     rng: &mut ChaCha8Rng,
-    motion: &dyn Fn(&mut ChaCha8Rng, bool) -> Option<([Point; 2], bool)>,
+    motion: &dyn Fn(&mut ChaCha8Rng, bool) -> Option<Motion>,
     placed: &dyn Fn(&Point) -> Point,
 ) -> Counts {
     let cspace = CspaceEngine::new(scene, Interference::Exact).unwrap();

@@ -399,7 +399,7 @@ impl<'a> Cutter<'a> {
     /// halves become smallest. `None` if no cut leaves surface or body on both sides.
     fn cut(&self, cell: &Cell, reach: &Reach) -> Result<Option<[Cell; 2]>, Error> {
         let Some((_, void)) = reach.worst.filter(|_| cell.count() > 0) else { return Ok(None) };
-        let (distance, nearest) = self.task.piece.distance.from_surface(&void, f64::INFINITY, &mut 0);
+        let (distance, nearest) = self.task.piece.distance.to_surface(&void, f64::INFINITY, &mut 0);
         if let Some(plane) = self.face_toward(cell, &void, distance)
             && let Some(halves) = self.halves(cell, &plane)?
         {

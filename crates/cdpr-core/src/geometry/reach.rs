@@ -161,7 +161,7 @@ pub(super) fn reach(surface: &SignedDistance, body: &Bounded, until: &Until, wat
         }
         let near = least <= settled || surface.within(&placed(&middle), settled - half.norm(), &mut triangles);
         let hint = parent.map_or(f64::INFINITY, |(parent, way)| parent.distance.abs() + way);
-        let mut distance = if near { 0.0 } else { surface.from_surface(&placed(&middle), hint, &mut triangles).0 };
+        let mut distance = if near { 0.0 } else { surface.to_surface(&placed(&middle), hint, &mut triangles).0 };
         // The surface does not pass between the centre of the parent and a centre closer to it than the surface.
         let inside_body = match parent {
             Some((parent, way)) if way < parent.distance.abs() => parent.distance < 0.0,

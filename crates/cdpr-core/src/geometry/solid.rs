@@ -104,13 +104,13 @@ impl SignedDistance {
 
     /// Distance of a point, m, negative inside the body, and the nearest point of the surface.
     pub fn at(&self, point: &Point) -> (f64, Point) {
-        let (distance, nearest) = self.from_surface(point, f64::INFINITY, &mut 0);
+        let (distance, nearest) = self.to_surface(point, f64::INFINITY, &mut 0);
         (if self.encloses(point) { -distance } else { distance }, nearest)
     }
 
     /// Distance of a point from the surface, m, and the nearest point of it; faster if the distance is known to be at most
     /// `bound`. Adds the number of triangles examined to a count.
-    pub(super) fn from_surface(&self, point: &Point, bound: f64, count: &mut usize) -> (f64, Point) {
+    pub(super) fn to_surface(&self, point: &Point, bound: f64, count: &mut usize) -> (f64, Point) {
         let mut best = (bound * bound * (1.0 + 1e-9), *point);
         if !self.search(point, 0.0, &mut best, count) {
             best.0 = f64::INFINITY; // the bound was too low by rounding

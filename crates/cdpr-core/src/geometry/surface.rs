@@ -155,6 +155,9 @@ enum Role {
 /// triangle.
 type Use = (u32, u32, bool, u32);
 
+/// Directed outer edges of a face, in ascending order, and its triangles.
+type Face = (Vec<[u32; 2]>, Vec<usize>);
+
 /// Triangles over corners in which equal corners are identified.
 struct Welded {
     /// Corners of each triangle as they were given.
@@ -306,10 +309,8 @@ impl Welded {
         Ok(!walls.is_empty())
     }
 
-    /// The flat faces all of whose outer edges have more than two triangles, and whose inner edges have two: their directed
-    /// outer edges in ascending order, and their triangles.
-    #[allow(clippy::type_complexity)]
-    fn faces(&self, uses: &[Use], watch: &Watch) -> Result<Vec<(Vec<[u32; 2]>, Vec<usize>)>, Error> {
+    /// The flat faces all of whose outer edges have more than two triangles, and whose inner edges have two.
+    fn faces(&self, uses: &[Use], watch: &Watch) -> Result<Vec<Face>, Error> {
         let mut triangles: Vec<usize> = uses.iter().map(|edge| edge.3 as usize).collect();
         triangles.sort_unstable();
         triangles.dedup();
