@@ -427,3 +427,28 @@ fn bodies_of_many_cubes_are_filled_exactly() {
         .sum();
     println!("{parts} parts");
 }
+
+#[test]
+fn walls_between_abutting_blocks_need_no_parts_and_fins_have_their_own() {
+    let mut rng = rng(5);
+    let blocks = [
+        block([0.0; 3], [1.0; 3]),
+        block([1.0, 0.0, 0.0], [2.0, 1.0, 1.0]),
+        block([2.0, 0.0, 0.0], [3.0, 1.134, 0.344]),
+    ];
+    let fin = |y: f64| {
+        let corners = [[1.0, 1.0, 0.0], [1.0, y, 0.0], [1.0, y, 1.0], [1.0, 1.0, 1.0]].map(Point::from);
+        TriangleMesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]] }
+    };
+    for (mesh, most) in [(joined(&blocks), 3), (joined(&[blocks[0].clone(), fin(1.7)]), 3)] {
+        for scale in [1e-2, 1.0, 1e3] {
+            for _ in 0..5 {
+                let mut placed = turned(&mesh, &rotation(&mut rng));
+                placed.vertices.iter_mut().for_each(|v| *v *= scale);
+                let parts = parts_of(&placed);
+                assert!(parts.bodies.len() <= most && parts.reach < 0.02 * 3.0 * scale, "{}", parts.bodies.len());
+                assert_covered("walls", &placed, &placed, 1000, &mut rng);
+            }
+        }
+    }
+}

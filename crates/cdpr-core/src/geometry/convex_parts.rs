@@ -17,11 +17,12 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::cell::{Cell, flat_excess, mean_and_axes};
-use super::coverage::{missing, polyhedron};
+use super::coverage::{contain, missing, polyhedron};
 use super::inner_hull::InnerHull;
 use super::merge::merged;
 use super::part::{Part, Task};
 use super::reach::{Bounded, Reach, Until};
+use super::solid::nearest_on_triangle;
 use super::surface::Piece;
 use super::wrap::{Wrap, box_around, is_sound, thickened};
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
@@ -43,6 +44,9 @@ const MERGE_SHARES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
 /// Number of corners up to which hulls are grown to compare cuts by volume.
 const ROUGH_CORNERS: usize = 40;
+
+/// Height up to which a point counts as on a plane, in relation to the largest side of the box around the piece.
+const ON_PLANE: f64 = 1e-9;
 
 /// Maximum number of times that a part is enlarged before it becomes a box around the piece.
 const MOST_ENLARGED: usize = 4;
@@ -69,11 +73,16 @@ pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -
         Some(body) => ConvexParts { bodies: vec![body], reach: 0.0, enlarged: 0 },
         None => Cutter::new(piece, tolerance.max(4.0 * SHEET), watch)?.parts(most)?,
     };
+    let on_plane = ON_PLANE * (aabb(piece).max - aabb(piece).min).amax();
     for wall in &piece.walls {
-        if !parts.bodies.iter().any(|body| wall.iter().all(|p| covers(body, p))) {
-            let task = Task { piece, tolerance: 4.0 * SHEET, watch };
-            parts.bodies.push(task.enclosing(thickened(wall))?.polytope().0);
-            parts.reach = parts.reach.max(SHEET_REACH);
+        watch.check()?;
+        if !contain(&parts.bodies, wall, on_plane) {
+            let wrap = Task { piece, tolerance: 4.0 * SHEET, watch }.enclosing(thickened(wall))?;
+            let (body, _) = wrap.polytope();
+            // The distance from a triangle is a convex function, so it is largest in a corner.
+            let reach = body.vertices().iter().map(|v| (nearest_on_triangle(v, wall) - v).norm()).fold(0.0, f64::max);
+            parts.reach = parts.reach.max(reach);
+            parts.bodies.push(body);
         }
     }
     Ok(parts)
@@ -84,6 +93,12 @@ const SHEET_REACH: f64 = SQRT_3 * SHEET;
 
 fn covers(body: &Polytope, p: &Point) -> bool {
     body.depth_of(p) >= -0.5 * GAP_TOLERANCE
+}
+
+fn aabb(piece: &Piece) -> Aabb {
+    let first = piece.triangles[0][0];
+    let corners = piece.triangles.iter().flatten();
+    corners.fold(Aabb { min: first, max: first }, |b, p| Aabb { min: b.min.inf(p), max: b.max.sup(p) })
 }
 
 /// The hull of a piece that is already convex and has few corners: all triangles lie on the hull's surface, and the body
@@ -202,12 +217,7 @@ struct Cutter<'a> {
 
 impl<'a> Cutter<'a> {
     fn new(piece: &'a Piece, tolerance: f64, watch: &'a Watch) -> Result<Self, Error> {
-        let first = piece.triangles[0][0];
-        let aabb = piece
-            .triangles
-            .iter()
-            .flatten()
-            .fold(Aabb { min: first, max: first }, |b, p| Aabb { min: b.min.inf(p), max: b.max.sup(p) });
+        let aabb = aabb(piece);
         let extent = (aabb.max - aabb.min).amax();
         let mut places: HashMap<[i64; 4], u32> = HashMap::new();
         let mut planes = Vec::new();
@@ -226,7 +236,14 @@ impl<'a> Cutter<'a> {
                 planes.len() as u32 - 1
             }));
         }
-        Ok(Cutter { task: Task { piece, tolerance, watch }, aabb, planes, plane_of, extent, on_plane: 1e-9 * extent })
+        Ok(Cutter {
+            task: Task { piece, tolerance, watch },
+            aabb,
+            planes,
+            plane_of,
+            extent,
+            on_plane: ON_PLANE * extent,
+        })
     }
 
     /// At most `most` parts, proved to cover the piece.

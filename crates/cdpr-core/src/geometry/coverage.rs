@@ -19,6 +19,9 @@ use crate::watch::Watch;
 /// Allowance for rounding, m: what lies no farther above a facet counts as covered.
 const ROOM: f64 = 0.5 * GAP_TOLERANCE;
 
+/// Maximum number of pieces of a triangle outside some bodies that are compared with others.
+const MOST_PIECES_OF_A_WALL: usize = 1000;
+
 /// The part of a box in a cell; `None` if it is thinner than rounding.
 pub(super) fn polyhedron(cell: &Cell, aabb: &Aabb) -> Option<Polyhedron> {
     let mut body = Polyhedron::cuboid(aabb)?;
@@ -77,4 +80,55 @@ fn body_above(piece: &Piece, cell: &Polyhedron, facet: &HalfSpace, on_plane: f64
     }
     let mut region = cell.clone();
     region.cut(&HalfSpace { normal: -facet.normal, offset: -facet.offset }).map(|()| region.corners().collect())
+}
+
+/// Whether convex bodies together contain a triangle, except for `on_plane` metres.
+pub(super) fn contain(bodies: &[Polytope], triangle: &[Point; 3], on_plane: f64) -> bool {
+    let aabb = Aabb::around(triangle);
+    let mut left = vec![triangle.to_vec()];
+    for body in bodies.iter().filter(|body| !body.aabb().apart_by(&aabb, ROOM)) {
+        left = left.into_iter().flat_map(|polygon| outside(polygon, body, ROOM + on_plane)).collect();
+        if left.is_empty() || left.len() > MOST_PIECES_OF_A_WALL {
+            break;
+        }
+    }
+    left.is_empty()
+}
+
+/// Convex polygons that cover what a convex polygon has outside a body.
+fn outside(polygon: Vec<Point>, body: &Polytope, room: f64) -> Vec<Vec<Point>> {
+    let planes = body.half_spaces();
+    let above = |polygon: &[Point], plane: &HalfSpace| polygon.iter().all(|p| plane.height(p) >= room);
+    if planes.iter().any(|plane| above(&polygon, plane)) {
+        return vec![polygon];
+    }
+    let (mut inside, mut pieces) = (polygon, Vec::new());
+    for plane in &planes {
+        let height = |p: &Point| plane.height(p) - room;
+        if inside.iter().all(|p| height(p) <= 0.0) {
+            continue;
+        }
+        pieces.push(clipped(&inside, |p| -height(p)));
+        inside = clipped(&inside, height);
+        if inside.is_empty() {
+            break;
+        }
+    }
+    pieces
+}
+
+/// The part of a convex polygon whose points have no positive height.
+fn clipped(polygon: &[Point], height: impl Fn(&Point) -> f64) -> Vec<Point> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (k, p) in polygon.iter().enumerate() {
+        let q = &polygon[(k + 1) % polygon.len()];
+        let (hp, hq) = (height(p), height(q));
+        if hp <= 0.0 {
+            kept.push(*p);
+        }
+        if hp * hq < 0.0 {
+            kept.push(p + (q - p) * (hp / (hp - hq)));
+        }
+    }
+    kept
 }
