@@ -77,6 +77,27 @@ def accepts(scene: Table, file: Table) -> bool:
     return True
 
 
+def test_ends_are_in_the_box_and_in_no_region():
+    point = {"platform": [{"vertices": [[0, 0, 0]]}], "cables": [{"outlet": [0, 0, 2], "attachment": [0, 0, 0]}]}
+    workspace = {"min": [-1, -1, -1], "max": [3, 1, 1]}
+    wall = {"name": "wall", "box": [0.5, 1, 4], "position": [0.75, 0, 0]}
+    scene = {"version": 1, "workspace": workspace, "robot": point, "obstacles": [wall]}
+    within = [[-1, 0, 0, -0.5], [1, 0, 0, 1], [0, -1, 0, 0.5], [0, 1, 0, 0.5]]
+    file = {"format": "cdpr-bound", "version": 1, "scene": "", "orientation": [1, 0, 0, 0], "margin": 1e-6}
+    file |= {"goal": [2, 0, 0], "edges": [], "corners": []}
+
+    def told(start: list[float], floor: float, half_spaces: list[list[float]], length: float, reason: str) -> None:
+        region = {"who": ["platform", "wall"], "half_spaces": half_spaces}
+        box = [[-1, -1, floor], [3, 1, 1]]
+        refused(scene, {**file, "start": start, "length": length, "box": box, "regions": [region]}, reason)
+
+    under = [[0, 0, 1, -1 + 0.9e-6], [0, 0, -1, 1.1]]
+    told([0, 0, -1], -1 + 0.99e-6, under, 999, r"start: found \[0.0, 0.0, -1.0\], expected it in the box")
+    told([0, 0, 0], -1 + 0.99e-6, under, 999, r"regions\[0\].half_spaces: found no position of the box in them")
+    for x in (0.75, 0.5 + 1e-9):
+        told([x, 0, 0], -1, within, 999, r"start: found it inside regions\[0\], expected it in no region")
+
+
 def test_bad_contents_are_named_in_bounded_time():
     scene, file = sample()
     refused(scene, {**file, "version": 2}, "version: found 2")

@@ -62,11 +62,13 @@ impl BoundCertificate {
         question.numbers_are_sound()?;
         self.numbers_are_sound()?;
         question.is_of(scene)?;
+        question.ends_are_in_box()?;
         let mut proofs = Proofs::of(scene, [&self.start, &self.goal], self.margin, true);
         for (k, region) in self.regions.iter().enumerate() {
             watch.check()?;
             proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
+        question.ends_are_outside(&self.regions)?;
         let listed = bends::listed(self, watch)?;
         let planes: Vec<Vec<Plane>> = self.regions.iter().map(planes_of).collect();
         let mut pieces = Vec::new();

@@ -15,7 +15,7 @@ const COPLANAR: f64 = 1e-9;
 /// A gap that is less than required by no more than this is contact, m.
 pub const TOUCHING: f64 = 1e-9;
 /// The witnesses of contact may be this far apart, m.
-const ROUNDING: f64 = 1e-12;
+pub const ROUNDING: f64 = 1e-12;
 /// Ends of cables this close are one point, m, as in the definition of a scene: such a pair of cables touches by
 /// construction and forbids nothing, and cables that all end there exert no moments. A larger value would prove less, a
 /// smaller one would call positions forbidden that are free. The checker in Python has the same value.

@@ -237,7 +237,11 @@ impl<'a> Proofs<'a> {
                 "found two cables, expected a pair with a body: cables forbid no region",
             ));
         }
-        self.all_near(pair, &corners(bounds, &region.half_spaces))
+        let corners = corners(bounds, &region.half_spaces);
+        if corners.is_empty() {
+            return Err(Error::invalid("half_spaces", "found no position of the box in them, expected some"));
+        }
+        self.all_near(pair, &corners)
     }
 
     /// All positions of a box are forbidden for its reason.

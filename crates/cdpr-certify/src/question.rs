@@ -6,7 +6,8 @@ use cdpr_core::geometry::{Vector, wxyz};
 
 use crate::certificate::Region;
 use crate::exact::exact;
-use crate::forbidden::Bodies;
+use crate::forbidden::{Bodies, ROUNDING};
+use crate::polyhedron::{HalfSpace, Place};
 use crate::tiling::Bounds;
 
 /// Largest number of a certificate.
@@ -100,6 +101,34 @@ impl Question<'_> {
                 let (from, to, low, high) = (from.to_f64(), to.to_f64(), low.to_f64(), high.to_f64());
                 let problem = format!("found {from} to {to} along {}, expected at least {low} to {high}", AXES[k]);
                 return Err(Error::invalid("box", problem));
+            }
+        }
+        Ok(())
+    }
+
+    fn named_ends(&self) -> [(&str, &[f64; 3]); 2] {
+        [("start", self.ends[0]), ("goal", self.ends[1])]
+    }
+
+    /// Start and goal are in the box: of paths between others, anything is true.
+    pub fn ends_are_in_box(&self) -> Result<(), Error> {
+        for (name, end) in self.named_ends() {
+            if let Some(k) = (0..3).find(|k| !(self.bounds[0][*k] <= end[*k] && end[*k] <= self.bounds[1][*k])) {
+                let (from, to) = (self.bounds[0][k], self.bounds[1][k]);
+                let problem = format!("found {} along {}, expected it in the box, {from} to {to}", end[k], AXES[k]);
+                return Err(Error::invalid(name, problem));
+            }
+        }
+        Ok(())
+    }
+
+    /// Start and goal are in no region: of paths between others, anything is true.
+    pub fn ends_are_outside(&self, regions: &[Region]) -> Result<(), Error> {
+        for (name, end) in self.named_ends() {
+            let place = Place::of(&(*end).into());
+            let inside = |row: &[f64; 4]| HalfSpace::of(row).height(&place) < exact(-ROUNDING);
+            if let Some(k) = regions.iter().position(|region| region.half_spaces.iter().all(inside)) {
+                return Err(Error::invalid(name, format!("found it inside regions[{k}], expected it in no region")));
             }
         }
         Ok(())

@@ -117,3 +117,28 @@ fn contact_at_one_end_is_allowed_everywhere() {
     assert!(with(touching, 5e-8).unwrap_err().contains("too close"));
     assert!(with(START, 2e-7).unwrap_err().contains("too close"));
 }
+
+/// Of paths between ends outside the box or inside a region, any bound would be true.
+#[test]
+fn ends_are_in_the_box_and_in_no_region() {
+    let with = |start: [f64; 3], low: f64, region: Option<[[f64; 4]; 2]>| {
+        let mut found = certificate(&WALL, start, 999.0, &[]);
+        found["margin"] = 1e-6.into();
+        found["box"][0][2] = low.into();
+        if let Some(planes) = region {
+            found["regions"][0]["half_spaces"] = json!(planes);
+        }
+        check(&WALL, &found)
+    };
+    // The box may be smaller than that of the scene by the margin: then the floor is outside of it, and so is this region.
+    let on_the_floor = [0.0, 0.0, -1.0];
+    let under = [[0.0, 0.0, 1.0, -1.0 + 0.9e-6], [0.0, 0.0, -1.0, 1.1]];
+    let refused = with(on_the_floor, -1.0 + 0.99e-6, Some(under)).unwrap_err();
+    assert!(refused.contains("start: found -1 along z, expected it in the box, -0.99999901 to 1"), "{refused}");
+    let refused = with([0.0; 3], -1.0 + 0.99e-6, Some(under)).unwrap_err();
+    assert!(refused.contains("regions[0].half_spaces: found no position of the box in them"), "{refused}");
+    let refused = with([0.75, 0.0, 0.0], -1.0, None).unwrap_err();
+    assert!(refused.contains("start: found it inside regions[0], expected it in no region"), "{refused}");
+    let refused = with([0.5 + 1e-9, 0.0, 0.0], -1.0, None).unwrap_err();
+    assert!(refused.contains("start: found it inside regions[0], expected it in no region"), "{refused}");
+}

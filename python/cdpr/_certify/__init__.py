@@ -14,14 +14,16 @@ This package shares no code with the program that writes certificates, and needs
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 from ._bends import Bends
 from ._certificate import Bound, Certificate, Question, parsed
-from ._forbidden import Model
+from ._forbidden import ROUNDING, Model
 from ._hulls import clipped
 from ._labels import check_labels
 from ._tiling import check_inside, check_open_around, check_separation, tiling_of
+from ._vectors import dot, exact
 
 
 def check_certificate(scene: Mapping[str, Any], certificate: Mapping[str, Any] | str, fingerprint: str | None) -> None:
@@ -56,7 +58,11 @@ def check_bound(scene: Mapping[str, Any], file: Mapping[str, Any], fingerprint: 
     """
     proof = Bound(file)
     _same_scene(file, fingerprint)
+    for name, end in (("start", proof.start), ("goal", proof.goal)):
+        if not all(proof.box[k] <= end[k] <= proof.box[k + 3] for k in range(3)):
+            raise ValueError(f"{name}: found {list(end)}, expected it in the box")
     _check_regions(Model(scene, proof, at_one_end=True), proof)
+    _check_outside(proof)
     check_labels(proof, Bends(proof))
 
 
@@ -65,9 +71,20 @@ def _same_scene(file: Mapping[str, Any], fingerprint: str | None) -> None:
         raise ValueError(f"scene: found {file['scene']!r}, which is another scene; this one is {fingerprint!r}")
 
 
+def _check_outside(proof: Bound) -> None:
+    """Of paths between ends inside a region, anything is true."""
+    for name, end in (("start", proof.start), ("goal", proof.goal)):
+        for k, region in enumerate(proof.regions):
+            heights = (dot(exact(row[:3]), exact(end)) - Fraction(row[3]) for row in region.half_spaces)
+            if all(height < -ROUNDING for height in heights):
+                raise ValueError(f"{name}: found it inside regions[{k}], expected it in no region")
+
+
 def _check_regions(model: Model, proof: Question) -> None:
     for k, region in enumerate(proof.regions):
         vertices = clipped(proof.box, region.half_spaces)
+        if not vertices:
+            raise ValueError(f"regions[{k}].half_spaces: found no position of the box in them, expected some")
         if not model.forbids(region.who, vertices):
             found = f"reaches more than the margin beyond the positions that {' and '.join(region.who)} forbid"
             raise ValueError(f"regions[{k}]: {found}")
