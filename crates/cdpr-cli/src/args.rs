@@ -207,6 +207,22 @@ pub enum Target<'a> {
 }
 
 impl Target<'_> {
+    fn path(&self) -> &Path {
+        match self {
+            Target::File(path) | Target::Folder(path) => path,
+        }
+    }
+
+    /// Where it is, without links; `None` for standard output, pipes and devices.
+    fn place(&self) -> Option<PathBuf> {
+        let path = self.path();
+        if is_standard_output(path) || cdpr_files::is_stream(path) {
+            return None;
+        }
+        let folder = || path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        path.canonicalize().ok().or_else(|| Some(folder().canonicalize().ok()?.join(path.file_name()?)))
+    }
+
     /// Checks that it can be written, before any work is done.
     pub fn check(&self) -> Result<(), Error> {
         match self {
@@ -227,7 +243,9 @@ impl Command {
             path.as_deref().map(Target::Folder)
         }
         match self {
-            Command::Plan(args) => [&args.output, &args.html, &args.trajectory].into_iter().filter_map(file).collect(),
+            Command::Plan(args) => {
+                [&args.output, &args.html, &args.trajectory, &args.proof].into_iter().filter_map(file).collect()
+            }
             Command::Trajectory(args) => file(&args.output).into_iter().collect(),
             Command::Post(args) => file(&args.output).into_iter().collect(),
             Command::New(args) => file(&args.output).into_iter().collect(),
@@ -240,6 +258,54 @@ impl Command {
             Command::Report(args) => [file(&args.output), folder(&args.plots)].into_iter().flatten().collect(),
             Command::Man(args) => folder(&args.output).into_iter().collect(),
             Command::Check(_) | Command::Info(_) | Command::Schema(_) | Command::Completions(_) => Vec::new(),
+        }
+    }
+
+    /// The files and folders that this command reads, without those that they name.
+    fn sources(&self) -> Vec<&Path> {
+        fn all<'a>(files: impl IntoIterator<Item = &'a PathBuf>) -> Vec<&'a Path> {
+            files.into_iter().map(PathBuf::as_path).collect()
+        }
+        match self {
+            Command::Plan(args) => all([&args.scene.scene]),
+            Command::Check(args) => all([&args.path.scene.scene, &args.path.path]),
+            Command::Info(args) => all([&args.scene]),
+            Command::Post(args) => all([&args.path.scene.scene, &args.path.path]),
+            Command::Trajectory(args) => all([&args.scene.scene, &args.path]),
+            Command::New(args) => all(args.robot.iter().chain(&args.obstacle)),
+            Command::Import(args) => all([&args.source].into_iter().chain(&args.bodies).chain(&args.platform)),
+            Command::View(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
+            Command::Shadows(args) => all([&args.scene.scene]),
+            Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),
+            Command::Batch(args) => all([&args.experiment]),
+            Command::Merge(args) => all(&args.folders),
+            Command::Report(_) | Command::Schema(_) | Command::Man(_) | Command::Completions(_) => Vec::new(),
+        }
+    }
+
+    /// Checks that everything this command will write can be written, and replaces neither what it reads nor each other.
+    pub fn check_targets(&self) -> Result<(), Error> {
+        let targets = self.targets();
+        targets.iter().try_for_each(Target::check)?;
+        let places = targets.iter().filter_map(|target| Some((target.path(), target.place()?)));
+        let written: Vec<(&Path, PathBuf)> = places.collect();
+        if let Some((path, _)) = (1..written.len()).find_map(|k| {
+            let (_, place) = &written[k];
+            written[..k].iter().any(|(_, other)| other == place).then_some(&written[k])
+        }) {
+            return Err(Error::file(path, "is the name of two outputs; choose different names"));
+        }
+        let old: Vec<&(&Path, PathBuf)> = written.iter().filter(|(_, place)| place.exists()).collect();
+        if old.is_empty() {
+            return Ok(());
+        }
+        let read = self.sources().into_iter().filter(|path| !is_standard_output(path)).flat_map(cdpr_files::sources);
+        let read: Vec<PathBuf> = read.filter_map(|path| path.canonicalize().ok()).collect();
+        match old.into_iter().find(|(_, place)| read.contains(place)) {
+            Some((path, _)) => {
+                Err(Error::file(path, "is an input of this command; choose another name for the output"))
+            }
+            None => Ok(()),
         }
     }
 }

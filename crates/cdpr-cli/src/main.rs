@@ -11,7 +11,7 @@ mod signals;
 use std::panic;
 use std::process::ExitCode;
 
-use args::{Cli, Command, Target};
+use args::{Cli, Command};
 use cdpr_core::error::{caught, printable};
 use cdpr_core::{Error, ErrorClass};
 use clap::Parser;
@@ -81,7 +81,7 @@ fn say_where_panics_are() {
 }
 
 fn run(command: Command, out: &Console) -> Result<Answer, Error> {
-    command.targets().iter().try_for_each(Target::check)?;
+    command.check_targets()?;
     match command {
         Command::Plan(args) => commands::plan::run(&args, out),
         Command::Check(args) => commands::check::run(&args, out),

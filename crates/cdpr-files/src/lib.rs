@@ -12,6 +12,7 @@ pub mod mesh_reader;
 pub mod output;
 pub mod path_file;
 pub mod scene_file;
+pub mod sources;
 pub mod starter_file;
 pub mod tension_file;
 pub mod text;
@@ -29,6 +30,7 @@ pub use path_file::{
     waypoints_from_text,
 };
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
+pub use sources::sources;
 pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;

@@ -240,3 +240,75 @@ fn help_that_is_lost_is_no_success() {
         assert_eq!(status(&cdpr(arguments)), 0, "{arguments:?}");
     }
 }
+
+/// A scene in JSON of three files, and a path, all of whose names fit several outputs.
+fn hall_in_json() -> tempfile::TempDir {
+    let folder = folder();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let cable = |x: f64, y: f64| serde_json::json!({"outlet": [x, y, 2.0], "attachment": [0.0, 0.0, 0.0]});
+    let cables = [cable(0.0, 0.0), cable(2.0, 0.0), cable(0.0, 2.0), cable(2.0, 2.0)];
+    let robot = serde_json::json!({"version": 1, "platform": [{"vertices": [[0.0, 0.0, 0.0]]}], "cables": cables});
+    write("robot.json", &robot.to_string());
+    write("hall.obj", "v 0.9 0.9 0\nv 1.1 0.9 0\nv 1 1.1 0\nv 1 1 0.4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    let scene = serde_json::json!({
+        "version": 1, "robot": "robot.json", "workspace": {"min": [0.0, 0.0, 0.0], "max": [2.0, 2.0, 2.0]},
+        "obstacles": [{"mesh": "hall.obj"}], "query": {"start": [0.4, 1.0, 0.3], "goal": [1.6, 1.0, 0.3]},
+        "motion": {"speed": 1.0, "acceleration": 1.0},
+    });
+    write("scene.json", &scene.to_string());
+    assert_eq!(status(&cdpr_in(folder.path(), &["plan", "scene.json", "-q", "-o", "path.json"])), 0);
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    symlink("../scene.json", folder.path().join("sub/link.json")).unwrap();
+    folder
+}
+
+#[test]
+fn no_output_replaces_an_input() {
+    let folder = hall_in_json();
+    let files = ["scene.json", "robot.json", "hall.obj", "path.json"];
+    let contents = || files.map(|name| fs::read(folder.path().join(name)).unwrap());
+    let before = contents();
+    for command in [
+        "plan scene.json -o scene.json",
+        "plan scene.json -o ./sub/../scene.json",
+        "plan scene.json -o sub/link.json",
+        "plan scene.json -o robot.json",
+        "plan scene.json --trajectory scene.json",
+        "plan scene.json --trajectory robot.json",
+        "plan scene.json --proof scene.json",
+        "plan scene.json --proof hall.obj",
+        "post scene.json path.json -o path.json",
+        "post scene.json path.json -o scene.json",
+        "trajectory scene.json path.json -o path.json",
+        "trajectory scene.json path.json -o robot.json",
+        "shadows scene.json -o hall.obj",
+        "new robot.json --robot robot.json --force",
+        "wrench scene.json --along path.json -o path.json",
+    ] {
+        let ended = cdpr_in(folder.path(), &command.split(' ').collect::<Vec<_>>());
+        assert_eq!(status(&ended), 2, "{command}");
+        assert!(stderr(&ended).contains("is an input of this command; choose another name"), "{}", stderr(&ended));
+        assert!(contents() == before, "{command}");
+    }
+    let again = ["post", "scene.json", "path.json", "-q", "-o", "new.json"];
+    assert_eq!([0; 2].map(|_| status(&cdpr_in(folder.path(), &again))), [0, 0]);
+}
+
+#[test]
+fn no_output_replaces_another_of_the_same_call() {
+    let folder = hall_in_json();
+    for outputs in [
+        "-o new.json --trajectory new.json",
+        "-o new.json --proof ./new.json",
+        "--trajectory sub/new.json --proof sub/../sub/new.json",
+        "-o path.json --proof path.json",
+    ] {
+        let ended = cdpr_in(folder.path(), &format!("plan scene.json {outputs}").split(' ').collect::<Vec<_>>());
+        assert_eq!(status(&ended), 2, "{outputs}");
+        assert!(stderr(&ended).contains("is the name of two outputs; choose different names"), "{}", stderr(&ended));
+    }
+    assert!(!folder.path().join("new.json").exists());
+    let nowhere = cdpr_in(folder.path(), &["plan", "scene.json", "--proof", "nowhere/proof.json"]);
+    assert_eq!(status(&nowhere), 2);
+    assert!(stderr(&nowhere).contains("there is no folder nowhere") && nowhere.stdout.is_empty());
+}
