@@ -5,11 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use cdpr_certify::check_certificate;
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Polytope, Pose, Rotation, Vector};
-use cdpr_core::model::{BodySpec, Scene};
+use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, WorkspaceSpec};
 use cdpr_core::numerics::PROOF_EFFORT;
-use cdpr_core::plan::{engine_for, turning_engine};
+use cdpr_core::plan::{PlanOptions, engine_for, plan, turning_engine};
+use cdpr_core::planning::Status;
 use cdpr_core::proof::{Answer, Certificate, decide};
-use cdpr_core::testing::{block, walled};
+use cdpr_core::testing::{block, paper_robot, paper_scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_tests::scenes::{body_spec, scene_with_a_cable};
 use cdpr_tests::{rng, rotation, vector};
@@ -238,4 +239,42 @@ fn a_wall_of_four_boxes_closes_the_way_as_one_box_does() {
     };
     let certificate = serde_json::to_string(&Certificate::of(&proof, &scene, &*engine)).unwrap();
     check_certificate(&scene, &certificate, &Watch::NONE).unwrap();
+}
+
+#[test]
+fn pulled_paths_pass_their_last_check_where_parts_share_an_edge() {
+    // Bends lie where a cable touches the edge that three tetrahedra share.
+    let [x, y, z] = [1.0441616304698487, 0.9403173485277375, 0.8970730550956694];
+    let (low, high) = ([x, y, z], [x, y, 1.2615111196628317]);
+    let rim = [
+        [1.4085996950370108, y, z],
+        [x, 1.3047554130948997, z],
+        [0.6797235659026865, y, z],
+        [x, 0.5758792839605753, z],
+    ];
+    let part = |k: usize| {
+        let vertices = Some(vec![low, high, rim[k], rim[k + 1]]);
+        BodySpec { name: Some("fan".to_string()), vertices, ..BodySpec::default() }
+    };
+    let outlets = [[0.0, 0.0, 2.0], [0.0, 2.0, 0.0], [0.0, 2.0, 2.0], [2.0, 2.0, 2.0]];
+    let cable = |outlet: [f64; 3]| CableSpec {
+        name: None,
+        outlet,
+        attachment: [0.0; 3],
+        tension: None,
+        diameter: None,
+        length: None,
+    };
+    let mut spec = paper_scene("fan", (0..3).map(part).collect());
+    let cables = outlets.map(cable).to_vec();
+    spec.robot = RobotSource::Inline(RobotSpec { mass: None, platform: point(), cables, ..paper_robot() });
+    spec.workspace = WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] };
+    let start = Some([1.2440234627999205, 0.3045324418598377, 0.8326124692712442]);
+    let goal = Some([1.1741927661761573, 1.728005839799787, 0.22415998496248118]);
+    spec.query = Some(QuerySpec { start, goal, ..QuerySpec::default() });
+    let scene = Scene::new(spec).unwrap();
+    for seed in 0..4 {
+        let options = PlanOptions { seed, ..PlanOptions::default() };
+        assert_eq!(plan(&scene, &options, &|| false).unwrap().result.status, Status::Solved);
+    }
 }

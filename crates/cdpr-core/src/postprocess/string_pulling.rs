@@ -464,10 +464,10 @@ impl<'a> Strand<'a> {
         let mut led = vec![moved[0]];
         for (old, new) in path.windows(2).zip(moved.windows(2)) {
             if !self.free(&new[0], &new[1]) {
-                let over = old.iter().map(|bend| Bend::new(bend.place, None));
-                let way = std::iter::once(new[0]).chain(over).chain([new[1]]);
-                let mut way: Vec<Bend> = way.collect();
-                way.dedup_by(|a, b| (a.place - b.place).norm() < TAUT);
+                // The ends stay where they are, to the last bit: the segments beside them start there.
+                let apart = |bend: &&Bend| new.iter().all(|end| (end.place - bend.place).norm() >= TAUT);
+                let over = old.iter().filter(apart).map(|bend| Bend::new(bend.place, None));
+                let way: Vec<Bend> = std::iter::once(new[0]).chain(over).chain([new[1]]).collect();
                 if !self.all_free(&way) {
                     return Ok(None);
                 }
