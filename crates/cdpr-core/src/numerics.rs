@@ -107,6 +107,10 @@ pub const NO_WIDTH: f64 = 1e-12;
 /// Sine of the angle below which a facet counts as parallel to a plane, or a ray to a facet, when seams are built.
 pub const ALONG_FACET: f64 = 1e-9;
 
+/// Crossings of a facet with two other parts whose distances from a point differ by no more than this may be in one line, m:
+/// far above rounding.
+pub const SAME_CROSSING: f64 = 1e-5;
+
 /// Maximum number of lines in which facets of overlapping parts of a scene cross whose ends are examined for inner corners.
 pub const MOST_CROSSINGS: usize = 2_000;
 

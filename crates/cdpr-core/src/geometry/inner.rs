@@ -14,10 +14,7 @@ use std::collections::BTreeSet;
 use super::hull::Facet;
 use super::polytope::unit_cross;
 use super::{Aabb, Point, Polytope, Vector};
-use crate::numerics::{ALONG_LINE, FLAT, MOST_CROSSINGS, ON_SURFACE, SAME_POINT, TOUCH_DEPTH};
-
-/// Lines whose distances from a point differ by no more than this may be one, m; rounding is far below it.
-const NEARLY_ONE: f64 = 1e-5;
+use crate::numerics::{ALONG_LINE, FLAT, MOST_CROSSINGS, ON_SURFACE, SAME_CROSSING, SAME_POINT, TOUCH_DEPTH};
 
 /// An inner edge or corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -137,7 +134,17 @@ impl Search<'_> {
         }
         let mut cuts: Vec<f64> = within.iter().flat_map(|w| w.interval).collect();
         cuts.sort_by(f64::total_cmp);
+        let enclosing = within.iter().filter(|w| w.facets.is_empty()).map(|w| w.interval);
+        let mut enclosed: Vec<[f64; 2]> = enclosing.collect();
+        enclosed.sort_by(|a, b| b[0].total_cmp(&a[0]));
+        let mut enclosed_to = 0.0_f64;
         for cut in cuts.windows(2).filter(|cut| cut[1] - cut[0] > ON_SURFACE) {
+            while let Some([_, to]) = enclosed.pop_if(|[from, _]| *from <= cut[0]) {
+                enclosed_to = enclosed_to.max(to);
+            }
+            if enclosed_to >= cut[1] {
+                continue;
+            }
             let holding = within.iter().filter(|w| w.interval[0] <= cut[0] && w.interval[1] >= cut[1]);
             let interval = Line { from: line.at(cut[0]), along: line.along, length: cut[1] - cut[0] };
             self.examine(interval, &holding.collect::<Vec<_>>());
@@ -180,8 +187,13 @@ impl Search<'_> {
         beside.sort_by(|a, b| b.reach.total_cmp(&a.reach).then(a.part.cmp(&b.part)));
         let radius = |count: usize| 0.5 * beside[count - 1].reach;
         let cover = |count: &usize| cover_all_directions(&beside[..*count], ON_SURFACE / radius(*count));
-        let count = Some(beside.len()).filter(|count| *count > 1 && cover(count))?;
-        let fewest = (2..count).find(cover).unwrap_or(count);
+        let all = Some(beside.len()).filter(|count| *count > 1 && cover(count))?;
+        // Halving: each part more covers more.
+        let (mut too_few, mut fewest) = (1, all);
+        while fewest - too_few > 1 {
+            let count = usize::midpoint(too_few, fewest);
+            if cover(&count) { fewest = count } else { too_few = count }
+        }
         let mut between: Vec<usize> = beside[..fewest].iter().map(|b| b.part).collect();
         between.sort_unstable();
         Some(Inner { line, between, radius: radius(fewest) })
@@ -271,15 +283,20 @@ impl Beside {
 
 /// Whether parts cover all directions around their middle, except for gaps with an angle of up to twice `tolerance`, rad.
 fn cover_all_directions(parts: &[Beside], tolerance: f64) -> bool {
-    let normals = || parts.iter().flat_map(|part| &part.normals);
-    let covered = |direction: &Vector| parts.iter().any(|part| part.contains(direction, tolerance));
     parts.iter().all(|part| {
         part.normals.iter().all(|facet| {
-            let beyond = |direction: Vector| direction + facet * (2.0 * tolerance);
-            let own = sectors(facet, normals(), tolerance)
+            // The rays that bound the facet; parts that exclude all of them, and a margin, contain nothing beyond it.
+            let crossed = part.normals.iter().filter_map(|normal| unit_cross(facet, normal));
+            let rays: Vec<Vector> =
+                crossed.flat_map(|ray| [ray, -ray]).filter(|ray| part.contains(ray, tolerance)).collect();
+            let excludes = |normal: &Vector| rays.iter().all(|ray| normal.dot(ray) > 3.0 * tolerance);
+            let is_far = |other: &&Beside| !rays.is_empty() && other.normals.iter().any(excludes);
+            let near: Vec<&Beside> = parts.iter().filter(|other| !is_far(other)).collect();
+            sectors(facet, near.iter().flat_map(|other| &other.normals), tolerance)
                 .into_iter()
-                .filter(|direction| part.contains(direction, tolerance));
-            own.map(beyond).all(|direction| covered(&direction))
+                .filter(|direction| part.contains(direction, tolerance))
+                .map(|direction| direction + facet * (2.0 * tolerance))
+                .all(|direction| near.iter().any(|other| other.contains(&direction, tolerance)))
         })
     })
 }
@@ -322,7 +339,7 @@ fn crossings(body: &Polytope, others: &[&Polytope]) -> Vec<(Line, bool)> {
         let mut shared = vec![false; lines.len()];
         for (i, (distance, other, line)) in lines.iter().enumerate() {
             for (j, (_, another, same)) in
-                lines.iter().enumerate().skip(i + 1).take_while(|(_, next)| next.0 <= distance + NEARLY_ONE)
+                lines.iter().enumerate().skip(i + 1).take_while(|(_, next)| next.0 <= distance + SAME_CROSSING)
             {
                 if other != another && line.along.cross(&same.along).norm() <= ALONG_LINE {
                     (shared[i], shared[j]) = (true, true);
@@ -343,6 +360,12 @@ fn crossing(bodies: [&Polytope; 2], [f, g]: [&Facet; 2]) -> Option<Line> {
     let foot = down - across * (g.height(&down) / g.normal.dot(&across));
     let size = (bodies[0].aabb().max - bodies[0].aabb().min).norm();
     let line = Line { from: foot - along * size, along, length: 2.0 * size };
+    // Most lines miss one of the bodies, which this finds at little cost.
+    let mut facets = bodies.iter().flat_map(|body| body.facets());
+    facets.try_fold([0.0, line.length], |interval, other| {
+        let near = clip(interval, other.height(&line.from) - ON_SURFACE, other.normal.dot(&along))?;
+        (near[1] - near[0] > ON_SURFACE).then_some(near)
+    })?;
     let [from, to] = bodies.iter().try_fold([0.0, line.length], |[from, to], body| {
         let Within { interval, .. } = Within::of(0, body, &line)?;
         Some([from.max(interval[0]), to.min(interval[1])])

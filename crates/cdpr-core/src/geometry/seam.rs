@@ -340,6 +340,33 @@ mod tests {
     }
 
     #[test]
+    fn tetrahedra_around_a_point_are_closed_in_it_and_along_the_edges_that_meet_there() {
+        let ball = |rows: usize, columns: usize| {
+            let at = |row: usize, column: usize| {
+                let share = |k: usize, of: usize| std::f64::consts::TAU * (k % of) as f64 / of as f64;
+                let (down, around) = (share(row, 2 * rows), share(column, columns));
+                [down.sin() * around.cos(), down.sin() * around.sin(), down.cos()]
+            };
+            let cell = |k: usize| (k / columns, k % columns);
+            let triangles = (0..rows * columns).map(cell).flat_map(|(row, column)| {
+                let [a, b, c, d] = [(row, column), (row, column + 1), (row + 1, column), (row + 1, column + 1)];
+                [(row > 0).then_some([a, b, c]), (row + 1 < rows).then_some([b, c, d])]
+            });
+            let tetrahedron = |corners: [(usize, usize); 3]| {
+                let [a, b, c] = corners.map(|(row, column)| at(row, column));
+                Polytope::hull_of(&points(&[[0.0; 3], a, b, c])).unwrap()
+            };
+            triangles.flatten().map(tetrahedron).collect::<Vec<_>>()
+        };
+        for (rows, columns) in [(2, 3), (3, 5), (4, 8)] {
+            let parts = ball(rows, columns);
+            let (faces, corners) = (parts.len(), (rows - 1) * columns + 2);
+            assert_eq!(counts_everywhere(&parts), [faces * 3 / 2, corners, 1]);
+            assert_eq!(counts(&parts[1..])[2], 0);
+        }
+    }
+
+    #[test]
     fn a_part_that_the_edge_runs_through_needs_no_seam_there() {
         let parts = [cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), cube(1, 1, 0), cuboid([1.0; 3], [1.0, 1.0, 0.5])];
         assert_eq!(counts(&parts)[1..], [0, 0]);

@@ -1,5 +1,7 @@
 //! Obstacles that have been checked: convex parts under one name.
 
+use std::collections::HashSet;
+
 use super::body;
 use super::pairs::PairRules;
 use super::robot::Robot;
@@ -60,6 +62,11 @@ pub(super) fn obstacle_seams(obstacles: &[Obstacle], pairs: &PairRules) -> Vec<S
     let parts: Vec<(usize, &Polytope)> =
         obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();
     let mut found = seams_between(&parts);
+    let identity = |Seam { body, between, .. }: &Seam| {
+        let corners = body.vertices().iter().flat_map(|v| [v.x, v.y, v.z].map(f64::to_bits));
+        (between.clone(), corners.collect::<Vec<u64>>())
+    };
+    let mut known: HashSet<_> = found.iter().map(identity).collect();
     for ignored in pairs.ignored_obstacles() {
         let meets = |part: &Polytope| {
             let others = ignored.iter().flat_map(|&j| &obstacles[j].parts);
@@ -67,11 +74,7 @@ pub(super) fn obstacle_seams(obstacles: &[Obstacle], pairs: &PairRules) -> Vec<S
         };
         let left = parts.iter().copied().filter(|(j, part)| !ignored.contains(j) && meets(part));
         let more = seams_between(&left.collect::<Vec<_>>());
-        more.into_iter().for_each(|seam| {
-            if !found.contains(&seam) {
-                found.push(seam);
-            }
-        });
+        found.extend(more.into_iter().filter(|seam| known.insert(identity(seam))));
     }
     found
 }
