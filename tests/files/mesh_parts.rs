@@ -213,6 +213,33 @@ fn a_bumpy_ball_keeps_its_tolerance() {
     assert_honest("bumpy", &mesh, &parts, true, 2);
 }
 
+/// The hull of all corners of one of its parts cannot be built.
+#[test]
+#[ignore = "takes long; `make long-test` runs it"]
+fn a_fine_torus_from_a_text_file_keeps_its_tolerance() {
+    let (around, across) = (240, 100);
+    let as_written = |x: f64| format!("{x:.8e}").parse::<f64>().unwrap();
+    let vertex = |k: usize| {
+        let turn = |k: usize, of: usize| std::f64::consts::TAU * k as f64 / of as f64;
+        let (a, b) = (turn(k / across, around), turn(k % across, across));
+        let reach = 1.0 + 0.3 * b.cos();
+        Point::from([reach * a.cos(), reach * a.sin(), 0.3 * b.sin()].map(as_written))
+    };
+    let quad = |k: usize| {
+        let at = |i: usize, j: usize| i % around * across + j % across;
+        let (i, j) = (k / across, k % across);
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    let count = around * across;
+    let mesh =
+        TriangleMesh { vertices: (0..count).map(vertex).collect(), triangles: (0..count).flat_map(quad).collect() };
+    let tolerance = MESH_TOLERANCE * 2.6;
+    let parts = parts_of(&mesh, tolerance);
+    assert!(parts.reach <= 0.5 * tolerance && parts.bodies.len() <= 200, "{} {}", parts.reach, parts.bodies.len());
+    assert_honest("fine torus", &mesh, &parts, true, 1);
+}
+
 #[test]
 fn triangles_without_a_shape_are_refused_with_what_to_do() {
     let mut rng = rng(1);

@@ -23,6 +23,10 @@ const INNER_CORNERS: usize = 600;
 /// Allowance for rounding beyond the planes of a body when its reach is proved, m.
 const ROOM: f64 = 0.2 * GAP_TOLERANCE;
 
+/// How far corners are at least outside the hull of the others, one after another, if the hull of all of them cannot be
+/// built, m: less than a body may miss of its points.
+const CORNERS_APART: [f64; 3] = [1e-10, 1e-9, 1e-8];
+
 /// A convex body around points.
 #[derive(Clone)]
 pub(super) struct Wrap {
@@ -175,6 +179,13 @@ fn mean(points: &[Point]) -> Point {
     Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / points.len() as f64)
 }
 
+/// Points without some of those that are at most `apart` metres outside the hull of the others.
+fn without_nearly_inner(points: &[Point], apart: f64) -> Option<Vec<Point>> {
+    let mut inner = InnerHull::new(points)?;
+    inner.grow(apart, points.len(), &Watch::NONE).ok()?;
+    Some(inner.corners())
+}
+
 /// A box a little larger than the given one.
 pub(super) fn box_around(aabb: &Aabb) -> Polytope {
     Polytope::hull_of(&box_corners(aabb)).expect("a box")
@@ -207,8 +218,10 @@ impl Wrap {
     /// The body with its corners and faces, and whether it lies behind the widened planes. If rounding prevents the
     /// faces from closing, the result is a box.
     pub fn polytope(&self) -> (Polytope, bool) {
-        let body = Polytope::hull_of(&self.corners).ok().filter(|body| is_sound(body, &self.points));
-        let body = body.unwrap_or_else(|| box_around(&self.aabb));
+        let sound = |corners: &[Point]| Polytope::hull_of(corners).ok().filter(|body| is_sound(body, &self.points));
+        // Corners that are hardly outside the hull of the others may be what keeps the faces from closing.
+        let fewer = || CORNERS_APART.iter().find_map(|apart| sound(&without_nearly_inner(&self.corners, *apart)?));
+        let body = sound(&self.corners).or_else(fewer).unwrap_or_else(|| box_around(&self.aabb));
         let Bounded { planes, aabb, .. } = self.widened();
         let in_box = |v: &Point| (0..3).all(|k| aabb.min[k] <= v[k] && v[k] <= aabb.max[k]);
         let behind = |v: &Point| in_box(v) && planes.iter().all(|plane| plane.height(v) <= 0.0);
