@@ -66,10 +66,11 @@ wasm-check:
 	@if rustc --print target-libdir --target $(WASM) | xargs test -d; \
 	then cargo check --locked -p cdpr-core -p cdpr-live --target $(WASM); else echo "no target $(WASM): not checked"; fi
 
-# Both engines and exact tests on 2 million random and degenerate motions, 2 million motions with a turn, margins and linear
-# programs on 300 000 poses; every disagreement is printed.
+# Both engines and exact tests on 2 million random and degenerate motions, 2 million states and motions in and around bodies of
+# several parts, 2 million motions with a turn, margins and linear programs on 300 000 poses; every disagreement is printed.
 verify:
 	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-tests --test oracles -- engines_agree --nocapture
+	CDPR_VERIFY=60 cargo test --release --locked -p cdpr-tests --test oracles -- lattice --nocapture
 	CDPR_VERIFY=190 cargo test --release --locked -p cdpr-tests --test oracles -- turning::free_motions --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-tests --test oracles -- wrench_oracle --nocapture
 

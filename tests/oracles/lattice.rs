@@ -1,8 +1,11 @@
 //! Bodies made of unit cubes of a lattice against an exact answer. A point is inside such a body if all cubes around it
-//! belong to the body, however it is divided into convex parts: single cubes, rows, parts of the mesh of its surface,
-//! several obstacles; axis-parallel or rotated. Half of all cables, points and rods are in planes and lines of the lattice, where parts only touch each other.
+//! belong to the body, however it is divided into convex parts: single cubes, rows, overlapping boxes, pyramids,
+//! tetrahedra, parts of the mesh of its surface, several obstacles; axis-parallel or rotated, the cubes stretched or flat.
+//! Half of all cables, points and rods are in planes and lines of the lattice, where parts only touch each other.
 //!
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
+
+use std::collections::BTreeSet;
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity};
@@ -17,61 +20,55 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Cubes of a lattice, each with the number of the obstacle that it belongs to.
+/// Cubes of a lattice, each with the obstacles that contain it, and convex parts with these cubes as their union.
 struct Cubes {
     size: i32,
-    of: Vec<Option<usize>>,
+    of: Vec<BTreeSet<usize>>,
+    /// Corners of each part, and its obstacle.
+    parts: Vec<(Vec<Point>, usize)>,
 }
 
 impl Cubes {
     fn random(rng: &mut ChaCha8Rng, obstacles: usize) -> Self {
-        let size: i32 = rng.random_range(2..=4);
-        let share = [0.5, 0.8, 0.95, 1.0][rng.random_range(0..4)];
-        let cube = |rng: &mut ChaCha8Rng| rng.random_bool(share).then(|| rng.random_range(0..obstacles));
-        let mut of: Vec<Option<usize>> = (0..size.pow(3)).map(|_| cube(rng)).collect();
-        of[0] = Some(0);
-        Cubes { size, of }
-    }
-
-    fn at(&self, [x, y, z]: [i32; 3]) -> Option<usize> {
-        let inside = [x, y, z].iter().all(|k| (0..self.size).contains(k));
-        inside.then(|| self.of[((z * self.size + y) * self.size + x) as usize]).flatten()
-    }
-
-    /// The least and the greatest corner of each convex part, and its obstacle: single cubes, or rows along x.
-    fn parts(&self, rows: bool) -> Vec<([Point; 2], usize)> {
-        let mut parts: Vec<([Point; 2], usize)> = Vec::new();
-        for k in 0..self.size.pow(3) {
-            let [x, y, z] = [k % self.size, k / self.size % self.size, k / self.size.pow(2)];
-            let Some(obstacle) = self.at([x, y, z]) else { continue };
-            let [x, y, z] = [x, y, z].map(f64::from);
-            let (low, high) = (Point::new(x, y, z), Point::new(x + 1.0, y + 1.0, z + 1.0));
-            match parts.last_mut() {
-                Some(([_, end], same)) if rows && *same == obstacle && *end == Point::new(x, y + 1.0, z + 1.0) => {
-                    *end = high;
+        // Of each single cube: itself, its six pyramids from the centre, its six tetrahedra around a diagonal.
+        let divisions = [whole as fn(&Span) -> Vec<Vec<Point>>, pyramids, tetrahedra];
+        let division = [0, 0, 0, 1, 2][rng.random_range(0..5)];
+        let size: i32 = rng.random_range(2..=if division == 0 { 4 } else { 2 });
+        let spans: Vec<(Span, usize)> = match rng.random_range(0..3) {
+            0 if division == 0 => overlapping(rng, size, obstacles),
+            mode => single(rng, size, obstacles, mode == 1 && division == 0),
+        };
+        let mut of = vec![BTreeSet::new(); size.pow(3) as usize];
+        for ([low, high], obstacle) in &spans {
+            for (k, cube) in of.iter_mut().enumerate() {
+                let at = position(k as i32, size);
+                if (0..3).all(|axis| low[axis] <= at[axis] && at[axis] < high[axis]) {
+                    cube.insert(*obstacle);
                 }
-                _ => parts.push(([low, high], obstacle)),
             }
         }
-        parts
+        let parts = spans.iter().flat_map(|(span, k)| divisions[division](span).into_iter().map(|part| (part, *k)));
+        Cubes { size, of, parts: parts.collect() }
     }
 
-    /// The convex parts and their obstacles, turned and moved, in one of three ways: single cubes, rows, or parts of the
-    /// mesh of the surface of each obstacle.
-    fn bodies(&self, rng: &mut ChaCha8Rng, (turn, shift): (&Rotation, &Vector)) -> Vec<(Polytope, usize)> {
-        let way = rng.random_range(0..3);
-        if way < 2 {
-            let parts = self.parts(way == 1);
-            return parts.into_iter().map(|(span, k)| (part(&span, turn, shift), k)).collect();
+    /// The convex parts and their obstacles, in the scene; at times those of the mesh of the surface of each obstacle.
+    fn bodies(&self, rng: &mut ChaCha8Rng, place: &Place) -> Vec<(Polytope, usize)> {
+        if place.scale != Vector::repeat(1.0) || rng.random_bool(0.7) {
+            return self.parts.iter().map(|(part, k)| (place.body(part), *k)).collect();
         }
         let of_obstacle = |k: usize| {
-            let mut mesh = of_cubes(&|cube| self.at(cube) == Some(k), [self.size; 3]);
-            mesh.vertices.iter_mut().for_each(|v| *v = *turn * *v + shift);
+            let mut mesh = of_cubes(&|cube| self.at(cube).is_some_and(|of| of.contains(&k)), [self.size; 3]);
+            mesh.vertices.iter_mut().for_each(|v| *v = place.point(v));
             let parts = |piece: &Piece| convex_parts(piece, 0.01, MOST_PARTS, &Watch::NONE).unwrap().bodies;
             pieces(&mesh, &Watch::NONE).unwrap().0.iter().flat_map(parts).collect::<Vec<_>>()
         };
-        let obstacles = self.of.iter().flatten().max().map_or(0, |last| last + 1);
-        (0..obstacles).flat_map(|k| of_obstacle(k).into_iter().map(move |body| (body, k))).collect()
+        let obstacles: BTreeSet<usize> = self.of.iter().flatten().copied().collect();
+        obstacles.into_iter().flat_map(|k| of_obstacle(k).into_iter().map(move |body| (body, k))).collect()
+    }
+
+    fn at(&self, [x, y, z]: [i32; 3]) -> Option<&BTreeSet<usize>> {
+        let inside = [x, y, z].iter().all(|k| (0..self.size).contains(k));
+        inside.then(|| &self.of[((z * self.size + y) * self.size + x) as usize])
     }
 
     /// Whether a point is inside the body: all cubes around it belong to obstacles that count.
@@ -79,7 +76,7 @@ impl Cubes {
         let around = |x: f64| [(x.ceil() - 1.0) as i32, x.floor() as i32];
         let [xs, ys, zs] = [around(point.x), around(point.y), around(point.z)];
         let cubes = xs.iter().flat_map(|x| ys.iter().flat_map(|y| zs.iter().map(|z| [*x, *y, *z])));
-        cubes.into_iter().all(|cube| self.at(cube).is_some_and(counts))
+        cubes.into_iter().all(|cube| self.at(cube).is_some_and(|of| of.iter().any(|k| counts(*k))))
     }
 
     /// Whether the convex hull of points in a plane, in their order around it, meets the inside of the body.
@@ -105,6 +102,59 @@ impl Cubes {
             self.encloses(&Point::from(middle), counts)
         })
     }
+}
+
+/// The least and the greatest corner of a box of cubes.
+type Span = [[i32; 3]; 2];
+
+fn position(k: i32, size: i32) -> [i32; 3] {
+    [k % size, k / size % size, k / size.pow(2)]
+}
+
+/// Each cube of a lattice belongs to one obstacle or to none; those of a row along x may be one part.
+fn single(rng: &mut ChaCha8Rng, size: i32, obstacles: usize, rows: bool) -> Vec<(Span, usize)> {
+    let share = [0.5, 0.8, 0.95, 1.0][rng.random_range(0..4)];
+    let mut parts: Vec<(Span, usize)> = Vec::new();
+    for k in 0..size.pow(3) {
+        if k > 0 && !rng.random_bool(share) {
+            continue;
+        }
+        let (low, obstacle) = (position(k, size), rng.random_range(0..obstacles));
+        let high = low.map(|x| x + 1);
+        match parts.last_mut() {
+            Some(([_, end], same)) if rows && *same == obstacle && *end == [low[0], high[1], high[2]] => *end = high,
+            _ => parts.push(([low, high], obstacle)),
+        }
+    }
+    parts
+}
+
+/// Boxes of several cubes that may overlap.
+fn overlapping(rng: &mut ChaCha8Rng, size: i32, obstacles: usize) -> Vec<(Span, usize)> {
+    let span = |rng: &mut ChaCha8Rng| {
+        let low: [i32; 3] = std::array::from_fn(|_| rng.random_range(0..size));
+        [low, low.map(|x| rng.random_range(x + 1..=size))]
+    };
+    (0..rng.random_range(2..5 * size)).map(|_| (span(rng), rng.random_range(0..obstacles))).collect()
+}
+
+fn corner([low, high]: &Span, k: usize) -> Point {
+    Point::from(Vector::from_fn(|axis, _| f64::from([low, high][k >> axis & 1][axis])))
+}
+
+fn whole(cube: &Span) -> Vec<Vec<Point>> {
+    vec![(0..8).map(|k| corner(cube, k)).collect()]
+}
+
+fn pyramids(cube: &Span) -> Vec<Vec<Point>> {
+    let middle = nalgebra::center(&corner(cube, 0), &corner(cube, 7));
+    let face = |k: usize| (0..8).filter(move |corner| corner >> (k / 2) & 1 == k % 2);
+    (0..6).map(|k| face(k).map(|k| corner(cube, k)).chain([middle]).collect()).collect()
+}
+
+fn tetrahedra(cube: &Span) -> Vec<Vec<Point>> {
+    let ways = [[1, 3], [1, 5], [2, 3], [2, 6], [4, 5], [4, 6]];
+    ways.map(|[a, b]| [0, a, b, 7].map(|k| corner(cube, k)).to_vec()).to_vec()
 }
 
 /// The corners of the part of a convex polygon, segment or point where a height is not positive.
@@ -134,7 +184,7 @@ fn extent(points: &[Point]) -> usize {
 }
 
 /// A point of which each coordinate is a multiple of 1/8, often an integer, in and around the lattice.
-fn place(rng: &mut ChaCha8Rng, size: i32) -> Point {
+fn random_place(rng: &mut ChaCha8Rng, size: i32) -> Point {
     let special = rng.random_bool(0.5);
     let step = |rng: &mut ChaCha8Rng| if special && rng.random_bool(0.7) { 8 } else { 1 };
     Point::from(Vector::from_fn(|_, _| {
@@ -145,7 +195,7 @@ fn place(rng: &mut ChaCha8Rng, size: i32) -> Point {
 
 /// Another point, with some of the coordinates of the first.
 fn beside(rng: &mut ChaCha8Rng, point: &Point, size: i32) -> Point {
-    let other = place(rng, size);
+    let other = random_place(rng, size);
     Point::from(Vector::from_fn(|k, _| if rng.random_bool(0.5) { point[k] } else { other[k] }))
 }
 
@@ -195,15 +245,36 @@ fn sums(run: impl Fn(&mut ChaCha8Rng) -> Option<Counts> + Sync, first: u64, scen
     sums
 }
 
-/// A rotation and a shift; none for half of the scenes.
-fn pose(rng: &mut ChaCha8Rng) -> (Rotation, Vector) {
-    if rng.random_bool(0.5) { (Rotation::identity(), Vector::zeros()) } else { (rotation(rng), vector(rng, 5.0)) }
+/// Where the lattice is in the scene, and how long its cubes are along each axis.
+struct Place {
+    scale: Vector,
+    turn: Rotation,
+    shift: Vector,
 }
 
-fn part([low, high]: &[Point; 2], turn: &Rotation, shift: &Vector) -> Polytope {
-    let corner = |k: usize| Point::from(Vector::from_fn(|axis, _| [low, high][k >> axis & 1][axis]));
-    let corners: Vec<Point> = (0..8).map(|k| turn * corner(k) + shift).collect();
-    Polytope::hull_of(&corners).unwrap()
+impl Place {
+    fn random(rng: &mut ChaCha8Rng) -> Self {
+        let scale = match rng.random_bool(0.7) {
+            true => Vector::repeat(1.0),
+            false => Vector::from_fn(|_, _| [1.0, 0.2, 2.0][rng.random_range(0..3)]),
+        };
+        let upright = rng.random_bool(0.5);
+        let (turn, shift) = if upright { Default::default() } else { (rotation(rng), vector(rng, 5.0)) };
+        Place { scale, turn, shift }
+    }
+
+    fn direction(&self, in_lattice: &Vector) -> Vector {
+        self.turn * in_lattice.component_mul(&self.scale)
+    }
+
+    fn point(&self, in_lattice: &Point) -> Point {
+        Point::from(self.direction(&in_lattice.coords) + self.shift)
+    }
+
+    fn body(&self, corners: &[Point]) -> Polytope {
+        let corners: Vec<Point> = corners.iter().map(|corner| self.point(corner)).collect();
+        Polytope::hull_of(&corners).unwrap()
+    }
 }
 
 /// Distance of a point from a segment.
@@ -219,11 +290,10 @@ fn obstacles(rng: &mut ChaCha8Rng) -> Option<Counts> {
     let count = [1, 1, 3][rng.random_range(0..3)];
     let cubes = Cubes::random(rng, count);
     let size = cubes.size;
-    let (turn, shift) = pose(rng);
-    let placed = |p: &Point| turn * p + shift;
+    let place = Place::random(rng);
     let names: Vec<String> = (0..count).map(|k| format!("obstacle {k}")).collect();
-    let bodies = cubes.bodies(rng, (&turn, &shift)).into_iter().map(|(body, k)| body_spec(Some(&names[k]), &body));
-    let bodies: Vec<BodySpec> = bodies.collect();
+    let parts = cubes.bodies(rng, &place);
+    let bodies: Vec<BodySpec> = parts.iter().map(|(part, k)| body_spec(Some(&names[*k]), part)).collect();
     let by_cable = rng.random_bool(0.5);
     let (heeds, other) = if by_cable { ("cable", "platform") } else { ("platform", "cable") };
     let left_out = if count > 1 { rng.random_range(0..=count) } else { count };
@@ -233,19 +303,20 @@ fn obstacles(rng: &mut ChaCha8Rng) -> Option<Counts> {
     let counts = |k: usize| k != left_out;
 
     // Corners of the platform, in the lattice, from its origin.
-    let corner = |rng: &mut ChaCha8Rng| place(rng, 1).coords;
+    let corner = |rng: &mut ChaCha8Rng| random_place(rng, 1).coords;
     let dimension = if by_cable { 0 } else { rng.random_range(0..3) };
     let corners: Vec<Vector> = std::iter::once(Vector::zeros()).chain((0..dimension).map(|_| corner(rng))).collect();
     let polygon: Vec<Point> = corners.iter().map(|c| Point::from(*c)).collect();
     if extent(&polygon) != dimension + 1 {
         return None;
     }
-    let turned: Vec<Point> = corners.iter().map(|c| Point::from(turn * c)).collect();
+    let turned: Vec<Point> = corners.iter().map(|c| Point::from(place.direction(c))).collect();
     let platform = body_spec(None, &Polytope::hull_of(&turned).unwrap());
-    let outlet = place(rng, size);
-    let scene = scene_with_a_cable(vec![platform], [placed(&outlet), Point::origin()], bodies, &ignore).ok()?;
+    let outlet = random_place(rng, size);
+    let scene = scene_with_a_cable(vec![platform], [place.point(&outlet), Point::origin()], bodies, &ignore);
+    assert_eq!(scene.is_err(), cubes.encloses(&outlet, &|_| true), "outlet {outlet}: {:?}", scene.err());
     let motion = |rng: &mut ChaCha8Rng, is_motion: bool| {
-        let from = if by_cable { beside(rng, &outlet, size) } else { place(rng, size) };
+        let from = if by_cable { beside(rng, &outlet, size) } else { random_place(rng, size) };
         let to = if is_motion && dimension < 2 { beside(rng, &from, size) } else { from };
         if distance(&outlet, [&from, &to]) < 1e-6 {
             return None;
@@ -258,17 +329,18 @@ fn obstacles(rng: &mut ChaCha8Rng) -> Option<Counts> {
         };
         Some(([from, to], cubes.meet(&swept, &counts)))
     };
-    Some(compare(&scene, rng, &motion, &placed))
+    Some(compare(&scene.ok()?, rng, &motion, &|seen| place.point(seen)))
 }
 
 /// The platform is made of the cubes; its cable is attached to it or beside it.
 fn platforms(rng: &mut ChaCha8Rng) -> Option<Counts> {
     let cubes = Cubes::random(rng, 1);
     let size = cubes.size;
-    let (turn, shift) = pose(rng);
-    let platform = cubes.bodies(rng, (&turn, &shift)).iter().map(|(body, _)| body_spec(None, body)).collect();
-    let (attachment, outlet) = (place(rng, size), Point::from(vector(rng, 3.0)));
-    let scene = scene_with_a_cable(platform, [outlet, turn * attachment + shift], Vec::new(), &[]).ok()?;
+    let place = Place::random(rng);
+    let platform = cubes.bodies(rng, &place).iter().map(|(part, _)| body_spec(None, part)).collect();
+    let (attachment, outlet) = (random_place(rng, size), Point::from(vector(rng, 3.0)));
+    let scene = scene_with_a_cable(platform, [outlet, place.point(&attachment)], Vec::new(), &[]);
+    assert_eq!(scene.is_err(), cubes.encloses(&attachment, &|_| true), "attachment {attachment}: {:?}", scene.err());
     // In the lattice of the platform it is the outlet that moves.
     let motion = |rng: &mut ChaCha8Rng, is_motion: bool| {
         let from = beside(rng, &attachment, size);
@@ -276,7 +348,7 @@ fn platforms(rng: &mut ChaCha8Rng) -> Option<Counts> {
         let apart = distance(&attachment, [&from, &to]) > 1e-6;
         apart.then(|| ([from, to], cubes.meet(&[attachment, from, to], &|_| true)))
     };
-    Some(compare(&scene, rng, &motion, &|seen| outlet - (turn * seen + shift).coords))
+    Some(compare(&scene.ok()?, rng, &motion, &|seen| outlet - place.point(seen).coords))
 }
 
 #[test]
