@@ -130,7 +130,7 @@ def plan(
         No start or goal, neither in the scene nor as an argument; bad options, or options that the planner does not
         have.
     KeyboardInterrupt
-        On Ctrl-C, immediately; "anytime" instead returns its best path, if it has one.
+        On Ctrl-C, if there is no path yet; otherwise the best one is returned.
 
     Examples
     --------

@@ -236,6 +236,42 @@ fn every_command_ends_at_once_at_any_moment_and_leaves_nothing_half_written() {
     assert!(stopped > 10, "{stopped} of the commands were stopped");
 }
 
+/// Later moments, if there was no path at the first one.
+const MOMENTS: [f64; 4] = [0.3, 1.0, 3.0, 9.0]; // s
+
+#[test]
+fn a_path_that_was_found_is_written_whatever_else_is_interrupted() {
+    let _alone = alone();
+    let place = Place::new();
+    let scene = Place::scene("hard1");
+    let plan = ["plan", &scene, "-o", "out.json", "--max-samples", "1000000000", "--keep-going"];
+    let motion = ["--trajectory", "motion.json", "--speed", "1", "--acceleration", "2"];
+    let further: [&[&str]; 9] = [
+        &["--planner", "two-trees"],
+        &["--planner", "rrt-connect"],
+        &["--planner", "rrt", "--goal-bias", "0.1"],
+        &["--planner", "rrt-star", "--goal-bias", "0.1"],
+        &["--planner", "modified-rrt"],
+        &["--planner", "anytime"],
+        &["--planner", "rrt-connect", "--proof", "proof.json"],
+        &motion,
+        &[&motion[..], &["--minimise", "time"]].concat(),
+    ];
+    for more in further {
+        let command: Vec<String> = plan.iter().chain(more).map(|word| word.to_string()).collect();
+        let what = command.join(" ");
+        let written = MOMENTS.into_iter().any(|moment| {
+            let (ended, _) = interrupted(&place, &command, "INT", Duration::from_secs_f64(moment));
+            assert_eq!(ended.code(), Some(130), "{what}");
+            place.folder.path().join("out.json").exists()
+        });
+        assert!(written, "{what}");
+        let checked = place.start(&["check".to_string(), scene.clone(), "out.json".to_string()]).wait().unwrap();
+        assert_eq!(checked.code(), Some(0), "{what}");
+        place.assert_whole_and_clear(&what);
+    }
+}
+
 #[test]
 fn a_script_that_ignores_ctrl_c_for_its_children_can_stop_them() {
     let _alone = alone();

@@ -225,7 +225,10 @@ pub fn post_process(
         return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let waypoints = processing.of(engine, &raw.raw_waypoints, watch)?;
+    let waypoints = match processing.of(engine, &raw.raw_waypoints, watch) {
+        Err(stopped) if stopped.class() == ErrorClass::Interrupted => raw.raw_waypoints.clone(),
+        processed => processed?,
+    };
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };

@@ -12,7 +12,7 @@ use cdpr_core::trajectory::plan_timed;
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::small_length;
-use cdpr_core::{Choice, Error, Scene};
+use cdpr_core::{Choice, Error, ErrorClass, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::{Contents, page};
 
@@ -49,17 +49,18 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
         let planned = plan(query, &options, &Reporter { stop, out })?;
-        let (planned, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
+        let (planned, options, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
         let scene = planned.turned.as_ref().unwrap_or(&scene);
         let appraisal = planned.appraise(scene, bounded || args.proof.is_some(), &watch)?;
         let length = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
         let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
-            true => planned.bound_certificate(scene, length, &accepted(scene), &Watch::on(stop))?,
+            true => unless_interrupted(planned.bound_certificate(scene, length, &accepted(scene), &Watch::on(stop)))?,
             false => None,
         };
-        Ok((planned, timed, appraisal, bound))
+        Ok((planned, options, timed, appraisal, bound.flatten()))
     };
-    let (planned, timed, appraisal, certificate) = with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    let (planned, options, timed, appraisal, certificate) =
+        with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     planned.checker().iter().for_each(|checker| out.notes(&scene, checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let here = if turned.is_some() { " at this orientation" } else { "" };
@@ -89,7 +90,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if let Some(path) = &args.trajectory {
         match &timed {
             Some(timed) => save_trajectory(path, &timed.file, out)?,
-            None => out.say(&format!("{} was not written: there is no path", path.display())),
+            None => {
+                let reason = if found.status == Status::Solved { "interrupted" } else { "there is no path" };
+                out.say(&format!("{} was not written: {reason}", path.display()));
+            }
         }
     }
     if let Some(path) = &args.proof {
@@ -99,7 +103,11 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
                 out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
             }
             _ if found.status == Status::Solved => {
-                let reason = if found.orientations.is_empty() { "none was accepted" } else { "the platform turns" };
+                let reason = match found.orientations.is_empty() {
+                    _ if interrupted() => "it was interrupted",
+                    true => "none was accepted",
+                    false => "the platform turns",
+                };
                 out.say(&format!("{} was not written: no certificate of the length, since {reason}", path.display()));
             }
             _ => out.say(&format!("{} was not written: it was not proved that there is no path", path.display())),
@@ -115,24 +123,34 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
 }
 
+/// A result, or `None` if Ctrl-C ended the work on it: the path that was found before is not lost.
+fn unless_interrupted<T>(result: Result<T, Error>) -> Result<Option<T>, Error> {
+    match result {
+        Err(stopped) if stopped.class() == ErrorClass::Interrupted => Ok(None),
+        result => result.map(Some),
+    }
+}
+
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
-/// replaces it.
+/// replaces it; and the options of the path.
 fn timed(
     args: &PlanArgs,
     scene: &Scene,
     mut planned: Planned,
     watch: &Watch,
-) -> Result<(Planned, Option<Timed>), Error> {
+) -> Result<(Planned, PlanOptions, Option<Timed>), Error> {
+    let options = args.options()?;
     if args.trajectory.is_none() || planned.result.status != Status::Solved {
-        return Ok((planned, None));
+        return Ok((planned, options, None));
     }
     let scene = planned.turned.as_ref().unwrap_or(scene);
     let ends = args.query(scene)?.poses()?;
-    let (options, limits) = (args.options()?, args.timing.limits.spec());
-    let found = plan_timed(scene, ends, planned.result, (&options, args.minimise), &limits, watch).map_err(hinted)?;
-    let timed = Timed::planned(scene, &found, args.minimise, args.timing.rate, watch)?;
+    let limits = args.timing.limits.spec();
+    let found = plan_timed(scene, ends, planned.result.clone(), (&options, args.minimise), &limits, watch);
+    let Some(found) = unless_interrupted(found.map_err(hinted))? else { return Ok((planned, options, None)) };
+    let timed = unless_interrupted(Timed::planned(scene, &found, args.minimise, args.timing.rate, watch))?;
     planned.result = found.result;
-    Ok((planned, Some(timed)))
+    Ok((planned, found.options, timed))
 }
 
 /// Prints every better path, and stops the search on request.

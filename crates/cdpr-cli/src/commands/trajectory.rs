@@ -131,9 +131,9 @@ impl Timed {
         let poses = plan.result.poses(scene.orientation());
         let poses = (!plan.result.orientations.is_empty()).then_some(&poses[..]);
         let timed = Self::of(scene, (&plan.result.waypoints, poses), &plan.trajectory, rate, watch)?;
-        let TimedPlan {
-            seed, first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, ..
-        } = *plan;
+        let TimedPlan { first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
+            *plan;
+        let seed = plan.options.seed;
         let choice = (minimise == Minimise::Time).then_some(Choice {
             seed,
             seed_of_shortest,

@@ -31,7 +31,7 @@ impl Default for ModifiedRrtOptions {
 /// present parent (section 4).
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 ///
 /// # Example
 /// ```

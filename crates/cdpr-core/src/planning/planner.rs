@@ -226,7 +226,7 @@ impl PlannerOptions {
     /// Searches for a path with this planner.
     ///
     /// # Errors
-    /// [`Error::interrupted`] if the watch requests it.
+    /// [`Error::interrupted`] if the watch requests it before there is a path.
     pub fn search<S: StateSpace>(
         &self,
         problem: &Problem<S>,

@@ -35,7 +35,7 @@ impl Default for RrtOptions {
 /// it.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 ///
 /// # Example
 /// ```

@@ -50,7 +50,7 @@ enum Step {
 /// sample.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 ///
 /// # Example
 /// ```

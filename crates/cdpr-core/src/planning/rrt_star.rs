@@ -40,7 +40,7 @@ impl Default for RrtStarOptions {
 /// in order of increasing cost.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 ///
 /// # Example
 /// ```

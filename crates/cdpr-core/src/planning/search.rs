@@ -7,7 +7,7 @@ use super::outcome::{Milestone, Outcome, Status};
 use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::collision::Validity;
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::watch::Watch;
 
 /// Motion checks, or samples, between two polls of the clock and the interrupt, if they are fast.
@@ -71,8 +71,16 @@ impl<'a, S: StateSpace> Search<'a, S> {
     /// `CollisionFree` of the paper; returns false once the deadline has passed.
     pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> Result<bool, Error> {
         self.motion_checks += 1;
-        self.out_of_time |= self.motion_checks.is_multiple_of(self.poll) && self.watch.expired()?;
+        self.out_of_time |= self.motion_checks.is_multiple_of(self.poll) && self.stops()?;
         Ok(!self.out_of_time && self.validity.motion_valid(from, to))
+    }
+
+    /// Whether the deadline has passed, or an interruption ends a search that has a path.
+    fn stops(&self) -> Result<bool, Error> {
+        match self.watch.expired() {
+            Err(stopped) if stopped.class() == ErrorClass::Interrupted && !self.history.is_empty() => Ok(true),
+            stops => stops,
+        }
     }
 
     /// `RandomSample` of the paper: uniform; `None` if the space is empty.
@@ -132,7 +140,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
         if content || self.samples >= max_samples || nodes >= max_nodes || self.out_of_time {
             return Ok(true);
         }
-        self.out_of_time = self.samples.is_multiple_of(self.poll) && self.watch.expired()?;
+        self.out_of_time = self.samples.is_multiple_of(self.poll) && self.stops()?;
         Ok(self.out_of_time)
     }
 

@@ -31,7 +31,7 @@ impl Default for TwoTreesOptions {
 /// each tree, to the nearest node from which it can be reached. A sample that both trees reach joins them.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it.
+/// [`Error::interrupted`] if the watch requests it before there is a path.
 ///
 /// # Example
 /// ```

@@ -8,7 +8,7 @@ use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::plan::{PlanOptions, PlanResult, Query, plan};
-use crate::planning::Status;
+use crate::planning::{PlannerOptions, Status, Until};
 use crate::watch::Watch;
 
 /// What the path of a timed motion is chosen for.
@@ -39,8 +39,8 @@ pub struct TimedPlan {
     pub result: PlanResult,
     /// The motion along it.
     pub trajectory: Trajectory,
-    /// The seed that it was planned with.
-    pub seed: u64,
+    /// The options that it was planned with.
+    pub options: PlanOptions,
     /// The seed of the path that was given.
     pub first_seed: u64,
     /// The clearance that it was planned with in addition to that of the scene, m.
@@ -65,12 +65,12 @@ pub fn plan_timed(
     watch: &Watch,
 ) -> Result<TimedPlan, Error> {
     let timed = motion_along(scene, &first, given, watch);
-    let (duration, seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
+    let (duration, first_seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
     let mut best = timed.map(|trajectory| TimedPlan {
         result: first,
-        first_seed: seed,
+        first_seed,
         trajectory,
-        seed,
+        options: options.clone(),
         room: 0.0,
         tried: 1,
         duration_of_first: duration,
@@ -78,19 +78,21 @@ pub fn plan_timed(
     if minimise == Minimise::Length || matches!(&best, Err(error) if error.class() != ErrorClass::Input) {
         return best;
     }
-    let (mut tried, first_seed) = (usize::from(best.is_ok()), seed);
-    for (room, seed) in others(scene, given, seed)? {
-        let Some(result) = another(scene, ends, &PlanOptions { seed, ..options.clone() }, room, watch)? else {
-            continue;
-        };
-        match motion_along(scene, &result, given, watch) {
-            Ok(trajectory) => {
+    let mut tried = usize::from(best.is_ok());
+    for (room, seed) in others(scene, given, first_seed)? {
+        let options = alternative(options, seed);
+        let timed = another(scene, ends, &options, room, watch).and_then(|found| {
+            found.map(|result| Ok((motion_along(scene, &result, given, watch)?, result))).transpose()
+        });
+        match timed {
+            Ok(None) => {}
+            Ok(Some((trajectory, result))) => {
                 tried += 1;
                 if best.as_ref().map_or(true, |best| trajectory.duration() < FASTER * best.trajectory.duration()) {
                     best = Ok(TimedPlan {
                         result,
                         trajectory,
-                        seed,
+                        options,
                         first_seed,
                         room,
                         tried,
@@ -99,6 +101,7 @@ pub fn plan_timed(
                 }
             }
             Err(error) if error.class() == ErrorClass::Input => {}
+            Err(error) if error.class() == ErrorClass::Interrupted && best.is_ok() => break,
             Err(error) => return Err(error),
         }
     }
@@ -111,6 +114,19 @@ fn motion_along(scene: &Scene, path: &PlanResult, given: &MotionSpec, watch: &Wa
         true => Trajectory::new(scene, &path.waypoints, given, watch),
         false => Trajectory::of_poses(scene, &path.poses(scene.orientation()), given, watch),
     }
+}
+
+/// The options for the path of another seed. How short it must become is left out: with a larger clearance, it may never.
+fn alternative(options: &PlanOptions, seed: u64) -> PlanOptions {
+    let mut options = PlanOptions { seed, proof: false, ..options.clone() };
+    let limits = options.planner.limits_mut();
+    if matches!(limits.until, Until::Cost(target) if target > 0.0) {
+        limits.until = Until::FirstPath;
+    }
+    if let PlannerOptions::Anytime(anytime) = &mut options.planner {
+        anytime.gap = None;
+    }
+    options
 }
 
 /// Additional clearances and seeds.
@@ -140,17 +156,19 @@ fn another(
             Err(_) => return Ok(None),
         },
     };
-    let options = PlanOptions { proof: false, ..options.clone() };
     let query = Query::of(scene).from(start.position).to(goal.position);
     let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
-    let found = plan(query, &options, &|| (watch.interrupted)())?.result;
+    let found = plan(query, options, &|| (watch.interrupted)())?.result;
     watch.check()?;
-    Ok((found.status == Status::Solved).then_some(found))
+    // A bound of a scene with a larger clearance is none of this one.
+    let lower_bound = found.lower_bound.filter(|_| room == 0.0);
+    Ok((found.status == Status::Solved).then_some(PlanResult { lower_bound, ..found }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planning::{Planner, PlannerSettings};
     use crate::testing::hard1;
 
     #[test]
@@ -169,5 +187,47 @@ mod tests {
         assert_eq!((short.tried, short.duration_of_first), (1, Some(short.trajectory.duration())));
         assert!(fast.tried > 2 && fast.trajectory.duration() <= short.trajectory.duration());
         assert_eq!(fast.duration_of_first, short.duration_of_first);
+    }
+
+    #[test]
+    fn the_fastest_motion_is_found_where_no_path_with_more_clearance_is_as_short_as_asked() {
+        let scene = hard1();
+        let limits =
+            MotionSpec { speed: Some(1.0), acceleration: Some(2.0), blend: Some(0.02), ..MotionSpec::default() };
+        for settings in [
+            PlannerSettings { gap: Some(0.001), ..PlannerSettings::default() },
+            PlannerSettings { target_cost: Some(2.436), ..PlannerSettings::default() },
+        ] {
+            let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
+            let options = PlanOptions { planner, ..PlanOptions::default() };
+            let query = Query::of(&scene);
+            let first = plan(query, &options, &()).unwrap().result;
+            let ends = query.poses().unwrap();
+            let found = plan_timed(&scene, ends, first, (&options, Minimise::Time), &limits, &Watch::NONE).unwrap();
+            assert!(found.tried > 2);
+            // The options are those of the path that was kept.
+            let again = scene.with_clearance(found.room).unwrap();
+            let again = plan(Query::of(&again), &found.options, &()).unwrap().result;
+            assert_eq!(again.waypoints, found.result.waypoints);
+            assert!(found.room == 0.0 || found.result.lower_bound.is_none());
+        }
+    }
+
+    #[test]
+    fn an_interruption_keeps_the_best_motion_so_far() {
+        let scene = hard1();
+        let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+        let options = PlanOptions::default();
+        let query = Query::of(&scene);
+        let (first, ends) = (plan(query, &options, &()).unwrap().result, query.poses().unwrap());
+        let polls = std::sync::atomic::AtomicUsize::new(0);
+        let count = || polls.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        let timed = |stop: &(dyn Fn() -> bool + Sync)| {
+            plan_timed(&scene, ends, first.clone(), (&options, Minimise::Time), &limits, &Watch::on(stop))
+        };
+        let whole = timed(&|| count() == usize::MAX).unwrap();
+        let all = polls.swap(0, std::sync::atomic::Ordering::Relaxed);
+        let found = timed(&|| count() > all / 2).unwrap();
+        assert!(found.tried < whole.tried && found.trajectory.duration() <= whole.duration_of_first.unwrap());
     }
 }
