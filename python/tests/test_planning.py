@@ -311,6 +311,17 @@ def test_ctrl_c_ends_anytime_with_its_best_path(hard1):
     assert found[0].cost < 2.44 and cdpr.check(hard1, found[0]).valid
 
 
+@pytest.mark.parametrize("planner", ["two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
+def test_ctrl_c_keeps_the_best_path_of_every_planner(hard1, planner):
+    bias = {"goal_bias": 0.1} if planner in ("rrt", "rrt-star") else {}
+    first = cdpr.plan(hard1, planner, **bias).stats["planning_seconds"]
+    found = []
+    after = 0.5 + 5 * first
+    endless = {"keep_going": True, "max_samples": 10**9}
+    interrupted_after(after, lambda: found.append(cdpr.plan(hard1, planner, **bias, **endless)), raises=None)
+    assert found[0].solved and cdpr.check(hard1, found[0]).valid
+
+
 def soonest(call, within, tries=20):
     """The result of a call and its time in seconds: the first that takes less than `within`, since the machine may be busy."""
     for _ in range(tries):
