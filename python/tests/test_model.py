@@ -146,7 +146,7 @@ def test_meshes_of_trimesh_are_obstacles_and_platforms():
     states = (np.array(inside).reshape(200, 8, 3) - CUBE)[:, 0]
     assert not scene.states_valid(states[hits]).any() and hits.sum() > 3
     assert cdpr.Scene.from_dict(scene.to_dict()) == scene
-    coarse = trimesh.creation.torus(0.4, 0.1, major_sections=8, minor_sections=5)
+    coarse = trimesh.creation.torus(0.4, 0.1, major_sections=20, minor_sections=12)
     coarse.apply_translation([1, 1, 1])
     with pytest.warns(cdpr.CdprWarning) as told:
         many = cdpr.Scene(robot(), {f"torus {k}": coarse for k in range(5)}, workspace=BOX)

@@ -3,6 +3,7 @@
 pub mod body;
 pub mod inertia;
 pub(crate) mod obstacle;
+mod obstacle_seams;
 pub(crate) mod pairs;
 pub(crate) mod robot;
 pub mod scene;

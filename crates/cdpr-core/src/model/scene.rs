@@ -3,7 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::body::{self, Turn};
-use super::obstacle::{Obstacle, obstacle_seams, obstacles};
+use super::obstacle::{Obstacle, obstacles};
+use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
 use super::robot::Robot;
 use super::spec::{
