@@ -11,6 +11,7 @@ pub(crate) mod half_space;
 mod hull;
 mod inner;
 mod inner_hull;
+mod mending;
 mod merge;
 pub(crate) mod mesh;
 pub(crate) mod minkowski;
@@ -25,6 +26,7 @@ pub(crate) mod shadow;
 pub(crate) mod shape;
 pub mod solid;
 pub(crate) mod surface;
+mod welded;
 mod wrap;
 
 pub use clip::{convex_mesh, wedge_mesh};

@@ -5,6 +5,9 @@
 //! rounding errors.
 
 pub(crate) mod simd;
+mod sizes;
+
+pub use sizes::*;
 
 /// Promised accuracy of every yes-or-no answer, m: two engines may differ only if the true gap is smaller than this.
 pub const GAP_TOLERANCE: f64 = 1e-7;
@@ -111,9 +114,6 @@ pub const ALONG_FACET: f64 = 1e-9;
 /// far above rounding.
 pub const SAME_CROSSING: f64 = 1e-5;
 
-/// Maximum number of lines in which facets of overlapping parts of a scene cross whose ends are examined for inner corners.
-pub const MOST_CROSSINGS: usize = 2_000;
-
 /// Sine of the angle up to which a facet that touches a line may contain it: a facet of a part of a tenth of a millimetre
 /// is tilted by this if its corners are [`ON_SURFACE`] from where they should be.
 pub const ALONG_LINE: f64 = 1e-3;
@@ -164,13 +164,6 @@ pub const FACET_ROUNDING: f64 = 3e-14;
 /// Share by which a largest scale is reduced if rounding puts it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;
 
-/// Largest such share where rounding decides farther inside, as for cables that are much shorter than others.
-pub const MOST_SCALE_ROUNDING: f64 = 1e-7;
-
-/// Maximum ratio of two lengths that statics accept, characteristic length to metre: beyond it forces and moments
-/// are not comparable in `f64`.
-pub const MOST_SCALE: f64 = 1e6;
-
 /// Accuracy of the smallest slack of a motion, as a share of the largest tension.
 pub const LEAST_SLACK_RELATIVE: f64 = 1e-6;
 
@@ -186,13 +179,6 @@ pub const SET_CABLES: usize = 64;
 
 /// A mesh larger than the workspace's longest side by this factor probably has another unit.
 pub const HUGE_MESH: f64 = 10.0;
-
-/// Maximum time budget, s, about thirty years; more is probably due to a wrong unit, and soon exceeds the range of the
-/// clock.
-pub const MOST_SECONDS: f64 = 1e9;
-
-/// Maximum number of threads: more than any machine has cores, and few enough to start in a moment.
-pub const MOST_THREADS: usize = 1024;
 
 /// Maximum number of GJK iterations; the result is then the interval certified so far, never a guess.
 pub const GJK_ITERATIONS: usize = 64;
@@ -267,47 +253,9 @@ pub const PLAIN_RESIDUAL: f64 = 1e-6;
 /// Maximum number of planes in the search for a largest scale; each is a facet that the previous one missed.
 pub const SCALE_STEPS: usize = 100;
 
-/// Maximum size of a text file that is read as a whole (scenes, robots, paths, experiments, run records), bytes:
-/// parsing TOML needs fifty times as much memory.
-pub const MOST_TEXT_BYTES: u64 = 16_000_000;
-
-/// Maximum size of a table of a run, which is read row by row, bytes.
-pub const MOST_TABLE_BYTES: u64 = 1_000_000_000;
-
-/// Maximum number of cables of a robot.
-pub const MOST_CABLES: usize = 256;
-
-/// Maximum number of cables of a robot in a scene that requires wrenches: facets of the available set grow with the
-/// fifth power.
-pub const MOST_WRENCH_CABLES: usize = 24;
-
-/// Maximum number of convex parts of a platform or of all obstacles of a scene: all that touch each other are examined for seams.
-pub const MOST_BODIES: usize = 10_000;
-
-/// Maximum number of orientations of a scene: planning may try each.
-pub const MOST_ORIENTATIONS: usize = 1_000;
-
-/// Maximum number of corners of one convex body: identifying the faces of a hull takes quadratic time.
-pub const MOST_CORNERS: usize = 1_000;
-
-/// Maximum number of rows of an experiment per trial: scenarios times methods, counting each variant of a sweep.
-pub const MOST_ROWS_PER_TRIAL: usize = 5_000;
-
-/// Maximum number of trials of an experiment.
-pub const MOST_TRIALS: usize = 1_000_000_000;
-
-/// Maximum size of another program's robot file, bytes; the largest known has 0.1 MB.
-pub const MOST_XML_BYTES: u64 = 1_000_000;
-
-/// Maximum number of nodes of an XML file.
-pub const MOST_XML_NODES: u32 = 100_000;
-
 /// Corners of a mesh that are closer to each other than this share of its extent are one: formats that list triangles
 /// by coordinates round them to single precision (6e-8).
 pub const WELD_RELATIVE: f64 = 3e-7;
-
-/// Number of comparisons of corners with open edges after which joining them is given up: some tenths of a second.
-pub const MOST_MENDING_STEPS: usize = 50_000_000;
 
 /// Relative rounding error of a ray's distance from an edge, with a large reserve: a ray that passes closer to it, as
 /// seen from its origin, is replaced by another one.
@@ -333,16 +281,6 @@ pub const FACE_SHARE: f64 = 0.02;
 /// Number of planes up to which a piece is a body with flat faces: all of them may be cut along, however small.
 pub const FEW_PLANES: usize = 200;
 
-/// Maximum number of corners of a convex mesh that is used as it is; the fast engine adds them to the platform's.
-pub const MOST_CONVEX_CORNERS: usize = MOST_CORNERS;
-
-/// Maximum number of corners of a convex part that is an exact hull; larger sets are enclosed by planes that touch
-/// them.
-pub const MOST_PART_CORNERS: usize = 64;
-
-/// Maximum number of planes around the content of a convex part.
-pub const MOST_WRAP_PLANES: usize = 300;
-
 /// Share of the tolerance that planes around a part may extend beyond its hull: a larger share makes more parts and
 /// leaves less space for paths, a smaller one makes parts with more faces.
 pub const TIGHT_WRAP: f64 = 0.25;
@@ -350,22 +288,12 @@ pub const TIGHT_WRAP: f64 = 0.25;
 /// Share of the tolerance up to which parts extend if the limit on their number allows it: the rest is space for paths.
 pub const CLOSE: f64 = 0.5;
 
-/// Maximum number of parts that one piece of a mesh is cut into.
-pub const MOST_PARTS: usize = 256;
-
 /// Share of the longest side of a piece: if its parts miss the tolerance and extend farther than this, the mesh is
 /// rejected, since no shape is left that paths could be planned around.
 pub const USELESS_REACH: f64 = 0.25;
 
 /// Number of cells that a piece may be cut into, for each part that it may have after merging.
 pub const CELLS_PER_PART: usize = 4;
-
-/// Maximum number of parts of all pieces of a mesh together, if there are fewer pieces.
-pub const MOST_PARTS_IN_ALL: usize = 5_000;
-
-/// Maximum number of steps (boxes, and eight triangles each) in the proof of how far one part extends; with more it
-/// counts as extending too far: about a second.
-pub const MOST_REACH_STEPS: usize = 1_000_000;
 
 /// The same for all parts of a piece together, for each part that it may be cut into: several seconds for the worst
 /// meshes, which are then not cut further.
@@ -404,19 +332,6 @@ pub const MESH_TOLERANCE: f64 = 0.01;
 /// The same as a share of the whole mesh's extent, if that is more: in a hall of 20 m, chairs accurate to the
 /// millimetre are useless and would cost thousands of parts.
 pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
-
-/// Maximum size of a mesh file, bytes.
-pub const MOST_MESH_BYTES: u64 = 100_000_000;
-
-/// Maximum number of triangles of a mesh.
-pub const MOST_TRIANGLES: usize = 500_000;
-
-/// Maximum number of corners of a polygon in a mesh file: the time to divide one that crosses itself everywhere into
-/// triangles grows with the square of them, to about a tenth of a second.
-pub const MOST_POLYGON_CORNERS: usize = 2_000;
-
-/// Maximum number of connected pieces of a mesh: more indicate a mesh that is not welded.
-pub const MOST_PIECES: usize = 5_000;
 
 /// Gap that a path has to keep for a proof that there is no path to rule it out, m: touching is free, so slits without
 /// width remain between bodies that abut.
@@ -497,12 +412,6 @@ pub const BOUND_GAP: f64 = 1e-3;
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
-/// Largest trajectory file that is read, bytes: half an hour of eight cables at 100 samples per second.
-pub const MOST_TRAJECTORY_BYTES: u64 = 200_000_000;
-
-/// Largest certificate of a proof that is read, bytes.
-pub const MOST_CERTIFICATE_BYTES: u64 = 200_000_000;
-
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 
@@ -552,9 +461,6 @@ pub const TENSION_EXCESS: f64 = 2e-3;
 
 /// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
 pub const TIMING_ROUNDS: usize = 14;
-
-/// Largest number of samples of a trajectory; more are probably due to a wrong unit.
-pub const MOST_SAMPLES: f64 = 1e7;
 
 /// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order. With x the
 /// squared cotangent of the angle between d and the line, the squares of these are 1/(1+x), (1+4x)/(1+x)² and 9(1+4x²)/(1+x)³.

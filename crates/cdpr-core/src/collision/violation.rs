@@ -88,7 +88,7 @@ impl WrenchLimit {
 
 impl Violation {
     /// The violation of a condition of this kind, on these culprits, that begins at this fraction of a motion: the worst gap
-    /// between surfaces and the required one, m. The latter is not positive where only axes have to stay apart.
+    /// between surfaces and the required one, m; the required gap is not positive where only axes have to stay apart.
     pub fn of_distance(at: f64, (kind, culprits): (Kind, Vec<String>), gap: f64, required: f64) -> Self {
         let (gap, required) = if required > 0.0 { (gap, required) } else { (gap - required, 0.0) };
         let margin = (gap - required).min(0.0); // a positive difference is a rounding error: the condition is broken

@@ -191,7 +191,7 @@ mod tests {
         parts.iter().map(|part| part.transformed(&Rotation::from_scaled_axis(angles), &shift)).collect()
     }
 
-    /// The same parts with an error in each coordinate of each corner.
+    /// Parts with an error in each coordinate of each corner.
     fn rounded(parts: &[Polytope], error: f64, rng: &mut ChaCha8Rng) -> Vec<Polytope> {
         let off = |p: &Point, rng: &mut ChaCha8Rng| p.map(|x| x + rng.random_range(-error..=error));
         let part = |part: &Polytope, rng: &mut ChaCha8Rng| {
@@ -224,7 +224,7 @@ mod tests {
         [2, 1, 0].map(|dimension| seams.iter().filter(|seam| seam.gap.dimension == dimension).count())
     }
 
-    /// The same in any position, and with rounding errors.
+    /// The numbers of seams of faces, edges and corners; they do not depend on the position of the parts or on rounding errors.
     fn counts_everywhere(parts: &[Polytope]) -> [usize; 3] {
         let mut rng = ChaCha8Rng::seed_from_u64(2);
         let found = counts(parts);

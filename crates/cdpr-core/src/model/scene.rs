@@ -132,13 +132,13 @@ impl Scene {
         self
     }
 
-    /// The same scene, with these of its notes printed as one sentence each.
+    /// A copy of the scene in which these notes are printed as one sentence each.
     pub fn with_alike(mut self, alike: Vec<AlikeNotes>) -> Self {
         self.alike.extend(alike);
         self
     }
 
-    /// The same scene with the notes of another one, from which it was made, instead of its own.
+    /// A copy of the scene with the notes of another one, from which it was made.
     pub fn with_notes_of(self, other: &Scene) -> Self {
         let Scene { notes, good_notes, alike, .. } = other.clone();
         Scene { notes, good_notes, alike, ..self }

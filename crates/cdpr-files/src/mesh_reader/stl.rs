@@ -13,7 +13,7 @@ use cdpr_core::words::count;
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// Reads a file. Its contents decide whether it is binary, not its first word: four bytes of text, read as a number of
+/// Reads a text or binary file. The contents decide which, not the first word: four bytes of text, read as a number of
 /// triangles, exceed the room in any file, and the header of a binary file contains a zero byte.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, Error> {
     match Binary::of(bytes) {
