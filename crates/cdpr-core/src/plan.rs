@@ -25,7 +25,7 @@ use crate::lower_bound::Forbidden;
 use crate::model::Scene;
 use crate::planning::{Outcome, Problem, Status, TranslationSpace};
 use crate::postprocess::{RewindOptions, StringPuller};
-use crate::watch::{Watch, in_time};
+use crate::watch::{Watch, in_time, unless_interrupted};
 use crate::wrench::{WrenchChecker, WrenchConstraint};
 
 pub use appraisal::{Appraisal, CheckReport, appraise, appraise_turning, check, check_turning};
@@ -225,10 +225,8 @@ pub fn post_process(
         return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let waypoints = match processing.of(engine, &raw.raw_waypoints, watch) {
-        Err(stopped) if stopped.class() == ErrorClass::Interrupted => raw.raw_waypoints.clone(),
-        processed => processed?,
-    };
+    let processed = unless_interrupted(processing.of(engine, &raw.raw_waypoints, watch))?;
+    let waypoints = processed.unwrap_or_else(|| raw.raw_waypoints.clone());
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
     verified(engine, &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };

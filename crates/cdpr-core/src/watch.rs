@@ -119,6 +119,17 @@ impl<'a> Watch<'a> {
     }
 }
 
+/// A result, or `None` if the caller wanted to stop first: for work on what has been found already, which must not be lost.
+///
+/// # Errors
+/// All others.
+pub fn unless_interrupted<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
+    match answer {
+        Err(error) if error.class() == ErrorClass::Interrupted => Ok(None),
+        answer => answer.map(Some),
+    }
+}
+
 /// A result, or `None` if time ran out first.
 ///
 /// # Errors

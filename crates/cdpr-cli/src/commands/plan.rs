@@ -10,9 +10,9 @@ use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanRes
 use cdpr_core::planning::Status;
 use cdpr_core::trajectory::plan_timed;
 use cdpr_core::turning::pose_path_length;
-use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::watch::{Interrupt, Watch, unless_interrupted};
 use cdpr_core::words::small_length;
-use cdpr_core::{Choice, Error, ErrorClass, Scene};
+use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::PathFile;
 use cdpr_view::{Contents, page};
 
@@ -121,14 +121,6 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
-}
-
-/// A result, or `None` if Ctrl-C ended the work on it: the path that was found before is not lost.
-fn unless_interrupted<T>(result: Result<T, Error>) -> Result<Option<T>, Error> {
-    match result {
-        Err(stopped) if stopped.class() == ErrorClass::Interrupted => Ok(None),
-        result => result.map(Some),
-    }
 }
 
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then

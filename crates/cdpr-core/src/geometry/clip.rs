@@ -170,6 +170,23 @@ fn edges(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     (0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]])
 }
 
+/// The part of a convex polygon whose points have no positive height, which is a linear function (Sutherland and Hodgman,
+/// "Reentrant polygon clipping", 1974).
+pub(super) fn clipped(polygon: &[Point], height: impl Fn(&Point) -> f64) -> Vec<Point> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (k, p) in polygon.iter().enumerate() {
+        let q = &polygon[(k + 1) % polygon.len()];
+        let (hp, hq) = (height(p), height(q));
+        if hp <= 0.0 {
+            kept.push(*p);
+        }
+        if (hp < 0.0 && hq > 0.0) || (hp > 0.0 && hq < 0.0) {
+            kept.push(p + (q - p) * (hp / (hp - hq)));
+        }
+    }
+    kept
+}
+
 /// The point where the segment from an inside point to an outside point crosses the plane, given their heights; an end
 /// if rounding put both on one side.
 fn crossing((inner, below): (Point, f64), (outer, above): (Point, f64)) -> Point {

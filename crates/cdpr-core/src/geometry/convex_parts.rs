@@ -17,7 +17,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::cell::{Cell, flat_excess, mean_and_axes};
-use super::coverage::{contain, missing, polyhedron};
+use super::coverage::{ROOM, contain, missing, polyhedron};
 use super::inner_hull::InnerHull;
 use super::merge::merged;
 use super::part::{Part, Task};
@@ -28,7 +28,7 @@ use super::wrap::{Wrap, box_around, is_sound, thickened};
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
 use crate::numerics::{
-    CELLS_PER_PART, CLOSE, CORNER_PROBE, FACE_SHARE, FEW_PLANES, GAP_TOLERANCE, MEASURE_STEPS, MEASURE_STEPS_IN_ALL,
+    CELLS_PER_PART, CLOSE, CORNER_PROBE, FACE_SHARE, FEW_PLANES, MEASURE_STEPS, MEASURE_STEPS_IN_ALL,
     MOST_CONVEX_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER, ON_SURFACE, POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE,
     REACH_STEPS_PER_PART, SHEET,
 };
@@ -92,7 +92,7 @@ pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -
 const SHEET_REACH: f64 = SQRT_3 * SHEET;
 
 fn covers(body: &Polytope, p: &Point) -> bool {
-    body.depth_of(p) >= -0.5 * GAP_TOLERANCE
+    body.depth_of(p) >= -ROOM
 }
 
 fn aabb(piece: &Piece) -> Aabb {

@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use super::cell::Cell;
-use super::clip::Polyhedron;
+use super::clip::{Polyhedron, clipped};
 use super::surface::Piece;
 use super::{Aabb, HalfSpace, Point, Polytope};
 use crate::error::Error;
@@ -17,7 +17,7 @@ use crate::numerics::GAP_TOLERANCE;
 use crate::watch::Watch;
 
 /// Allowance for rounding, m: what lies no farther above a facet counts as covered.
-const ROOM: f64 = 0.5 * GAP_TOLERANCE;
+pub(super) const ROOM: f64 = 0.5 * GAP_TOLERANCE;
 
 /// Maximum number of pieces of a triangle outside some bodies that are compared with others.
 const MOST_PIECES_OF_A_WALL: usize = 1000;
@@ -115,20 +115,4 @@ fn outside(polygon: Vec<Point>, body: &Polytope, room: f64) -> Vec<Vec<Point>> {
         }
     }
     pieces
-}
-
-/// The part of a convex polygon whose points have no positive height.
-fn clipped(polygon: &[Point], height: impl Fn(&Point) -> f64) -> Vec<Point> {
-    let mut kept = Vec::with_capacity(polygon.len() + 1);
-    for (k, p) in polygon.iter().enumerate() {
-        let q = &polygon[(k + 1) % polygon.len()];
-        let (hp, hq) = (height(p), height(q));
-        if hp <= 0.0 {
-            kept.push(*p);
-        }
-        if hp * hq < 0.0 {
-            kept.push(p + (q - p) * (hp / (hp - hq)));
-        }
-    }
-    kept
 }

@@ -14,6 +14,7 @@
 
 use std::collections::BTreeSet;
 
+use super::clip::clipped;
 use super::hull::Facet;
 use super::inner::{Inner, inner_edges_and_corners};
 use super::{Point, Polytope, Vector};
@@ -115,7 +116,7 @@ fn shared_face(a: &Polytope, b: &Polytope) -> Option<(Vec<Point>, Vector)> {
     for (f, _) in pairs.filter(|(f, g)| opposite(f, g)) {
         let mut polygon: Vec<Point> = f.corners.iter().map(|&i| a.vertices()[i]).collect();
         for side in b.facets().iter().filter(|g| g.normal.cross(&f.normal).norm() > ALONG_FACET) {
-            polygon = clip(&polygon, side);
+            polygon = clipped(&polygon, |p| side.height(p));
         }
         let shared = Polytope::hull_of(&polygon).ok().filter(|p| p.dimension() == 2);
         if let Some(face) = shared {
@@ -128,22 +129,6 @@ fn shared_face(a: &Polytope, b: &Polytope) -> Option<(Vec<Point>, Vector)> {
 /// Whether the corners of facet `g` of body `b` lie in the plane of facet `f`.
 fn lies_on(f: &Facet, b: &Polytope, g: &Facet) -> bool {
     g.corners.iter().all(|&i| f.height(&b.vertices()[i]).abs() <= ON_SURFACE)
-}
-
-/// The part of a convex polygon under a facet's plane (Sutherland–Hodgman).
-fn clip(polygon: &[Point], facet: &Facet) -> Vec<Point> {
-    let mut kept = Vec::with_capacity(polygon.len() + 1);
-    for (k, p) in polygon.iter().enumerate() {
-        let q = &polygon[(k + 1) % polygon.len()];
-        let (hp, hq) = (facet.height(p), facet.height(q));
-        if hp <= 0.0 {
-            kept.push(*p);
-        }
-        if (hp < 0.0 && hq > 0.0) || (hp > 0.0 && hq < 0.0) {
-            kept.push(p + (q - p) * (hp / (hp - hq)));
-        }
-    }
-    kept
 }
 
 /// Both pyramids over the face, with apexes as far into the parts as possible.

@@ -14,7 +14,7 @@ use crate::geometry::{Point, Pose, Rotation};
 use crate::model::Scene;
 use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
-use crate::watch::Watch;
+use crate::watch::{Watch, unless_interrupted};
 
 /// The engine for motions from pose to pose in a scene.
 ///
@@ -106,10 +106,7 @@ fn search(
     let path = match options.post() {
         Post::None => waypoints.clone(),
         // A caller who interrupts wants the path that was found.
-        _ => match shortener.polished(&waypoints, &grace) {
-            Err(stopped) if stopped.class() == ErrorClass::Interrupted => waypoints.clone(),
-            path => path?,
-        },
+        _ => unless_interrupted(shortener.polished(&waypoints, &grace))?.unwrap_or_else(|| waypoints.clone()),
     };
     if let Some(segment) = path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1])) {
         return Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")));
