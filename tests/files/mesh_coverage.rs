@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use cdpr_core::geometry::{Aabb, HalfSpace, Point, Polytope, TriangleMesh, Vector, convex_mesh, convex_parts, pieces};
-use cdpr_core::numerics::{GAP_TOLERANCE, MESH_TOLERANCE, MOST_PARTS};
+use cdpr_core::numerics::{GAP_TOLERANCE, MESH_TOLERANCE, MOST_PARTS, SHEET};
 use cdpr_core::watch::Watch;
 use cdpr_tests::meshes::*;
 use cdpr_tests::{effort, rng, rotation};
@@ -450,5 +450,23 @@ fn walls_between_abutting_blocks_need_no_parts_and_fins_have_their_own() {
                 assert_covered("walls", &placed, &placed, 1000, &mut rng);
             }
         }
+    }
+}
+
+#[test]
+fn tilted_flat_pieces_are_thin_parts_whatever_the_tolerance() {
+    let mut rng = rng(6);
+    let mut triangle = |k: usize| {
+        let corner =
+            |_| Point::from(Vector::from_fn(|_, _| rng.random_range(-1.0..1.0)) + Vector::x() * (3.0 * k as f64));
+        TriangleMesh { vertices: (0..3).map(corner).collect(), triangles: vec![[0, 1, 2]] }
+    };
+    let (one, sixteen) = (triangle(0), (1..17).map(&mut triangle).collect::<Vec<_>>());
+    for (mesh, count) in [(one, 1), (joined(&sixteen), 16)] {
+        let (pieces, _) = pieces(&mesh, &Watch::NONE).unwrap();
+        let parts: Vec<_> =
+            pieces.iter().map(|piece| convex_parts(piece, 0.003, MOST_PARTS, &Watch::NONE).unwrap()).collect();
+        assert_eq!(parts.iter().map(|parts| parts.bodies.len()).sum::<usize>(), count);
+        assert!(parts.iter().all(|parts| parts.reach < 1.001 * 3f64.sqrt() * SHEET));
     }
 }
