@@ -1,6 +1,7 @@
 //! Planning for a platform that turns, and known answers for motions with a turn.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cdpr_core::collision::{Kind, Validity};
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
@@ -157,6 +158,29 @@ fn a_tilt_limit_holds_all_along_a_path() {
     let refused = plan(query, &PlanOptions::default(), &()).unwrap().result;
     assert_eq!(refused.status, Status::GoalInvalid);
     assert!(refused.reason.unwrap().sentence().contains("tilts further"));
+}
+
+#[test]
+fn an_interruption_never_loses_the_path_that_is_known() {
+    let still = testing::hard1();
+    let mut spec = still.spec().clone();
+    spec.turning = Some(TurningSpec::default());
+    let turning = Scene::new(spec).unwrap();
+    for planner in [Planner::Anytime, Planner::RrtConnect, Planner::TwoTrees] {
+        let options = PlanOptions { planner: PlannerOptions::of(planner), proof: false, ..PlanOptions::default() };
+        let after = |scene: &Scene, most: usize| {
+            let polls = AtomicUsize::new(0);
+            let found = plan(scene, &options, &|| polls.fetch_add(1, Ordering::Relaxed) >= most);
+            (found.map(|planned| planned.result.status), polls.into_inner())
+        };
+        // A path without turns is searched first.
+        let (known, whole) = (after(&still, usize::MAX).1, after(&turning, usize::MAX).1);
+        assert!(known < whole, "{planner:?}: {known} of {whole} polls");
+        for most in (0..=30).map(|k| known + k * (whole - known) / 30) {
+            let (found, _) = after(&turning, most);
+            assert_eq!(found.ok(), Some(Status::Solved), "{planner:?} after {most} of {known} to {whole} polls");
+        }
+    }
 }
 
 #[test]

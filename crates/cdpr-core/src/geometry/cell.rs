@@ -5,13 +5,11 @@ use std::collections::{HashMap, HashSet};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::hull::flat_ring;
+use super::solid::LOOK;
 use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
 use crate::numerics::{FLAT_SHEET, ON_SURFACE};
 use crate::watch::Watch;
-
-/// Polygons between two checks of the watch.
-const LOOK: usize = 1 << 12;
 
 /// Maximum number of pairs of edges that are compared to find out whether a flat surface is convex.
 const MOST_RIM_STEPS: usize = 100_000_000;

@@ -116,3 +116,58 @@ fn outside(polygon: Vec<Point>, body: &Polytope, room: f64) -> Vec<Vec<Point>> {
     }
     pieces
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::clip::box_sides;
+    use crate::geometry::{convex_mesh, pieces};
+
+    fn span(from: f64, to: f64) -> Aabb {
+        Aabb { min: Point::from([from; 3]), max: Point::from([to; 3]) }
+    }
+
+    fn hull(corners: &[[f64; 3]]) -> Polytope {
+        Polytope::hull_of(&corners.iter().map(|p| Point::from(*p)).collect::<Vec<_>>()).unwrap()
+    }
+
+    fn cube(from: f64, to: f64) -> Vec<[f64; 3]> {
+        let side = |k: usize, axis: usize| if k >> axis & 1 == 1 { to } else { from };
+        (0..8).map(|k| std::array::from_fn(|axis| side(k, axis))).collect()
+    }
+
+    #[test]
+    fn whatever_a_part_leaves_out_is_missing() {
+        let mesh = convex_mesh(&[], &span(0.0, 1.0)).unwrap();
+        let piece = pieces(&mesh, &Watch::NONE).unwrap().0.remove(0);
+        let surface = Cell::whole(&piece.triangles, &vec![0; piece.triangles.len()], &Watch::NONE).unwrap();
+        let within = |sides: Aabb| {
+            let mut cell = Cell::whole(&[], &[], &Watch::NONE).unwrap();
+            cell.sides = box_sides(&sides).to_vec();
+            cell
+        };
+        let (inner, beside) = (within(span(0.25, 0.75)), within(span(1.25, 1.5)));
+        let cells = [surface, inner, beside].map(Arc::new);
+        let missing = |k: usize, body: &Polytope| {
+            missing(&piece, &cells[k..=k], body, (&span(-2.0, 2.0), 0.0), &Watch::NONE).unwrap()
+        };
+        let cut: Vec<[f64; 3]> = cube(0.0, 1.0).into_iter().filter(|p| p.iter().sum::<f64>() < 3.0).collect();
+        assert_eq!(missing(0, &hull(&cube(0.0, 1.0))), []);
+        assert!(missing(0, &hull(&cut)).contains(&Point::new(1.0, 1.0, 1.0)));
+        assert!(missing(0, &hull(&cube(0.0, 1.0 - 1e-6))).contains(&Point::new(1.0, 1.0, 1.0)));
+        // No surface in these cells: all body in one, all void in the other.
+        assert_eq!(missing(1, &hull(&cube(0.25, 0.75))), []);
+        assert!(missing(1, &hull(&cube(0.25, 0.75 - 1e-6))).contains(&Point::new(0.75, 0.75, 0.75)));
+        assert_eq!(missing(2, &hull(&cube(0.0, 0.1))), []);
+    }
+
+    #[test]
+    fn a_triangle_is_contained_by_bodies_together() {
+        let triangle = [[0.1, 0.5, 0.1], [1.9, 0.5, 0.1], [1.9, 0.5, 0.9]].map(Point::from);
+        let moved = |x: f64| cube(0.0, 1.0).into_iter().map(|[a, b, c]| [a + x, b, c]).collect::<Vec<_>>();
+        let (left, right) = (hull(&moved(0.0)), hull(&moved(1.0)));
+        assert!(contain(&[left.clone(), right.clone()], &triangle, 0.0));
+        assert!(!contain(&[left.clone()], &triangle, 0.0) && !contain(&[right], &triangle, 0.0));
+        assert!(!contain(&[left, hull(&moved(1.0 + 1e-6))], &triangle, 0.0));
+    }
+}

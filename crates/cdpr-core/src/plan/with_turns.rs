@@ -54,7 +54,12 @@ pub fn plan_turning(
         return Ok(Planned::turning(engine, straight.expect("just seen")));
     }
     let shortest = known.map_or(f64::INFINITY, |found| found.cost);
-    let turned = search(&engine, scene, [start, goal], shortest, options, watch, improved)?;
+    let turned = search(&engine, scene, [start, goal], shortest, options, watch, improved);
+    // An interruption ends the search for a shorter path, not the one that is known.
+    let turned = match known {
+        Some(_) => unless_interrupted(turned)?.unwrap_or_else(PlanResult::out_of_time),
+        None => turned?,
+    };
     let result = match straight {
         Some(straight) if !(turned.cost < straight.cost * (1.0 - TURN_WORTH)) && straight.status == Status::Solved => {
             straight
