@@ -167,7 +167,7 @@ mod tests {
         let moved = |x: f64| cube(0.0, 1.0).into_iter().map(|[a, b, c]| [a + x, b, c]).collect::<Vec<_>>();
         let (left, right) = (hull(&moved(0.0)), hull(&moved(1.0)));
         assert!(contain(&[left.clone(), right.clone()], &triangle, 0.0));
-        assert!(!contain(&[left.clone()], &triangle, 0.0) && !contain(&[right], &triangle, 0.0));
+        assert!(!contain(std::slice::from_ref(&left), &triangle, 0.0) && !contain(&[right], &triangle, 0.0));
         assert!(!contain(&[left, hull(&moved(1.0 + 1e-6))], &triangle, 0.0));
     }
 }
