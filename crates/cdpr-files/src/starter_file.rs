@@ -6,7 +6,7 @@ use super::scene_file::in_place;
 use super::text::{Notation, relative};
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::geometry::Point;
-use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::model::spec::{FORMAT_VERSION, MotionSpec};
 use cdpr_core::model::{
     BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
@@ -92,7 +92,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         robot: RobotSource::File(relative(&starter.robot, output)?),
         obstacles: obstacles(starter, output)?,
         wrench: None,
-        motion: None,
+        motion: Some(MotionSpec { speed: Some(SPEED), acceleration: Some(ACCELERATION), ..MotionSpec::default() }),
         turning: None,
         query: given.then(|| QuerySpec {
             start: starter.start.map(Into::into),
@@ -101,6 +101,10 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         }),
     })
 }
+
+/// Limits of motions in new scenes, slow for a robot in a hall: m/s, m/s².
+const SPEED: f64 = 0.5;
+const ACCELERATION: f64 = 1.0;
 
 fn obstacles(starter: &Starter, output: &Path) -> Result<Vec<BodySpec>, Error> {
     let mut bodies: Vec<BodySpec> = Vec::new();
@@ -161,6 +165,11 @@ const COMMENTS: &[(&str, &str)] = &[
         "[wrench]",
         "# The cables must be able to hold the platform along the whole path; optional, in addition: force (N), moment (N m), \
          load.\n",
+    ),
+    (
+        "[motion]",
+        "# Limits of timed motions: put in what your winches reach; also: cable_speed, cable_acceleration, jerk, blend (m), \
+         clearance (m).\n",
     ),
     ("[query]", "# Positions of the platform's origin.\n"),
 ];
