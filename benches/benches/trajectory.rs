@@ -18,6 +18,7 @@ const LIMITS: MotionSpec = MotionSpec {
     turn_speed: None,
     turn_acceleration: None,
     blend: Some(0.03),
+    clearance: None,
     wrench_margin: None,
 };
 

@@ -175,16 +175,23 @@ class Trajectory(ByValue):
         Orientations at the waypoints, unit quaternions w x y z; None if the platform does not turn.
     limits : dict
         The limits that are set: ``speed``, ``acceleration``, ``turn_speed``, ``turn_acceleration``, ``jerk``,
-        ``cable_speed``, ``cable_acceleration``, ``wrench_margin``; always ``blend``.
+        ``cable_speed``, ``cable_acceleration``, ``clearance``, ``wrench_margin``; always ``blend``.
     tension_limits : ndarray (m, 2) or None
         Minimum and maximum tension of each cable, N, if tensions are limited.
     corners : tuple of Corner
         How each corner of the path is passed.
     limiting : tuple of Limiting
         Which limit determines the motion when, in order of time; gaps are possible.
+    largest : dict or None
+        The largest rates: ``speed``, ``acceleration``, ``cable_speed``, ``cable_acceleration``, if the platform turns also
+        ``turn_speed`` and ``turn_acceleration``; and ``tensions``, the smallest and the largest one, if they are limited. None
+        for a loaded file without them.
+    nearest : dict or None
+        The nearest approach: ``time`` (s), ``value`` (m, negative where bodies overlap), ``culprits`` (two names). None for a
+        loaded file without it, or if nothing can come close.
     note : str or None
         Why tensions are not limited, if they are not; what was assumed about the inertia of a platform that turns, if the
-        robot does not give it.
+        robot does not give it; that speeds are not limited, if neither ``speed`` nor ``cable_speed`` is.
 
     Examples
     --------
@@ -222,6 +229,8 @@ class Trajectory(ByValue):
     tension_limits: Floats | None
     corners: tuple[Corner, ...]
     limiting: tuple[Limiting, ...]
+    largest: Mapping[str, Any] | None
+    nearest: Mapping[str, Any] | None
     note: str | None = field(compare=False)
     _motion: _core.Trajectory = field(compare=False)
 
@@ -374,6 +383,7 @@ def trajectory(
     cable_speed: float | None = None,
     cable_acceleration: float | None = None,
     blend: float | None = None,
+    clearance: float | None = None,
     wrench_margin: float | None = None,
     rate: float = 100.0,
     strict: bool = False,
@@ -405,6 +415,9 @@ def trajectory(
     blend : float, optional
         Largest deviation from the path where corners are rounded, m; with 0 the platform stops at each corner. Default the
         scene's clearance.
+    clearance : float, optional
+        Largest clearance that the motion keeps, m, in place of the scene's ``clearance`` and of larger ones of kinds and pairs.
+        By default it keeps all clearances of the scene.
     wrench_margin : float, optional
         Capacity margin that the cables keep in addition to the inertia of the platform, N.
     rate : float
@@ -451,6 +464,7 @@ def trajectory(
         "cable_speed": cable_speed,
         "cable_acceleration": cable_acceleration,
         "blend": blend,
+        "clearance": clearance,
         "wrench_margin": wrench_margin,
     }
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}

@@ -115,7 +115,7 @@ def calls(tmp_path, monkeypatch, batch):
     figure = {"view": (20.0, -60.0), "ax": None}
     limits = {
         "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
-        "wrench_margin": None, "rate": 50.0, "turn_speed": 1.0, "turn_acceleration": 2.0, "orientations": None,
+        "clearance": 0.0, "wrench_margin": None, "rate": 50.0, "turn_speed": 1.0, "turn_acceleration": 2.0, "orientations": None,
     }  # fmt: skip
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,

@@ -187,7 +187,7 @@ def test_every_key_of_a_turn_a_demand_and_a_motion_is_taken(robot):
         assert set(scene.wrench) == {key}
     limits = {
         "speed": 1.0, "acceleration": 2.0, "jerk": 20.0, "cable_speed": 1.0, "cable_acceleration": 5.0, "blend": 0.02,
-        "wrench_margin": 1.0, "turn_speed": 1.0, "turn_acceleration": 3.0,
+        "clearance": 0.0, "wrench_margin": 1.0, "turn_speed": 1.0, "turn_acceleration": 3.0,
     }  # fmt: skip
     assert set(limits) == keys(DEFINED["MotionSpec"])
     scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], motion=limits)

@@ -115,7 +115,7 @@ def test_inertia_of_a_robot_matters_for_a_turn(scene: cdpr.Scene) -> None:
     assert assumed.tensions is not None and "uniform density" in assumed.note
     heavy = cogiro.replace(robot=cogiro.robot.replace(inertia=[900, 900, 900]))
     slow = cdpr.trajectory(heavy, path, turn)
-    assert slow.note is None and slow.duration > assumed.duration
+    assert "uniform density" not in slow.note and slow.duration > assumed.duration
     assert np.array_equal(heavy.robot.inertia, np.diag([900, 900, 900])) and cogiro.robot.inertia is None
     with pytest.raises(cdpr.InputError, match="sum of the other two"):
         cogiro.robot.replace(inertia=[1, 1, 3])

@@ -1,15 +1,18 @@
 //! Clearances by kind and by pair, pairs that may touch, and exempt pairs: requirements, measurements and lists.
 
 use cdpr_core::collision::path_check::{Nearest, nearest};
-use cdpr_core::collision::{Checker, Engine, Interference, Kind, Reason, check_path};
-use cdpr_core::geometry::Point;
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, Reason, check_path};
+use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, PairClearanceSpec, RobotSource, Scene, SceneSpec};
+use cdpr_core::numerics::TOUCH_DEPTH;
 use cdpr_core::plan::{PlanOptions, engine_for, lower_bound, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::testing::{block, paper_scene, scene};
+use cdpr_core::testing::{block, hard1, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_files::scene_from_text;
 use cdpr_files::text::Notation;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 const PATH: [Point; 3] = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.8), Point::new(1.7, 1.0, 1.8)];
 
@@ -284,4 +287,34 @@ fn a_cable_that_enters_its_own_part_is_reported_by_the_depth_of_its_axis_and_not
             assert!((gap + 0.05).abs() < 1e-9 && gap == margin, "{diameter}: {gap} {margin}"); // the platform's height
         }
     }
+}
+
+/// A bound for all positions of a box, against positions in it; also where the attachments are as far apart as demanded, which
+/// no position changes.
+#[test]
+fn boxes_that_two_cables_certainly_keep_hold_no_position_that_is_too_near() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    let mut held = [0; 2];
+    for gap in [0.02, 0.05] {
+        let conditions = Conditions::new(&hard1().with_clearance(gap).unwrap()).unwrap();
+        let pairs = conditions.list.iter().filter(|condition| condition.details().kind() == Kind::CableCable);
+        let pairs: Vec<_> = pairs.map(|condition| condition.details()).collect();
+        for _ in 0..4000 {
+            let pair = pairs[rng.random_range(0..pairs.len())];
+            let center = Point::from(Vector::from_fn(|_, _| rng.random_range(0.1..1.9)));
+            let half = Vector::from_fn(|_, _| 10.0_f64.powf(rng.random_range(-5.0..-0.5)));
+            let cuboid = Cuboid::new(center - half, center + half);
+            if !pair.allows_all(&conditions.bodies, &cuboid) {
+                continue;
+            }
+            held[usize::from(pair.slack(&conditions.bodies, &center) < half.norm())] += 1;
+            let corners = cuboid.corners();
+            let inside = (0..40).map(|_| center + half.map(|x| x * rng.random_range(-1.0..1.0)));
+            for place in corners.iter().copied().chain(inside) {
+                let slack = pair.slack(&conditions.bodies, &place);
+                assert!(slack >= -TOUCH_DEPTH, "{slack:e} at {place}, {cuboid:?}");
+            }
+        }
+    }
+    assert!(held[0] > 1000 && held[1] > 100, "{held:?}");
 }

@@ -2,10 +2,13 @@
 
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
-use cdpr_core::model::spec::{CableSpec, MotionSpec, RobotSource, RobotSpec, SceneSpec};
+use cdpr_core::model::spec::{
+    CableSpec, ClearancesSpec, MotionSpec, PairClearanceSpec, RobotSource, RobotSpec, SceneSpec,
+};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::{Bound, Passing, Trajectory};
+use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp};
@@ -27,6 +30,7 @@ const FREE: MotionSpec = MotionSpec {
     turn_speed: None,
     turn_acceleration: None,
     blend: None,
+    clearance: None,
     wrench_margin: None,
 };
 
@@ -152,6 +156,73 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
             }
         }
     }
+}
+
+/// Clearances in general, of a kind, and of a pair.
+fn clearances(scene: &Scene, distance: f64, which: u32) -> Scene {
+    let obstacle = scene.obstacles()[0].name.clone();
+    let own = match which {
+        0 => None,
+        1 => Some(ClearancesSpec { platform_obstacle: Some(2.0 * distance), ..ClearancesSpec::default() }),
+        _ => {
+            let between = ["platform".to_string(), obstacle];
+            let pairs = vec![PairClearanceSpec { between, clearance: 0.5 * distance }];
+            Some(ClearancesSpec { pairs, ..ClearancesSpec::default() })
+        }
+    };
+    Scene::new(SceneSpec { clearance: Some(distance), clearances: own, ..scene.spec().clone() }).unwrap()
+}
+
+#[test]
+fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
+    let mut timed = 0;
+    for (name, scene) in [("hard1", hard1()), ("hard3", hard3()), ("cogiro", built_scene("cogiro"))] {
+        for (distance, which) in [(0.01, 0), (0.02, 1), (0.03, 2), (0.045, 0), (0.06, 2)] {
+            let scene = clearances(&scene, distance, which);
+            let Ok(planned) = plan(&scene, &PlanOptions::default(), &()) else { continue };
+            let (scene, waypoints) = (planned.turned.unwrap_or(scene), planned.result.waypoints);
+            if waypoints.len() < 2 {
+                continue;
+            }
+            timed += 1;
+            let limits = MotionSpec { blend: Some(0.05), ..FREE };
+            let found = Trajectory::new(&scene, &waypoints, &limits, &Watch::NONE).unwrap();
+            let worst = worst(&scene, &waypoints, &found, 4000);
+            assert!(worst.is_sound(), "{name} {distance} {which}: {worst:?}");
+            let file = TrajectoryFile::of(&scene, &waypoints, &found, 100.0, &Watch::NONE).unwrap();
+            let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };
+            let report = check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap();
+            assert!(report.valid, "{name} {distance} {which}: {:?}", report.faults);
+            assert_eq!((Some(report.largest), report.nearest), (file.largest, file.nearest));
+        }
+    }
+    assert!(timed >= 10, "{timed}");
+}
+
+#[test]
+fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
+    let scene = hard1().with_clearance(0.02).unwrap();
+    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.waypoints;
+    let with = |clearance| MotionSpec { blend: Some(0.05), clearance, ..FREE };
+    let timed = |clearance| Trajectory::new(&scene, &path, &with(clearance), &Watch::NONE).unwrap();
+    let (all, less) = (timed(None), timed(Some(0.005)));
+    assert!(less.duration() < 0.95 * all.duration(), "{} {}", less.duration(), all.duration());
+    let check = |motion: &Trajectory, clearance| {
+        let file = TrajectoryFile::of(&scene, &path, motion, 100.0, &Watch::NONE).unwrap();
+        let rules = TrajectoryRules { limits: with(clearance), ..TrajectoryRules::default() };
+        check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap()
+    };
+    assert!(check(&all, None).valid && check(&less, Some(0.005)).valid);
+    let report = check(&less, None);
+    let fault = report.faults.first().unwrap();
+    assert_eq!((fault.kind, fault.limit), (FaultKind::Condition, Some(0.02)));
+    let found = fault.found.unwrap();
+    assert!((0.005..0.02).contains(&found), "{found}");
+    let words = format!("with only {:.3} mm between them, 20.000 mm required", 1e3 * found);
+    assert!(fault.message.ends_with(&words), "{}", fault.message);
+    // A clearance that the path itself does not keep.
+    let more = Trajectory::new(&scene, &path, &with(Some(0.1)), &Watch::NONE).unwrap_err().to_string();
+    assert!(more.contains("100.000 mm required"), "{more}");
 }
 
 #[test]
@@ -328,6 +399,7 @@ fn random_motion(seed: u64) -> Option<(Scene, Vec<Point>, Trajectory)> {
         turn_speed: None,
         turn_acceleration: None,
         blend: maybe(-5.0, -0.7),
+        clearance: None,
         wrench_margin: None,
         acceleration: Some(10_f64.powf(rng.random_range(-1.0..2.0))),
         jerk: rng.random_bool(0.5).then(|| 10_f64.powf(rng.random_range(0.0..4.0))),

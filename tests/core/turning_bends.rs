@@ -141,7 +141,7 @@ fn accepted_bends_are_free_at_every_pose_of_a_fine_walk() {
     let tally = Tally::default();
     (0..count).into_par_iter().for_each(|seed| {
         let (name, scene, place, sizes) = &cases[seed as usize % cases.len()];
-        let scene = scene.without_clearance().unwrap();
+        let scene = scene.with_most_clearance(0.0).unwrap();
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let bend = random_bend(&mut rng, (*place).into(), *sizes);
         let named = format!("{name} {seed}");

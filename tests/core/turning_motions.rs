@@ -33,6 +33,7 @@ pub const FREE: MotionSpec = MotionSpec {
     cable_speed: None,
     cable_acceleration: None,
     blend: None,
+    clearance: None,
     wrench_margin: None,
 };
 

@@ -61,6 +61,7 @@ fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Resul
         turn_speed: None,
         turn_acceleration: None,
         blend: Some(CLEARANCE),
+        clearance: None,
         wrench_margin: None,
     };
     let text = |error: Error| error.to_string();

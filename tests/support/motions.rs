@@ -16,7 +16,7 @@ pub struct Worst {
     pub tension: f64,
     /// Distance from the path beyond the allowed deviation, m.
     pub deviation: f64,
-    /// Depth of a collision of the chord between two instants, beyond what it may cut off a bend, m.
+    /// By how much the chord between two instants lacks a required gap, beyond what it may cut off a bend, m.
     pub depth: f64,
     /// Distance of the ends from those of the path, m.
     pub ends: f64,
@@ -92,10 +92,10 @@ fn worst_instant(path: &[Point], motion: &Trajectory, times: &[f64]) -> Worst {
     Worst { ends: missed[0].max(missed[1]), ..worst }
 }
 
-/// How deep the chords between these instants collide, beyond what they may cut off a bend, m.
+/// By how much the chords between these instants lack a required gap, beyond what they may cut off a bend, m.
 fn deepest_chord(scene: &Scene, motion: &Trajectory, times: &[f64]) -> f64 {
-    let bare = scene.without_clearance().unwrap();
-    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&bare, engine, Interference::Exact).unwrap());
+    let scene = motion.limits().scene(scene).unwrap();
+    let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap());
     let (curve, timing) = (motion.curve(), motion.timing());
     let ends: Vec<(f64, Point)> = times.iter().map(|time| (timing.at(*time).s, motion.at(*time).position)).collect();
     let beyond = |pair: &[(f64, Point)]| {
@@ -113,10 +113,13 @@ const MOST_CHORDS: u32 = 100_000;
 /// Parts of each bend.
 const PARTS: u32 = 32;
 
-/// How deep a motion collides by either engine, m; infinite if something else is wrong with it.
+/// By how much a motion lacks a required gap by either engine, m; infinite if something else is wrong with it.
 fn depth(engines: &[Box<dyn Checker>; 2], from: &Point, to: &Point) -> f64 {
     let depths = engines.iter().filter(|engine| !engine.motion_valid(from, to)).flat_map(|engine| {
-        engine.violations(from, to).into_iter().map(|violation| violation.gap.map_or(f64::INFINITY, |gap| -gap))
+        engine
+            .violations(from, to)
+            .into_iter()
+            .map(|violation| violation.margin.map_or(f64::INFINITY, |margin| -margin))
     });
     depths.fold(f64::NEG_INFINITY, f64::max)
 }

@@ -1,7 +1,7 @@
 // The result card: the verdict, how good the path is, where it is tightest, and how it was found.
 
 import { html } from './charts.js';
-import { describeBound, describeDirectness, describeOutcome, describeReason } from './wording.js';
+import { describeBound, describeDirectness, describeOutcome, describePeaks, describeReason } from './wording.js';
 import { formatApproach, formatGap, formatLength, formatSeconds, isEdited, statedLength } from './wording.js';
 
 const byId = (id) => document.getElementById(id);
@@ -27,7 +27,8 @@ function remarks(model, length) {
   const { path, result, trajectory } = model;
   if (result?.reason) return [describeReason(result.reason)];
   if (result?.openingBelow > 0) return [`every path passes an opening narrower than ${formatGap(result.openingBelow)}`];
-  if (!path || path.waypoints.length < 2 || trajectory) return [];
+  if (trajectory) return trajectory.largest ? [describePeaks(trajectory.largest)] : [];
+  if (!path || path.waypoints.length < 2) return [];
   if (isEdited(model, length)) return [`changed since it was planned: its file states ${formatLength(statedLength(model))}`];
   // How short a path is that cannot be followed says nothing.
   if (model.violations.length > 0) return [];

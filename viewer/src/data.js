@@ -137,6 +137,21 @@ const LIMITS = {
   wrenchMargin: 'wrench_margin',
 };
 
+const LARGEST = {
+  speed: 'speed',
+  acceleration: 'acceleration',
+  cableSpeed: 'cable_speed',
+  cableAcceleration: 'cable_acceleration',
+  turnSpeed: 'turn_speed',
+  turnAcceleration: 'turn_acceleration',
+};
+
+// The largest rates of a trajectory, and its range of tensions, if they are known.
+const readLargest = (largest) => ({
+  ...readNumbers(largest, LARGEST),
+  tensions: list(largest.tensions).length === 2 ? largest.tensions.map(numberOrNull) : null,
+});
+
 // An orientation for each time; null if the platform keeps its orientation.
 function readOrientations(orientations, count) {
   const found = list(orientations);
@@ -155,6 +170,7 @@ function readTrajectory(trajectory) {
     tensionLimits: list(trajectory.tension_limits),
     limiting: list(trajectory.limiting).map(({ from, to, limit, cable }) => ({ from, to, kind: String(limit), cable })),
     corners: list(trajectory.corners),
+    largest: trajectory.largest ? readLargest(trajectory.largest) : null,
     cables: list(trajectory.cables).map(String),
     times,
     positions: trajectory.positions,

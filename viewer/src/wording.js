@@ -267,6 +267,17 @@ export function describeDirectness(cost, straight) {
   return `${formatPercent(share)} longer than the straight line`;
 }
 
+/** The largest rates of a trajectory: "at most 1 m/s and 2 m/s², cables 0.9713 m/s and 1.983 m/s²". */
+export function describePeaks({ speed, acceleration, cableSpeed, cableAcceleration, turnSpeed, turnAcceleration, tensions }) {
+  const rates = (v, a) => `${speedAxis(v).brief(v)} and ${accelerationAxis(a).brief(a)}`;
+  const parts = [`at most ${rates(speed, acceleration)}`, `cables ${rates(cableSpeed, cableAcceleration)}`];
+  if (turnSpeed !== null) parts.push(`turns ${turnSpeedAxis().brief(turnSpeed)} and ${brief(turnAcceleration)}\u00a0rad/s²`);
+  if (tensions) parts.push(`tensions ${tensions.map((force) => forceAxis(force).brief(force)).join(' to ')}`);
+  return parts.join(', ');
+}
+
+const brief = (value) => `${Number(value.toPrecision(4))}`;
+
 /** A time that planning took: "27 ms". */
 export function formatSeconds(seconds) {
   if (seconds >= 1) return `${Number(seconds.toPrecision(3))}\u00a0s`;

@@ -112,6 +112,8 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         waypoint_orientations: None,
         corners: Vec::new(),
         limiting: vec![Limiting { from: 0.0, to: 2.0, limit: LimitKind::Acceleration, cable: None }],
+        largest: None,
+        nearest: None,
         cables: cables.iter().map(|cable| cable.name.clone()).collect(),
         positions: rows(0),
         velocities: rows(1),

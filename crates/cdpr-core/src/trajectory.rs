@@ -19,6 +19,7 @@ pub mod jet;
 mod limits;
 pub mod motion;
 pub mod moving_mass;
+mod peaks;
 pub mod rows;
 mod schedule;
 pub mod stages;
@@ -34,6 +35,7 @@ pub use corners::{Corner, Passing};
 pub use curve::Curve;
 pub use limits::Limits;
 pub use motion::Motion;
+pub use peaks::{Largest, NearestInTime, instants, nearest_in_time, nearest_while_turning};
 pub use timed_plan::{Minimise, TimedPlan, plan_timed};
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
@@ -89,8 +91,8 @@ pub struct Limiting {
 
 impl Trajectory {
     /// The fastest motion along a free path of a scene that keeps the limits of the scene, replaced by those of `given`
-    /// that are set. Corners are rounded within the allowed deviation where that is free; the curve keeps the scene's
-    /// conditions except for clearances, of which it uses up to the deviation.
+    /// that are set. Corners are rounded within the allowed deviation where that is free. The curve keeps all conditions of the
+    /// scene, clearances included; a limit of the clearance takes their place.
     ///
     /// # Errors
     /// A path that is not free; limits that are missing or contradictory; a place where the cables cannot hold the platform;
@@ -114,17 +116,13 @@ impl Trajectory {
             waypoints.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
         let winches = Winches::of(scene, &limits, start)?;
         bounded(&limits, &winches)?;
+        let scene = &*limits.scene(scene)?;
         let engine = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
         let report = check_path(&*engine, waypoints, watch)?;
         if let Some(first) = report.violations.first() {
             return Err(not_free(first.segment, &first.violation));
         }
-        let bare = scene.without_clearance()?;
-        let own = match bare.spec() == scene.spec() {
-            true => None,
-            false => Some(engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?),
-        };
-        let free = FreeSpace::new(&bare, own.as_deref().unwrap_or(&*engine), watch)?;
+        let free = FreeSpace::new(scene, &*engine, watch)?;
         let (curve, corners) = rounded(waypoints, limits.blend, [false; 2], &free, watch)?.curve();
         Self::along(curve.held_at(*scene.orientation()), corners, limits, winches, watch)
     }
@@ -156,6 +154,7 @@ impl Trajectory {
         }
         let limits = Limits::of(scene, given)?;
         let winches = Winches::turning(scene, &limits, start)?;
+        let scene = &*limits.scene(scene)?;
         let level = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
         let engine = TurningEngine::new(scene, level)?;
         free_poses(&engine, poses, watch)?;

@@ -4,9 +4,10 @@
 //! reported fault is genuine; but between two samples a rate may be higher, by as much as its derivative allows. If the exact
 //! form of the motion is known and the samples lie on it, at least ten instants between two samples are checked as well,
 //! including tensions. Rates that are not given are derived from differences ([`Recorded`]), which never overstates them. Bodies
-//! must not overlap on the straight lines between samples. Clearances are measured but not required, since a trajectory uses them
-//! up where it rounds corners. An overlap no deeper than the motion may deviate from the straight line is not a fault, up to a
-//! tenth of a millimetre; where the motion may deviate by more than that and by more than the nearest approach, a note says so.
+//! must not overlap between samples, and must keep the clearances of the scene, on straight lines or, where velocities are given
+//! and the platform does not turn, on cubic curves. What is missing is not a fault if it is less than the motion may deviate from
+//! these, up to a tenth of a millimetre; where the motion may deviate by more than that and by more than the nearest approach, a
+//! note says so.
 
 mod faults;
 mod forces;
@@ -18,15 +19,14 @@ use serde::Serialize;
 
 pub use faults::{Fault, FaultKind};
 pub use recorded::Recorded;
-pub use rules::Largest;
 
 use crate::collision::{Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Pose, Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, RECORDED_ROUNDING};
-use crate::trajectory::{Curve, Limits, Motion, Timing, Winches};
+use crate::numerics::RECORDED_ROUNDING;
+use crate::trajectory::{Curve, Largest, Limits, Motion, NearestInTime, Timing, Winches, instants};
 use crate::watch::Watch;
 use faults::Faults;
 use rules::{Rates, Rules, around};
@@ -54,17 +54,6 @@ pub struct TrajectoryReport {
     pub faults: Vec<Fault>,
     /// What could not be checked, and why.
     pub notes: Vec<String>,
-}
-
-/// The closest approach of a timed motion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct NearestInTime {
-    /// s.
-    pub time: f64,
-    /// Gap, m; negative where bodies overlap.
-    pub value: f64,
-    /// The names of the bodies.
-    pub culprits: Vec<String>,
 }
 
 /// How a motion is checked.
@@ -126,8 +115,15 @@ pub fn check_trajectory(
             check_limits(&rules, motion, &motions, &mut largest, &mut faults, watch)?;
         }
     }
-    let shown = fine.as_ref().unwrap_or(motion);
-    let (nearest, of_bodies) = meetings::check(scene, given, [shown, motion], &mut faults, watch)?;
+    largest.include_tensions(motion.tensions.iter().flatten().map(Vec::as_slice));
+    let fits = fine.is_none() && !faults.any(FaultKind::Velocity);
+    let smooth = fits.then(|| motion.smoothed()).flatten();
+    let (shown, away) = match (&fine, &smooth) {
+        (None, Some((smooth, away))) => (smooth, &away[..]),
+        _ => (fine.as_ref().unwrap_or(motion), &[][..]),
+    };
+    let (of_motion, samples) = (limits.scene(scene)?, motion.times.len());
+    let (nearest, of_bodies) = meetings::check(&of_motion, given, (shown, away, samples), &mut faults, watch)?;
     notes.extend(of_bodies);
     let times = &motion.times;
     let faults = faults.sorted();
@@ -234,21 +230,13 @@ fn between(
 ) -> Result<Recorded, Error> {
     let (mut times, mut motions) = (Vec::new(), Vec::new());
     let turn_rounding = motion.orientations.as_ref().map(|_| [0.0; 2]);
-    let longest = timing.duration() / LEAST_INSTANTS as f64;
-    for k in 0..motion.times.len() {
+    for (k, time) in instants(&motion.times, timing.duration()) {
         watch.check()?;
-        let instants = match k + 1 < motion.times.len() {
-            true => ((motion.step(k) / longest).ceil() as usize).clamp(INSTANTS_BETWEEN + 1, LEAST_INSTANTS),
-            false => 1,
-        };
-        for part in 0..instants {
-            let step = if part == 0 { 0.0 } else { motion.step(k) * part as f64 / instants as f64 };
-            let (time, now) = (motion.times[k] + step, Motion::at(curve, timing, motion.times[k] + step));
-            let rounding = [0.0; 2];
-            rules.at(&Rates { step: k, time, motion: &now, has_jerk: true, rounding, turn_rounding }, largest, faults);
-            times.push(time);
-            motions.push(now);
-        }
+        let now = Motion::at(curve, timing, time);
+        let rounding = [0.0; 2];
+        rules.at(&Rates { step: k, time, motion: &now, has_jerk: true, rounding, turn_rounding }, largest, faults);
+        times.push(time);
+        motions.push(now);
     }
     let turns = |rate: fn(&Motion) -> Vector| turn_rounding.map(|_| motions.iter().map(rate).collect());
     Ok(Recorded {
@@ -290,6 +278,7 @@ mod tests {
         cable_speed: None,
         cable_acceleration: None,
         blend: Some(0.02),
+        clearance: None,
         wrench_margin: None,
     };
 
@@ -422,11 +411,33 @@ mod tests {
         let moving = crate::testing::moving(&scene, Point::new(0.5, 1.0, 0.023), Point::new(1.5, 1.0, 0.023), 4);
         let report = check(&scene, &Recorded::of(&moving).unwrap(), &MotionSpec::default());
         assert!(report.faults.iter().any(|fault| fault.message.starts_with("the platform leaves the workspace by 2")));
-        // 1 mm above it, nothing is wrong, but the samples do not tell enough.
+        // 1 mm above it, nothing is wrong; positions alone do not tell enough.
         let moving = crate::testing::moving(&scene, Point::new(0.5, 1.0, 0.026), Point::new(1.5, 1.0, 0.026), 4);
-        let report = check(&scene, &Recorded::of(&moving).unwrap(), &MotionSpec::default());
+        let known = Recorded::of(&moving).unwrap();
+        let report = check(&scene, &known, &MotionSpec::default());
+        assert_eq!((report.faults, report.notes.len()), (Vec::new(), 1)); // that tensions are not limited
+        let bare = Recorded { velocities: None, accelerations: None, ..known };
+        let report = check(&scene, &bare, &MotionSpec::default());
         assert_eq!(report.faults, []);
         assert!(report.notes.iter().any(|note| note.contains("more samples tell more")), "{:?}", report.notes);
+    }
+
+    #[test]
+    fn samples_with_velocities_tell_where_a_bend_passes_between_them() {
+        let exact = around_pillar(1000.0);
+        let (curve, timing) = exact.exact.clone().unwrap();
+        let coarse = Recorded { exact: None, ..around_pillar(20.0) };
+        let (smooth, away) = coarse.smoothed().unwrap();
+        let mut largest = [0.0_f64; 2];
+        for (k, time) in smooth.times.iter().enumerate() {
+            let found = (smooth.positions[k] - Motion::at(&curve, &timing, *time).position).norm();
+            let allowed = away[k.min(away.len() - 1)];
+            assert!(found <= allowed + 1e-12, "{time}: {found} {allowed}");
+            largest = [largest[0].max(found), largest[1].max(allowed)];
+        }
+        let chords = (0..coarse.times.len() - 1).map(|k| coarse.sag(k, &coarse.motions(hard1().orientation()), 0.0));
+        let chords = chords.fold(0.0, f64::max);
+        assert!(largest[0] > 1e-6 && largest[1] < 0.7 * chords, "{largest:?} {chords}");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
 use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
-use crate::trajectory::Limits;
+use crate::trajectory::{Largest, Limits, NearestInTime};
 use crate::turning::TurningEngine;
 use crate::watch::Watch;
 
@@ -53,6 +53,12 @@ pub struct TrajectoryFile {
     pub corners: Vec<TrajectoryCorner>,
     /// Which limit determines how fast the platform moves, in order of time; gaps are possible.
     pub limiting: Vec<Limiting>,
+    /// The largest rates and the range of tensions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub largest: Option<Largest>,
+    /// The nearest approach, if anything can come close.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nearest: Option<NearestInTime>,
     /// Names of the cables.
     pub cables: Vec<String>,
     /// Times of the samples, s: 0 to the duration.

@@ -136,12 +136,11 @@ impl Trajectory {
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
             let (scene, warning) = scene_of_trajectory(&scene.0, &self.file, strict)?;
-            // The curve may use the clearance of the path.
-            let bare = scene.without_clearance()?;
-            let engine = engine_within(&bare, Engine::default(), interference, &watch)?;
+            let moving = self.file.limits.over(&scene)?.scene(&scene)?.into_owned();
+            let engine = engine_within(&moving, Engine::default(), interference, &watch)?;
             let violations = match self.file.orientations {
                 None => self.file.violations(&*engine, &watch)?,
-                Some(_) => self.file.turning_violations(&TurningEngine::new(&bare, engine)?, &watch)?,
+                Some(_) => self.file.turning_violations(&TurningEngine::new(&moving, engine)?, &watch)?,
             };
             Ok((trajectory_page_within(&scene, &self.file, &violations, &watch)?, warning))
         })
@@ -154,6 +153,9 @@ impl Trajectory {
         let winches = self.winches();
         let assumption = winches.and_then(Winches::assumption).filter(|_| file.orientations.is_some());
         let note = winches.map_or(unknown, |winches| winches.note().or(assumption));
+        let speeds = self.exact.as_ref().and_then(|_| file.limits.note());
+        let notes: Vec<&str> = note.into_iter().chain(speeds).collect();
+        let note = (!notes.is_empty()).then(|| notes.join("; "));
         let facts = json!({
             "duration": file.duration,
             "length": file.length,
@@ -166,6 +168,8 @@ impl Trajectory {
             "waypoint_orientations": file.waypoint_orientations,
             "corners": file.corners,
             "limiting": file.limiting,
+            "largest": file.largest,
+            "nearest": file.nearest,
             "cables": file.cables,
             "note": note,
         });
@@ -304,6 +308,8 @@ fn of_table(
         waypoint_orientations: None,
         corners: Vec::new(),
         limiting: Vec::new(),
+        largest: None,
+        nearest: None,
         times: motion.times.iter().map(|time| time - first).collect(),
         velocities: rows(|now| now.velocity),
         accelerations: rows(|now| now.acceleration),

@@ -6,7 +6,7 @@ use cdpr_core::collision::Violation;
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::geometry::{Point, Pose, wxyz};
 use cdpr_core::path_file::PathFile;
-use cdpr_core::trajectory::Limits;
+use cdpr_core::trajectory::{Largest, Limits, NearestInTime};
 use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile};
 
 use super::quaternions;
@@ -25,6 +25,10 @@ pub(super) struct Shown<'a> {
     tension_limits: &'a Option<Vec<[f64; 2]>>,
     limiting: Vec<Limiting>,
     corners: &'a [TrajectoryCorner],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    largest: Option<Largest>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest: Option<&'a NearestInTime>,
     cables: &'a [String],
     waypoints: &'a [[f64; 3]],
     /// Times of the positions, s.
@@ -68,6 +72,8 @@ pub(super) fn shown(file: &TrajectoryFile) -> Shown<'_> {
         tension_limits: &file.tension_limits,
         limiting: merged(&file.limiting),
         corners: &file.corners,
+        largest: file.largest,
+        nearest: file.nearest.as_ref(),
         cables: &file.cables,
         waypoints: &file.waypoints,
         times: kept.iter().map(|&k| microseconds(file.times[k])).collect(),

@@ -35,6 +35,9 @@ pub struct LimitArgs {
     /// Largest deviation from the path where corners are rounded instead of the scene's `blend`, m [default: the scene's clearance].
     #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true)]
     pub blend: Option<f64>,
+    /// Largest clearance that the motion keeps instead of the scene's `clearance` and of larger ones of kinds and pairs, m.
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true)]
+    pub motion_clearance: Option<f64>,
     /// Capacity margin that the cables keep besides the inertia of the platform instead of the scene's, N [default: 0].
     #[arg(long, value_name = "N", value_parser = not_negative, allow_negative_numbers = true)]
     pub wrench_margin: Option<f64>,
@@ -51,6 +54,7 @@ impl LimitArgs {
             cable_speed: self.cable_speed,
             cable_acceleration: self.cable_acceleration,
             blend: self.blend,
+            clearance: self.motion_clearance,
             wrench_margin: self.wrench_margin,
         }
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::trajectory::{Limits, Minimise, TimedPlan, Trajectory};
+use cdpr_core::trajectory::{Largest, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
 use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
@@ -82,6 +82,8 @@ pub struct Timed {
     note: Option<String>,
     /// What was assumed about the platform.
     assumption: Option<String>,
+    /// That speeds are not limited.
+    speeds: Option<&'static str>,
     /// How its path was chosen.
     choice: Option<Choice>,
 }
@@ -117,7 +119,8 @@ impl Timed {
         };
         let winches = trajectory.winches();
         let assumption = winches.assumption().filter(|_| file.orientations.is_some()).map(str::to_string);
-        Ok(Timed { file, note: winches.note().map(str::to_string), assumption, choice: None })
+        let speeds = trajectory.limits().note();
+        Ok(Timed { file, note: winches.note().map(str::to_string), assumption, speeds, choice: None })
     }
 
     /// The trajectory of a planned path.
@@ -152,12 +155,16 @@ impl Timed {
         self.choice.iter().for_each(|choice| out.result(&choice.sentence()));
         corner_lines(&self.file.corners, self.file.limits.blend).iter().for_each(|line| out.result(line));
         limited_by(&self.shares()).iter().for_each(|line| out.result(line));
+        let TrajectoryFile { largest, nearest, .. } = &self.file;
+        largest.iter().flat_map(largest_lines).for_each(|line| out.result(&line));
+        nearest.iter().for_each(|nearest| out.result(&nearest_line(nearest)));
         self.note.iter().chain(&self.assumption).for_each(|note| out.note(note));
+        self.speeds.iter().for_each(|note| out.note(note));
     }
 
     /// The same for programs.
     pub fn json(&self) -> Value {
-        let TrajectoryFile { duration, length, rate, times, limits, corners, .. } = &self.file;
+        let TrajectoryFile { duration, length, rate, times, limits, corners, largest, nearest, .. } = &self.file;
         let shares = self.shares().into_iter().map(|(kind, share)| (key_of(kind), json!(share)));
         let mut json = json!({
             "duration": duration,
@@ -167,9 +174,14 @@ impl Timed {
             "limits": limits,
             "corners": corners,
             "limiting": shares.collect::<serde_json::Map<_, _>>(),
+            "largest": largest,
+            "nearest": nearest,
             "tensions_limited": self.note.is_none(),
             "note": self.note,
         });
+        if let Some(note) = self.speeds {
+            json["speed_note"] = json!(note);
+        }
         if let Some(assumption) = &self.assumption {
             json["assumption"] = json!(assumption);
         }
@@ -194,6 +206,32 @@ impl Timed {
         shares.sort_by(|a, b| b.1.total_cmp(&a.1));
         shares
     }
+}
+
+/// The largest rates of a motion and its range of tensions, in words.
+pub fn largest_lines(largest: &Largest) -> Vec<String> {
+    let rates = format!(
+        "at most {} m/s and {} m/s², cables {} m/s and {} m/s²",
+        short(largest.speed),
+        short(largest.acceleration),
+        short(largest.cable_speed),
+        short(largest.cable_acceleration)
+    );
+    let turns = largest.turn_speed.zip(largest.turn_acceleration).map(|(speed, acceleration)| {
+        format!("turns at most by {} rad/s and {} rad/s²", short(speed), short(acceleration))
+    });
+    let tensions = largest.tensions.map(|[least, most]| format!("tensions from {least:.3} N to {most:.3} N"));
+    [Some(rates), turns, tensions].into_iter().flatten().collect()
+}
+
+/// Lengths below this are printed as zero, m, without a sign.
+const NO_LENGTH: f64 = 5e-7;
+
+/// The nearest approach of a motion in words.
+pub fn nearest_line(nearest: &NearestInTime) -> String {
+    let value = if nearest.value.abs() < NO_LENGTH { 0.0 } else { nearest.value };
+    let (gap, culprits) = (length(value), nearest.culprits.join(" and "));
+    format!("nearest approach {gap}: {culprits} at {:.3} s", nearest.time)
 }
 
 impl Choice {

@@ -3,9 +3,9 @@
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::trajectory_check::{Fault, Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 use cdpr_core::watch::{Interrupt, Watch};
-use cdpr_core::words::length;
 use cdpr_core::{Error, Scene};
 
+use super::trajectory::{largest_lines, nearest_line};
 use crate::Answer;
 use crate::args::{Format, PathArgs};
 use crate::output::{Console, Verdict, count, scene_line, short};
@@ -13,9 +13,6 @@ use crate::progress::with_sign_of_life;
 
 /// Maximum number of faults printed.
 const MOST_FAULTS: usize = 16;
-
-/// Lengths below this are printed as zero, m, without a sign.
-const NO_LENGTH: f64 = 5e-7;
 
 pub fn run(
     args: &PathArgs,
@@ -54,25 +51,12 @@ fn lines(report: &TrajectoryReport) -> Vec<String> {
     if faults.len() > MOST_FAULTS {
         lines.push(format!("  {} more, see --format json", faults.len() - MOST_FAULTS));
     }
-    lines.push(format!(
-        "at most {} m/s and {} m/s², cables {} m/s and {} m/s²",
-        short(largest.speed),
-        short(largest.acceleration),
-        short(largest.cable_speed),
-        short(largest.cable_acceleration)
-    ));
-    if let (Some(speed), Some(acceleration)) = (largest.turn_speed, largest.turn_acceleration) {
-        lines.push(format!("turns at most by {} rad/s and {} rad/s²", short(speed), short(acceleration)));
-    }
+    lines.extend(largest_lines(largest));
     lines.push(match report.unseen_speed {
         None => "checked in exact form, also at ten instants between two samples".to_string(),
         Some(speed) => format!("checked at the samples; between them the speed may be {} m/s higher", short(speed)),
     });
-    lines.extend(nearest.iter().map(|nearest| {
-        let value = if nearest.value.abs() < NO_LENGTH { 0.0 } else { nearest.value };
-        let (gap, culprits) = (length(value), nearest.culprits.join(" and "));
-        format!("nearest approach {gap}: {culprits} at {:.3} s", nearest.time)
-    }));
+    lines.extend(nearest.iter().map(nearest_line));
     lines
 }
 

@@ -65,12 +65,11 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             }
             Motion::Trajectory(found) => {
                 let (scene, file) = *found;
-                // The curve may use the clearance of the path.
-                let bare = scene.without_clearance()?;
+                let moving = file.limits.over(&scene)?.scene(&scene)?.into_owned();
                 let violations = match file.orientations {
-                    None => file.violations(&*engine(&bare)?, &watch)?,
+                    None => file.violations(&*engine(&moving)?, &watch)?,
                     Some(_) => {
-                        let engine = input::turning_engine(&bare, &args.scene.scene, args.checker)?;
+                        let engine = input::turning_engine(&moving, &args.scene.scene, args.checker)?;
                         file.turning_violations(&engine, &watch)?
                     }
                 };

@@ -58,6 +58,47 @@ fn a_trajectory_is_valid_in_every_format_that_is_read() {
 }
 
 #[test]
+fn a_motion_keeps_the_clearance_of_its_scene_and_check_demands_it() {
+    let folder = folder();
+    let text = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    let text = text.replace("../", &testdata("")).replace("version = 1\n", "version = 1\nclearance = 0.02\n");
+    fs::write(folder.path().join("scene.toml"), text).unwrap();
+    let run = |args: &[&str]| cdpr_in(folder.path(), args);
+    assert_eq!(status(&run(&["plan", "scene.toml", "-o", "path.json"])), 0);
+    let time = |name: &str, more: &[&str]| {
+        let args =
+            [&["trajectory", "scene.toml", "path.json", "-o", name, "--format", "json"], &LIMITS[..], more].concat();
+        json(&run(&args))
+    };
+    let (kept, spent) = (time("kept.json", &[]), time("spent.csv", &["--motion-clearance", "0.001"]));
+    assert!(kept["nearest"]["value"].as_f64().unwrap() >= 0.02 - 1e-9, "{}", kept["nearest"]);
+    assert!(spent["nearest"]["value"].as_f64().unwrap() < 0.02 && spent["limits"]["clearance"] == json!(0.001));
+    for (speed, rates) in [("speed", &kept), ("cable_speed", &kept)] {
+        assert!(rates["largest"][speed].as_f64().unwrap() <= 1.0, "{}", rates["largest"]);
+    }
+    let checked = run(&["check", "scene.toml", "kept.json"]);
+    assert_eq!(status(&checked), 0, "{}", stdout(&checked));
+    let checked = run(&["check", "scene.toml", "spent.csv"]);
+    assert_eq!(status(&checked), 1);
+    let words = " mm between them, 20.000 mm required (from ";
+    assert!(stdout(&checked).contains(words), "{}", stdout(&checked));
+    let checked = run(&["check", "scene.toml", "spent.csv", "--motion-clearance", "0.001"]);
+    assert_eq!(status(&checked), 0, "{}", stdout(&checked));
+}
+
+#[test]
+fn a_motion_whose_speed_has_no_limit_says_so() {
+    let folder = planned();
+    let time = |more: &[&str]| {
+        let args = ["trajectory", &testdata("scenes/hard1.toml"), "path.json", "--acceleration", "2"];
+        stderr(&cdpr_in(folder.path(), &[&args[..], more].concat()))
+    };
+    let words = "note: neither speed nor cable_speed is limited";
+    assert!(time(&[]).contains(words) && !time(&["--speed", "9"]).contains(words));
+    assert!(!time(&["--cable-speed", "9"]).contains(words));
+}
+
+#[test]
 fn samples_alone_are_enough() {
     let folder = planned();
     let text = fs::read_to_string(folder.path().join("motion.csv")).unwrap();

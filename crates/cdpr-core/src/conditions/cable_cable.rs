@@ -17,7 +17,7 @@ use crate::geometry::{
     Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, wedge_mesh,
 };
 use crate::model::{Member, Scene};
-use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, ROUNDING, TOUCH_DEPTH};
 use crate::watch::Watch;
 
 /// Two cables that share neither outlet nor attachment stay clear of each other.
@@ -363,6 +363,25 @@ impl PhysicalCondition for CableCable {
         let u = self.u(&positions.center);
         let between = u * s - (self.w + (u + self.q - self.w) * r);
         (between.abs() + positions.half * (s - r).abs()).norm() <= self.gap + margin
+    }
+
+    /// With shares s and r along the cables, the squared distance of two points on them is a convex quadratic form. At the centre
+    /// it exceeds its least value d² by at least λ|Δ|², with λ the smaller eigenvalue of its matrix and Δ the change of (s, r).
+    /// Within ρ of the centre the vector between the points changes by at most ρ|s − r|. So the distance stays above
+    /// √(d² + λ|Δ|²) − ρ(σ + √2|Δ|), with σ = |s − r| where they are nearest; the least of these is at least
+    /// d √(1 − 2ρ²/λ) − ρσ. Where the attachments are nearest, σ is 0: they keep their distance wherever the platform is.
+    fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
+        let rho = positions.half.norm();
+        if self.slack(bodies, &positions.center) >= rho {
+            return true;
+        }
+        let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
+        let u = self.u(&positions.center);
+        let v = u + self.q - self.w;
+        let (a, b, c) = (u.norm_squared(), v.norm_squared(), u.dot(&v));
+        let least = 0.5 * (a + b - ((a - b).powi(2) + 4.0 * c * c).sqrt()) - ROUNDING * (a + b);
+        let left = 1.0 - 2.0 * rho * rho / least;
+        self.gap > 0.0 && left > 0.0 && distance * left.sqrt() - rho * (s - r).abs() >= self.gap - 0.5 * TOUCH_DEPTH
     }
 
     #[inline]

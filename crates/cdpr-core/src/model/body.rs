@@ -118,7 +118,7 @@ pub fn sound_turning(spec: &TurningSpec) -> Result<(), Error> {
 /// Checks the values of a `[motion]` table.
 ///
 /// # Errors
-/// A limit that is not positive (`blend` and `wrench_margin`: negative) or not finite.
+/// A limit that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite.
 pub fn sound_motion(spec: &MotionSpec) -> Result<(), Error> {
     let limits = [
         ("speed", spec.speed),
@@ -132,7 +132,7 @@ pub fn sound_motion(spec: &MotionSpec) -> Result<(), Error> {
     for (key, limit) in limits {
         limit.map(|limit| positive(key, limit)).transpose()?;
     }
-    for (key, limit) in [("blend", spec.blend), ("wrench_margin", spec.wrench_margin)] {
+    for (key, limit) in [("blend", spec.blend), ("clearance", spec.clearance), ("wrench_margin", spec.wrench_margin)] {
         limit.map(|limit| not_negative(key, limit)).transpose()?;
     }
     Ok(())

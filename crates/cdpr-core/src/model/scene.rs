@@ -360,12 +360,15 @@ impl Scene {
         Scene::new(spec)
     }
 
-    /// The same scene without required clearances: bodies may touch but not overlap.
+    /// The scene with this clearance, m, in place of its own; clearances of kinds and pairs that are larger are lowered to it.
+    /// With 0, bodies may touch but not overlap.
     ///
     /// # Errors
-    /// Never for a checked scene.
-    pub fn without_clearance(&self) -> Result<Scene, Error> {
-        Scene::new(SceneSpec { clearance: None, clearances: None, ..self.spec.clone() })
+    /// A clearance that is negative or too large.
+    pub fn with_most_clearance(&self, most: f64) -> Result<Scene, Error> {
+        let mut spec = SceneSpec { clearance: Some(most), ..self.spec.clone() };
+        spec.clearances.iter_mut().for_each(|own| own.limit(most));
+        Scene::new(spec)
     }
 
     /// The same scene with another required clearance, m; those of `[clearances]` remain.

@@ -124,6 +124,16 @@ pub struct ClearancesSpec {
     pub pairs: Vec<PairClearanceSpec>,
 }
 
+impl ClearancesSpec {
+    /// Lowers clearances that are larger than this one, m.
+    pub fn limit(&mut self, most: f64) {
+        let kinds =
+            [&mut self.platform_obstacle, &mut self.cable_obstacle, &mut self.cable_platform, &mut self.cable_cable];
+        let pairs = self.pairs.iter_mut().map(|pair| &mut pair.clearance);
+        kinds.into_iter().flatten().chain(pairs).for_each(|clearance| *clearance = clearance.min(most));
+    }
+}
+
 /// The clearance of one pair.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]

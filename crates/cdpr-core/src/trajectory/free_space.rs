@@ -2,10 +2,12 @@
 //!
 //! A bend stays in the convex hull of its control points. If the hull is on the free side of one plane of a forbidden
 //! polyhedron, the bend misses the polyhedron; otherwise the bend is halved, and each half has its own control points. What
-//! no polyhedron describes is bounded by distances, which change by at most the length of a motion.
+//! no polyhedron describes exactly, among them clearances, is bounded by distances, which change by at most the length of a
+//! motion: a bend keeps a distance if its chord keeps it with as much to spare as the bend deviates from the chord.
 
-use super::curve::{CONTROL, Piece};
-use crate::collision::Checker;
+use super::curve::{CONTROL, Piece as CurvePiece};
+use crate::collision::{Checker, Conditions, Piece};
+use crate::conditions::PhysicalCondition;
 use crate::error::Error;
 use crate::geometry::{Cuboid, HalfSpace, Point, path_length};
 use crate::model::{RuleSpec, Scene};
@@ -17,7 +19,7 @@ use crate::wrench::{Measure, measures, slack_reaches};
 pub struct FreeSpace<'a> {
     checker: &'a dyn Checker,
     bounds: Cuboid,
-    forbidden: Vec<Vec<HalfSpace>>,
+    pieces: Vec<Piece>,
     /// Conditions that forbid positions outside of all polyhedra.
     by_distance: Vec<usize>,
     wrench: Requirement,
@@ -47,48 +49,70 @@ impl<'a> FreeSpace<'a> {
         Ok(FreeSpace {
             checker,
             bounds: Cuboid::new(low, high),
-            forbidden: pieces.into_iter().map(|piece| piece.outer).collect(),
+            pieces,
             by_distance: (1..conditions.list.len()).filter(exceeds).collect(),
             wrench: if by_cells { Requirement::Cells } else { Requirement::Everywhere(measures(scene)?) },
         })
     }
 
     /// Whether a piece of a curve is certainly free.
-    pub fn allows(&self, piece: &Piece) -> bool {
+    pub fn allows(&self, piece: &CurvePiece) -> bool {
         match piece.control() {
             [from, to] => self.checker.motion_valid(from, to),
             control => {
                 let control: &[Point; CONTROL] = control.try_into().expect("a bend has six control points");
                 let inside = |p: &Point| (p - self.bounds.low).inf(&(self.bounds.high - p)).min() >= -TOUCH_DEPTH;
-                let near: Vec<usize> = (0..self.forbidden.len()).collect();
+                let near: Vec<usize> = (0..self.pieces.len()).collect();
                 control.iter().all(inside) && self.bend(control, &near, &self.by_distance, BEND_HALVINGS)
             }
         }
     }
 
-    /// Whether a bend misses these polyhedra and keeps these conditions and the wrench requirement.
+    /// Whether a bend misses these pieces and keeps these conditions and the wrench requirement.
     fn bend(&self, control: &[Point; CONTROL], near: &[usize], by_distance: &[usize], halvings: usize) -> bool {
         let hull = Cuboid::around(control);
-        let bodies = &self.checker.conditions().bodies;
-        let reached = |index: &&usize| !separated(&self.forbidden[**index], control);
-        let near: Vec<usize> = near.iter().filter(reached).copied().collect();
-        let undecided = |index: &&usize| !self.checker.conditions().list[**index].details().allows_all(bodies, &hull);
+        let Conditions { list, bodies, .. } = self.checker.conditions();
+        let [from, to] = [&control[0], &control[CONTROL - 1]];
+        let away = control.iter().map(|p| distance_from_segment(p, from, to)).fold(0.0, f64::max);
+        let roomy = |condition: &dyn PhysicalCondition| {
+            let spare = || condition.distance(bodies, from, to) - condition.required(bodies) - away;
+            condition.is_rounded() && (spare() >= -TOUCH_DEPTH || condition.allows_all(bodies, &hull))
+        };
+        let mut left = Vec::new();
+        let mut measured: Option<(usize, bool)> = None;
+        for &index in near {
+            let Piece { condition, ref outer, .. } = self.pieces[index];
+            if separated(outer, control) {
+                continue;
+            }
+            let keeps = match measured {
+                Some((known, keeps)) if known == condition => keeps,
+                _ => roomy(list[condition].details()),
+            };
+            measured = Some((condition, keeps));
+            if !keeps {
+                left.push(index);
+            }
+        }
+        let undecided = |index: &&usize| {
+            let condition = list[**index].details();
+            !roomy(condition) && !condition.allows_all(bodies, &hull)
+        };
         let by_distance: Vec<usize> = by_distance.iter().filter(undecided).copied().collect();
-        if near.is_empty() && by_distance.is_empty() && self.balanced(control) {
+        if left.is_empty() && by_distance.is_empty() && self.balanced(control, away) {
             return true;
         }
         let broken = |p: &Point| !self.checker.state_valid(p);
-        if halvings == 0 || broken(&control[0]) || broken(&control[CONTROL - 1]) {
+        if halvings == 0 || broken(from) || broken(to) {
             return false;
         }
-        halves(control).iter().all(|half| self.bend(half, &near, &by_distance, halvings - 1))
+        halves(control).iter().all(|half| self.bend(half, &left, &by_distance, halvings - 1))
     }
 
     /// Whether the cables certainly provide the required wrenches along a bend: the slack on its chord exceeds what it can
-    /// change over the distance between the two.
-    fn balanced(&self, control: &[Point; CONTROL]) -> bool {
+    /// change over the distance `away` between the two.
+    fn balanced(&self, control: &[Point; CONTROL], away: f64) -> bool {
         let [from, to] = [&control[0], &control[CONTROL - 1]];
-        let away = control.iter().map(|p| distance_from_segment(p, from, to)).fold(0.0, f64::max);
         let reach = path_length(control);
         let holds = |measure: &Measure| slack_reaches(measure, from, to, away * measure.steepness(from, reach));
         match &self.wrench {
@@ -132,8 +156,8 @@ mod tests {
     fn halves_are_parts_of_the_same_curve() {
         let control: [Point; CONTROL] =
             std::array::from_fn(|k| Point::new(k as f64, (k * k) as f64, (k * k * k) as f64));
-        let piece = Piece::bend(control);
-        let [first, second] = halves(&control).map(Piece::bend);
+        let piece = CurvePiece::bend(control);
+        let [first, second] = halves(&control).map(CurvePiece::bend);
         for k in 0..=10 {
             let u = f64::from(k) / 10.0;
             let whole = |u: f64| piece.at(u * piece.length).position;

@@ -1,5 +1,7 @@
 //! The limits of a motion.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
@@ -32,6 +34,9 @@ pub struct Limits {
     pub cable_acceleration: Option<f64>,
     /// Largest distance between the curve and the path, m.
     pub blend: f64,
+    /// Largest clearance that the motion keeps, m; if it is not set, the motion keeps all clearances of the scene.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<f64>,
     /// Capacity margin that the cables keep in addition to the inertia of the platform, N.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub wrench_margin: f64,
@@ -45,7 +50,7 @@ impl Limits {
     /// The limits of a scene, replaced by those of `given` that are set.
     ///
     /// # Errors
-    /// A number that is not positive (`blend` and `wrench_margin`: negative) or not finite; a jerk without an acceleration.
+    /// A number that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite; a jerk without an acceleration.
     ///
     /// # Example
     /// ```
@@ -70,7 +75,42 @@ impl Limits {
             cable_speed: spec.cable_speed,
             cable_acceleration: spec.cable_acceleration,
             blend: spec.blend.or(scene.spec().clearance).unwrap_or(0.0),
+            clearance: spec.clearance,
             wrench_margin: spec.wrench_margin.unwrap_or(0.0),
         })
+    }
+
+    /// Says that the speed has no limit, if neither that of the platform nor that of cables has one.
+    pub fn note(&self) -> Option<&'static str> {
+        (self.speed.is_none() && self.cable_speed.is_none()).then_some(
+            "neither speed nor cable_speed is limited: check that the winches reach the speeds of this motion",
+        )
+    }
+
+    /// These limits of a motion that was made earlier; what they do not say about clearances, the scene does.
+    ///
+    /// # Errors
+    /// As [`Limits::of`].
+    pub fn over(&self, scene: &Scene) -> Result<Self, Error> {
+        let of_scene = Limits::of(scene, &MotionSpec::default())?;
+        Ok(Limits { clearance: self.clearance.or(of_scene.clearance), ..*self })
+    }
+
+    /// The scene with the clearances that the motion keeps.
+    ///
+    /// # Errors
+    /// A clearance that is negative or too large.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Limits};
+    /// let scene = testing::hard1().with_clearance(0.05)?;
+    /// let limits = Limits::of(&scene, &MotionSpec { clearance: Some(0.02), ..MotionSpec::default() })?;
+    /// assert_eq!(limits.scene(&scene)?.pairs().largest(), 0.02);
+    /// assert_eq!(Limits::default().scene(&scene)?.pairs().largest(), 0.05);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn scene<'a>(&self, scene: &'a Scene) -> Result<Cow<'a, Scene>, Error> {
+        self.clearance.map_or(Ok(Cow::Borrowed(scene)), |most| scene.with_most_clearance(most).map(Cow::Owned))
     }
 }

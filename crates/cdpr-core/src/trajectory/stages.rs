@@ -127,9 +127,9 @@ fn held(scene: &Scene, poses: &[Pose], blend: f64, joined: [bool; 2], watch: &Wa
     if let [from, to] = points[..] {
         return Ok(Part { pieces: vec![Piece::line(from, to).held_at(*orientation)], corners: Vec::new() });
     }
-    let bare = at_orientation(scene, orientation)?.without_clearance()?;
-    let engine = engine_within(&bare, Engine::Cspace, Interference::Exact, watch)?;
-    let part = rounded(&points, blend, joined, &FreeSpace::new(&bare, &*engine, watch)?, watch)?;
+    let scene = at_orientation(scene, orientation)?;
+    let engine = engine_within(&scene, Engine::Cspace, Interference::Exact, watch)?;
+    let part = rounded(&points, blend, joined, &FreeSpace::new(&scene, &*engine, watch)?, watch)?;
     Ok(Part { pieces: part.pieces.into_iter().map(|piece| piece.held_at(*orientation)).collect(), ..part })
 }
 

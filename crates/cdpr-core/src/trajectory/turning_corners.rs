@@ -17,8 +17,7 @@ use crate::plan::engine_within;
 use crate::turning::{AllowedTurns, TurningWrench};
 use crate::watch::Watch;
 
-/// The requirements on bends on which the platform turns: all conditions of a scene except clearances, and its required wrenches,
-/// at any orientation.
+/// The requirements on bends on which the platform turns: all conditions of a scene and its required wrenches, at any orientation.
 pub struct TurningSpace {
     checker: Box<dyn Checker>,
     reference: Rotation,
@@ -40,8 +39,7 @@ impl TurningSpace {
         if wrench.as_ref().is_some_and(TurningWrench::of_point_mass) {
             return Ok(None);
         }
-        let bare = scene.without_clearance()?;
-        let checker = engine_within(&bare, Engine::Gjk, Interference::Exact, watch)?;
+        let checker = engine_within(scene, Engine::Gjk, Interference::Exact, watch)?;
         Ok(Some(TurningSpace { checker, reference: *scene.orientation(), allowed: AllowedTurns::of(scene), wrench }))
     }
 

@@ -1,68 +1,49 @@
 //! Which bodies meet, or nearly meet, between the samples of a motion.
 
-use std::borrow::Cow;
 use std::f64::consts::PI;
 
+use super::TrajectoryRules;
 use super::faults::{FaultKind, Faults, Instant};
 use super::recorded::Recorded;
-use super::{NearestInTime, TrajectoryRules};
-use crate::collision::path_check::{PathClearance, nearest};
 use crate::collision::{Validity, Violation};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::model::Scene;
-use crate::numerics::{INSTANTS_OF_STEP, MEASURED_SAMPLES, RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
+use crate::numerics::{INSTANTS_OF_STEP, RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
 use crate::plan::engine_within;
-use crate::trajectory::Motion;
-use crate::turning::{TurningEngine, nearest_of_poses};
+use crate::trajectory::{NearestInTime, nearest_in_time, nearest_while_turning};
+use crate::turning::TurningEngine;
 use crate::watch::Watch;
 use crate::words::small_length;
 
 /// Finds broken conditions between the samples of `shown`, and the nearest approach. If the platform turns, measuring the nearest
-/// approach takes longer, so it is measured on only about as many motions as `recorded` has samples. Also returns notes on what
-/// could not be determined.
+/// approach takes longer, so it is measured on only about as many motions as there are `recorded` samples. `away` is how far the
+/// motion may be from `shown` after each sample, m; nothing if it is empty. Also returns notes on what could not be determined.
 pub fn check(
     scene: &Scene,
     given: &TrajectoryRules,
-    [shown, recorded]: [&Recorded; 2],
+    (shown, away, recorded): (&Recorded, &[f64], usize),
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<(Option<NearestInTime>, Vec<String>), Error> {
-    let bare = scene.without_clearance()?;
-    let engine = engine_within(&bare, given.engine, given.interference, watch)?;
+    let engine = engine_within(scene, given.engine, given.interference, watch)?;
     let (motions, reach) = (shown.motions(scene.orientation()), reach(scene));
+    let deviation = |k: usize| shown.sag(k, &motions, reach) + away.get(k).copied().unwrap_or(0.0);
     let mut notes: Vec<String> = half_turn(shown).into_iter().collect();
     let nearest = match shown.poses() {
         Some(poses) => {
-            let engine = TurningEngine::new(&bare, engine)?;
-            let close =
-                conditions(&engine, shown, (&poses, |a, b| divided(a, b, reach)), (&motions, reach), faults, watch)?;
+            let engine = TurningEngine::new(scene, engine)?;
+            let close = conditions(&engine, shown, (&poses, |a, b| divided(a, b, reach)), &deviation, faults, watch)?;
             notes.extend(close.map(|close| too_close(&close)));
-            let few = thinned(shown, recorded.times.len().max(MEASURED_SAMPLES));
-            let found = nearest_of_poses(&engine, &few.poses().unwrap_or_default(), watch)?.min_clearance;
-            found.map(|found| (found, Cow::Owned(few)))
+            nearest_while_turning(&engine, &shown.times, &poses, recorded, watch)?
         }
         _ => {
-            conditions(&*engine, shown, (&shown.positions, |a, b| vec![*a, *b]), (&motions, reach), faults, watch)?;
-            nearest(engine.conditions(), &shown.positions, watch)?
-                .min_clearance
-                .map(|found| (found, Cow::Borrowed(shown)))
+            conditions(&*engine, shown, (&shown.positions, |a, b| vec![*a, *b]), &deviation, faults, watch)?;
+            nearest_in_time(engine.conditions(), &shown.times, &shown.positions, watch)?
         }
     };
-    notes.extend(too_coarse(shown, (&motions, reach), nearest.as_ref().map(|(found, _)| found)));
-    Ok((nearest.map(|(found, samples)| in_time(&samples, &found)), notes))
-}
-
-/// At most about this many poses of a motion, evenly chosen, with the last one.
-fn thinned(motion: &Recorded, most: usize) -> Recorded {
-    let (count, last) = (motion.times.len(), motion.times.len() - 1);
-    let kept = || (0..count).filter(|k| k % count.div_ceil(most) == 0 || *k == last);
-    Recorded {
-        times: kept().map(|k| motion.times[k]).collect(),
-        positions: kept().map(|k| motion.positions[k]).collect(),
-        orientations: motion.orientations.as_ref().map(|list| kept().map(|k| list[k]).collect()),
-        ..Recorded::default()
-    }
+    notes.extend(too_coarse(shown, &deviation, nearest.as_ref()));
+    Ok((nearest, notes))
 }
 
 /// The largest distance of a corner or an attachment from the platform's origin, m.
@@ -86,7 +67,7 @@ fn conditions<S, V: Validity<S> + ?Sized>(
     engine: &V,
     motion: &Recorded,
     (states, divided): (&[S], impl Fn(&S, &S) -> Vec<S>),
-    (motions, reach): (&[Motion], f64),
+    deviation: &dyn Fn(usize) -> f64,
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<Option<(f64, Violation)>, Error> {
@@ -96,7 +77,7 @@ fn conditions<S, V: Validity<S> + ?Sized>(
         if engine.motion_valid(&pair[0], &pair[1]) {
             continue; // many times faster than checking every condition separately
         }
-        let sag = motion.sag(k, motions, reach).min(RECORDED_OVERLAP);
+        let sag = deviation(k).min(RECORDED_OVERLAP);
         let parts = divided(&pair[0], &pair[1]);
         let found = parts.windows(2).enumerate().flat_map(|(part, ends)| {
             let found = engine.violations(&ends[0], &ends[1]).into_iter();
@@ -129,13 +110,9 @@ fn too_close((time, violation): &(f64, Violation)) -> String {
 }
 
 /// A note if the motion may deviate from the straight lines between samples by more than the nearest approach.
-fn too_coarse(
-    motion: &Recorded,
-    (motions, reach): (&[Motion], f64),
-    nearest: Option<&PathClearance>,
-) -> Option<String> {
+fn too_coarse(motion: &Recorded, deviation: &dyn Fn(usize) -> f64, nearest: Option<&NearestInTime>) -> Option<String> {
     let steps = 0..motion.positions.len() - 1;
-    let (deviation, k) = steps.map(|k| (motion.sag(k, motions, reach), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (deviation, k) = steps.map(|k| (deviation(k), k)).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let untold = -deviation..deviation;
     let counts = deviation > RECORDED_OVERLAP && nearest.is_some_and(|nearest| untold.contains(&nearest.value));
     counts.then(|| {
@@ -156,9 +133,4 @@ fn half_turn(motion: &Recorded) -> Option<String> {
         "between {from:.3} s and {to:.3} s the platform turns by half a turn, and only one of the two ways is checked: more \
          samples tell more"
     ))
-}
-
-fn in_time(motion: &Recorded, PathClearance { value, segment, at, culprits, .. }: &PathClearance) -> NearestInTime {
-    let time = motion.times[*segment] + at * motion.step(*segment);
-    NearestInTime { time, value: *value, culprits: culprits.clone() }
 }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
+use crate::numerics::INSTANTS_BETWEEN;
 use crate::trajectory::{Curve, Motion, Timing};
 use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 
@@ -193,6 +194,41 @@ impl Recorded {
         }
         let gain = largest(|m| m.angular_acceleration.norm());
         straight + reach * chord_deviation(self.change_of_turn(k), gain, self.step(k))
+    }
+
+    /// The cubic curves through positions and velocities, at [`INSTANTS_BETWEEN`] instants between two samples, and for each of
+    /// their steps how far the motion may be from the curve, m. `None` if the velocities are not known, or if the platform turns.
+    ///
+    /// A cubic has the positions and velocities of the motion at both ends. Where the two accelerations differ by at most D
+    /// between them, the two positions differ by at most D h²/16 during the time h.
+    pub fn smoothed(&self) -> Option<(Recorded, Vec<f64>)> {
+        let velocities = self.velocities.as_ref().filter(|_| self.orientations.is_none())?;
+        let accelerations = self.accelerations();
+        let parts = INSTANTS_BETWEEN + 1;
+        let (mut fine, mut away) = (Recorded::default(), Vec::new());
+        let (mut rates, mut changes) = (Vec::new(), Vec::new());
+        for k in 0..self.times.len() - 1 {
+            let (h, mean) = (self.step(k), self.mean_velocity(k));
+            let [before, after] = [velocities[k], velocities[k + 1]];
+            // The curve is p + h (v u + b u² + c u³) with u from 0 to 1.
+            let (b, c) = (mean * 3.0 - before * 2.0 - after, before + after - mean * 2.0);
+            let bend = |u: f64| (b * 2.0 + c * (6.0 * u)) / h;
+            let differs = [(k, 0.0), (k + 1, 1.0)].map(|(k, u)| (accelerations[k] - bend(u)).norm());
+            let away_here = differs[0].max(differs[1]) * h * h / 16.0;
+            for part in 0..parts {
+                let u = part as f64 / parts as f64;
+                fine.times.push(self.times[k] + h * u);
+                fine.positions.push(self.positions[k] + (before + (b + c * u) * u) * (h * u));
+                rates.push(before + (b * 2.0 + c * (3.0 * u)) * u);
+                changes.push(bend(u));
+                away.push(away_here);
+            }
+        }
+        fine.times.extend(self.times.last());
+        fine.positions.extend(self.positions.last());
+        rates.extend(velocities.last());
+        changes.extend(accelerations.last());
+        Some((Recorded { velocities: Some(rates), accelerations: Some(changes), ..fine }, away))
     }
 
     /// Second derivatives of parabolas through three values, given the slopes between them; at both ends the value beside it.

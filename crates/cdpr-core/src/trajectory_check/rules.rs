@@ -6,7 +6,7 @@ use crate::geometry::{Rotation, Vector};
 use crate::numerics::{
     RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
-use crate::trajectory::{Limits, Motion, Winches};
+use crate::trajectory::{Largest, Limits, Motion, Winches};
 
 /// The rules that a motion is checked against.
 pub struct Rules<'a> {
@@ -16,25 +16,6 @@ pub struct Rules<'a> {
     pub limits: &'a Limits,
     /// Cables.
     pub winches: &'a Winches,
-}
-
-/// The largest values of a motion.
-#[derive(Debug, Clone, Copy, Default, PartialEq, serde::Serialize)]
-pub struct Largest {
-    /// Speed of the platform, m/s.
-    pub speed: f64,
-    /// Acceleration of the platform, m/s².
-    pub acceleration: f64,
-    /// Speed of a cable, m/s.
-    pub cable_speed: f64,
-    /// Acceleration of a cable, m/s².
-    pub cable_acceleration: f64,
-    /// Angular speed, rad/s, if the platform turns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub turn_speed: Option<f64>,
-    /// Angular acceleration, rad/s², if the platform turns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub turn_acceleration: Option<f64>,
 }
 
 /// A limited quantity at an instant.
@@ -97,11 +78,10 @@ impl Rules<'_> {
         let Rates { step, time, motion, has_jerk, rounding: [slow, late], turn_rounding } = *rates;
         let check = |kind, cable, value: f64, limit, rounding, faults: &mut Faults| {
             Quantity { kind, cable, value, limit, rounding }.check(step, time, faults);
-            value
         };
         let limits = self.limits;
-        let speed = check(FaultKind::Speed, None, motion.velocity.norm(), limits.speed, slow, faults);
-        let a = check(FaultKind::Acceleration, None, motion.acceleration.norm(), limits.acceleration, late, faults);
+        check(FaultKind::Speed, None, motion.velocity.norm(), limits.speed, slow, faults);
+        check(FaultKind::Acceleration, None, motion.acceleration.norm(), limits.acceleration, late, faults);
         if has_jerk {
             check(FaultKind::Jerk, None, motion.jerk.norm(), limits.jerk, 0.0, faults);
         }
@@ -112,22 +92,12 @@ impl Rules<'_> {
         }
         let of_arms = turn_rounding.map_or([0.0; 2], |rounding| rounding.map(|of| self.reach() * of));
         let [slow, late] = [slow + of_arms[0], late + of_arms[1]];
-        let mut fastest = [speed, a, largest.cable_speed, largest.cable_acceleration];
         for (name, winding) in self.names.iter().zip(self.winches.windings(motion)) {
             let (speed, a, name) = (winding.speed.abs(), winding.acceleration.abs(), Some(*name));
-            fastest[2] = check(FaultKind::CableSpeed, name, speed, limits.cable_speed, slow, faults).max(fastest[2]);
-            let a = check(FaultKind::CableAcceleration, name, a, limits.cable_acceleration, late, faults);
-            fastest[3] = a.max(fastest[3]);
+            check(FaultKind::CableSpeed, name, speed, limits.cable_speed, slow, faults);
+            check(FaultKind::CableAcceleration, name, a, limits.cable_acceleration, late, faults);
         }
-        let larger = |known: Option<f64>, value: f64| turn_rounding.map(|_| known.unwrap_or(0.0).max(value));
-        *largest = Largest {
-            speed: largest.speed.max(fastest[0]),
-            acceleration: largest.acceleration.max(fastest[1]),
-            cable_speed: fastest[2],
-            cable_acceleration: fastest[3],
-            turn_speed: larger(largest.turn_speed, turn),
-            turn_acceleration: larger(largest.turn_acceleration, gain),
-        };
+        largest.include(motion, turn_rounding.is_some(), self.winches.windings(motion));
     }
 
     /// The largest distance of an attachment from the platform's origin, m.

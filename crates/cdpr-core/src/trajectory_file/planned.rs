@@ -3,14 +3,18 @@
 use serde_json::{Value, json};
 
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
+use crate::collision::{Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz};
 use crate::model::{Scene, body};
 use crate::numerics::MOST_SAMPLES;
 use crate::path_file::SceneId;
+use crate::plan::engine_within;
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
-use crate::trajectory::{Attitude, Bound, Curve, Motion, Passing, Sample, Trajectory, curve};
+use crate::trajectory::{Attitude, Bound, Curve, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve};
+use crate::trajectory::{instants, nearest_in_time, nearest_while_turning};
+use crate::turning::TurningEngine;
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
@@ -37,6 +41,8 @@ impl TrajectoryFile {
         let turns =
             trajectory.curve().pieces().iter().flat_map(|piece| piece.attitude().ends()).any(|end| end != *turn);
         let cables = scene.robot().cable_names();
+        let (mut largest, nearest) = peaks(scene, trajectory, &times, turns, watch)?;
+        largest.include_tensions(samples.iter().filter_map(|sample| sample.tensions.as_deref()));
         let platform = |of: fn(&Motion) -> [f64; 3]| -> Vec<[f64; 3]> {
             samples.iter().map(|sample| of(&sample.motion)).collect()
         };
@@ -58,6 +64,8 @@ impl TrajectoryFile {
             waypoint_orientations: None,
             corners: corners(trajectory),
             limiting: limiting(trajectory, &cables),
+            largest: Some(largest),
+            nearest,
             cables: cables.iter().map(ToString::to_string).collect(),
             positions: platform(|motion| motion.position.into()),
             velocities: platform(|motion| motion.velocity.into()),
@@ -91,6 +99,34 @@ impl TrajectoryFile {
         let orientations = poses.iter().map(|pose| wxyz(&pose.orientation)).collect();
         Ok(TrajectoryFile { waypoint_orientations: file.orientations.is_some().then_some(orientations), ..file })
     }
+}
+
+/// The largest rates of a trajectory with samples at these times, and its nearest approach.
+fn peaks(
+    scene: &Scene,
+    trajectory: &Trajectory,
+    times: &[f64],
+    turns: bool,
+    watch: &Watch,
+) -> Result<(Largest, Option<NearestInTime>), Error> {
+    let winches = trajectory.winches();
+    let mut largest = Largest::default();
+    let (mut instants_of, mut poses) = (Vec::new(), Vec::new());
+    for (_, time) in instants(times, trajectory.duration()) {
+        let motion = trajectory.at(time);
+        largest.include(&motion, turns, winches.windings(&motion));
+        instants_of.push(time);
+        poses.push(Pose::new(motion.position, motion.orientation));
+    }
+    let engine = engine_within(scene, Engine::Gjk, Interference::Exact, watch)?;
+    let nearest = match turns {
+        true => nearest_while_turning(&TurningEngine::new(scene, engine)?, &instants_of, &poses, times.len(), watch)?,
+        false => {
+            let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+            nearest_in_time(engine.conditions(), &instants_of, &positions, watch)?
+        }
+    };
+    Ok((largest, nearest))
 }
 
 /// Quaternions w x y z, with signs chosen so that their components change least from one to the next.

@@ -62,6 +62,7 @@ fn limits(file: &TrajectoryFile) -> Result<(), Error> {
         ("cable_speed", limits.cable_speed),
         ("cable_acceleration", limits.cable_acceleration),
         ("blend", Some(limits.blend)),
+        ("clearance", limits.clearance),
         ("wrench_margin", Some(limits.wrench_margin)),
     ];
     for (key, value) in given {

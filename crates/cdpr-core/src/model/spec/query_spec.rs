@@ -196,6 +196,10 @@ pub struct MotionSpec {
     /// Largest deviation from the path where corners are rounded, m; default the scene's clearance.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blend: Option<f64>,
+    /// Largest clearance that motions keep, m; default those of the scene. It takes the place of the scene's `clearance`, and of
+    /// the clearances of kinds and pairs that are larger.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<f64>,
     /// Capacity margin that the cables keep in addition to the inertia of the platform, N; default 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrench_margin: Option<f64>,
@@ -214,6 +218,7 @@ impl MotionSpec {
             cable_speed: self.cable_speed.or(other.cable_speed),
             cable_acceleration: self.cable_acceleration.or(other.cable_acceleration),
             blend: self.blend.or(other.blend),
+            clearance: self.clearance.or(other.clearance),
             wrench_margin: self.wrench_margin.or(other.wrench_margin),
         }
     }

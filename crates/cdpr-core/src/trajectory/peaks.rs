@@ -1,0 +1,123 @@
+//! The peaks of a timed motion: its largest rates, its range of tensions, and its nearest approach.
+
+use serde::{Deserialize, Serialize};
+
+use super::motion::Motion;
+use super::winches::Winding;
+use crate::collision::path_check::{self, PathClearance};
+use crate::conditions::Conditions;
+use crate::error::Error;
+use crate::geometry::{Point, Pose};
+use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, MEASURED_SAMPLES};
+use crate::turning::{TurningEngine, nearest_of_poses};
+use crate::watch::Watch;
+
+/// The largest rates of a motion, and its range of tensions.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Largest {
+    /// Speed of the platform's origin, m/s.
+    pub speed: f64,
+    /// Acceleration of the platform's origin, m/s².
+    pub acceleration: f64,
+    /// Speed of a cable, m/s.
+    pub cable_speed: f64,
+    /// Acceleration of a cable, m/s².
+    pub cable_acceleration: f64,
+    /// Angular speed, rad/s, if the platform turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_speed: Option<f64>,
+    /// Angular acceleration, rad/s², if the platform turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn_acceleration: Option<f64>,
+    /// The smallest and the largest tension of a cable at the samples, N, if tensions are known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tensions: Option<[f64; 2]>,
+}
+
+impl Largest {
+    /// Takes an instant into account: the motion, whether the platform turns, and the cables.
+    pub fn include(&mut self, motion: &Motion, turns: bool, windings: impl Iterator<Item = Winding>) {
+        let larger = |known: Option<f64>, value: f64| turns.then(|| known.unwrap_or(0.0).max(value));
+        self.speed = self.speed.max(motion.velocity.norm());
+        self.acceleration = self.acceleration.max(motion.acceleration.norm());
+        self.turn_speed = larger(self.turn_speed, motion.angular_velocity.norm());
+        self.turn_acceleration = larger(self.turn_acceleration, motion.angular_acceleration.norm());
+        for winding in windings {
+            self.cable_speed = self.cable_speed.max(winding.speed.abs());
+            self.cable_acceleration = self.cable_acceleration.max(winding.acceleration.abs());
+        }
+    }
+
+    /// Takes the tensions of all cables at some instants into account, N.
+    pub fn include_tensions<'a>(&mut self, rows: impl Iterator<Item = &'a [f64]>) {
+        for tension in rows.flatten() {
+            let [least, most] = self.tensions.unwrap_or([*tension; 2]);
+            self.tensions = Some([least.min(*tension), most.max(*tension)]);
+        }
+    }
+}
+
+/// The nearest approach of a timed motion.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NearestInTime {
+    /// s.
+    pub time: f64,
+    /// Gap, m; negative where bodies overlap.
+    pub value: f64,
+    /// The names of the bodies.
+    pub culprits: Vec<String>,
+}
+
+/// The instants at which a motion that is known in exact form is measured, with the index of the sample at or before each: its
+/// samples, ten or more between two of them, and a thousand or more in all.
+pub fn instants(times: &[f64], duration: f64) -> impl Iterator<Item = (usize, f64)> {
+    let longest = duration / LEAST_INSTANTS as f64;
+    (0..times.len()).flat_map(move |k| {
+        let step = times.get(k + 1).map_or(0.0, |next| next - times[k]);
+        let parts = match k + 1 < times.len() {
+            true => ((step / longest).ceil() as usize).clamp(INSTANTS_BETWEEN + 1, LEAST_INSTANTS),
+            false => 1,
+        };
+        let time = move |part: usize| if part == 0 { times[k] } else { times[k] + step * part as f64 / parts as f64 };
+        (0..parts).map(move |part| (k, time(part)))
+    })
+}
+
+/// The nearest approach on the straight lines between positions at some times.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn nearest_in_time(
+    conditions: &Conditions,
+    times: &[f64],
+    positions: &[Point],
+    watch: &Watch,
+) -> Result<Option<NearestInTime>, Error> {
+    let all: Vec<usize> = (0..conditions.list.len()).collect();
+    let found = path_check::nearest_of(conditions, &all, positions, watch)?;
+    Ok(found.map(|found| in_time(times, found)))
+}
+
+/// The nearest approach of a platform that turns between poses at some times. It is measured between only about as many poses as
+/// there are `samples`, since that takes longer.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn nearest_while_turning(
+    engine: &TurningEngine,
+    times: &[f64],
+    poses: &[Pose],
+    samples: usize,
+    watch: &Watch,
+) -> Result<Option<NearestInTime>, Error> {
+    let (count, last) = (times.len(), times.len() - 1);
+    let every = count.div_ceil(samples.max(MEASURED_SAMPLES));
+    let kept: Vec<usize> = (0..count).filter(|k| k % every == 0 || *k == last).collect();
+    let times: Vec<f64> = kept.iter().map(|&k| times[k]).collect();
+    let poses: Vec<Pose> = kept.iter().map(|&k| poses[k]).collect();
+    Ok(nearest_of_poses(engine, &poses, watch)?.min_clearance.map(|found| in_time(&times, found)))
+}
+
+fn in_time(times: &[f64], PathClearance { value, segment, at, culprits, .. }: PathClearance) -> NearestInTime {
+    NearestInTime { time: times[segment] + at * (times[segment + 1] - times[segment]), value, culprits }
+}
