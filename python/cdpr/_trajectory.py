@@ -409,7 +409,7 @@ def trajectory(
     turn_speed, turn_acceleration : float, optional
         Largest angular speed and acceleration of a platform that turns, rad/s, rad/s².
     jerk : float, optional
-        Largest jerk of the platform's origin, m/s³; requires an acceleration.
+        Largest jerk of the platform's origin, m/s³.
     cable_speed, cable_acceleration : float, optional
         Largest speed and acceleration of each cable's length, m/s, m/s².
     blend : float, optional

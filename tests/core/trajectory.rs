@@ -7,7 +7,11 @@ use cdpr_core::model::spec::{
 };
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
-use cdpr_core::trajectory::{Bound, Passing, Trajectory};
+use cdpr_core::trajectory::curve::Piece;
+use cdpr_core::trajectory::motion::Rates;
+use cdpr_core::trajectory::timing::Phase;
+use cdpr_core::trajectory::winches::Span;
+use cdpr_core::trajectory::{Bound, Curve, Limits, Motion, Passing, Trajectory, Winches};
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
@@ -121,6 +125,36 @@ fn jerk_is_limited_and_the_acceleration_continuous() {
         assert!(step <= 10.0 * (1.0 + 1e-9) * found.duration() / f64::from(steps) + 1e-12, "{k}");
         before = now;
     }
+}
+
+#[test]
+fn with_a_limit_of_jerk_a_looser_limit_never_makes_a_motion_slower() {
+    let line = [[0.5, 1.0, 1.0], [1.5, 1.0, 1.0]];
+    for jerk in [1.0, 10.0, 100.0] {
+        let duration = |acceleration| {
+            let limits = MotionSpec { speed: None, acceleration, jerk: Some(jerk), ..FREE };
+            motion(&empty(), &line, &limits).duration()
+        };
+        // In four quarters of the time the acceleration grows, falls to its negative, and returns: L = J T³/32.
+        let fastest = (32.0 / jerk).cbrt();
+        let loose = [None, Some(10.0 * jerk), Some(1e3 * jerk), Some(1e6)].map(duration);
+        assert!(loose.iter().all(|t| *t >= fastest && *t < fastest * 1.001), "{loose:?} {fastest}");
+        let peak = 0.25 * jerk * fastest;
+        let tight: Vec<f64> = (1..=20).map(|k| duration(Some(0.07 * f64::from(k) * peak))).collect();
+        assert!(tight.windows(2).all(|pair| pair[1] <= pair[0] * 1.001), "{tight:?}");
+        // With a constant acceleration in between: A²/J + A T₁ + … = L, a quadratic in the time at constant acceleration.
+        let a = 0.35 * peak;
+        let exact = a / jerk + (a * a / jerk / jerk + 4.0 / a).sqrt();
+        assert!((tight[4] / exact - 1.0).abs() < 2e-3, "{} {exact}", tight[4]);
+    }
+    // Corners that are passed with a stop, each of its own length.
+    let path = [[0.5, 1.0, 1.0], [1.5, 1.0, 1.0], [1.5, 1.02, 1.0], [0.5, 1.02, 1.0]];
+    let duration = |acceleration| {
+        let limits = MotionSpec { acceleration: Some(acceleration), jerk: Some(10.0), blend: Some(0.0), ..FREE };
+        motion(&empty(), &path, &limits).duration()
+    };
+    let found = [1.0, 2.0, 4.0, 8.0, 1e3].map(duration);
+    assert!(found.windows(2).all(|pair| pair[1] <= pair[0] * 1.001), "{found:?}");
 }
 
 #[test]
@@ -248,8 +282,7 @@ fn impossible_limits_and_paths_are_refused_with_a_reason() {
     };
     assert!(with(|l| l.speed = Some(0.0)).contains("speed"));
     assert!(with(|l| l.acceleration = Some(f64::NAN)).contains("acceleration"));
-    assert!(with(|l| (l.jerk, l.acceleration) = (Some(10.0), None)).contains("jerk without an acceleration"));
-    assert!(with(|l| l.acceleration = None).contains("expected an acceleration"));
+    assert!(with(|l| l.acceleration = None).contains("expected an acceleration, a jerk or a cable_acceleration"));
     assert!(with(|l| l.wrench_margin = Some(1.0)).contains("tensions are not limited"));
     assert!(refusal(&scene, &line[..1], &FREE).contains("at least two"));
     assert!(refusal(&scene, &[line[0], line[0]], &FREE).contains("only one position"));
@@ -323,6 +356,57 @@ fn demands(statics: &Statics, rng: &mut ChaCha8Rng, most: [f64; 2]) -> Vec<Deman
         Demand { position: Point::from(at), wrenches, most }
     };
     (0..203).map(demand).collect()
+}
+
+#[test]
+fn a_reserve_of_tension_leaves_at_least_the_slack_that_is_counted_on() {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let mut largest = 0.0_f64;
+    for name in ["cogiro", "caroca", "ipanema2"] {
+        let scene = built_scene(name);
+        let (start, statics) = (scene.start().unwrap(), Statics::of(&scene).unwrap());
+        let winches = Winches::of(&scene, &Limits::default(), &start).unwrap();
+        let whole = DemandFacets::new(statics.clone(), 0.0);
+        for _ in 0..200 {
+            let step = Vector::from_fn(|_, _| rng.random_range(-0.3..0.3));
+            let curve = Curve::new(vec![Piece::line(start, start + step)]);
+            let speed = rng.random_range(0.1..2.0);
+            let phase = Phase { time: 0.0, s: 0.0, speed, acceleration: rng.random_range(-3.0..3.0), jerk: 0.0 };
+            let time = 10_f64.powf(rng.random_range(-4.0..-1.5)).min(0.5 * step.norm() / (speed + 3.0));
+            let ends = [0.0, time].map(|t| Motion::on(&curve, 0, &phase.after(t)));
+            let rates = Rates::new(&curve.pieces()[0], &phase, &phase.after(time), time);
+            let spare = winches.spare(&Span { ends: &ends, rates: &rates, time });
+            for share in [0.0, 0.3, 0.5, 1.0] {
+                let motion = Motion::on(&curve, 0, &phase.after(share * time));
+                let force = motion.acceleration * scene.robot().mass().unwrap();
+                let moment = (scene.orientation() * scene.robot().center_of_mass().coords).cross(&force);
+                let wrench = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+                let demand = Demand { position: motion.position, wrenches: [wrench; 2], most: [f64::INFINITY; 2] };
+                let (Ok(reserved), Ok(all)) = (winches.tension_shares(&[motion]), whole.shares(&[demand], None)) else {
+                    continue;
+                };
+                let more = all[0][0].slack - reserved[0].slack;
+                assert!(more >= spare - 1e-9, "{name}: {more} {spare}");
+                largest = largest.max(spare / more);
+            }
+        }
+    }
+    assert!(largest > 0.05, "{largest}");
+}
+
+#[test]
+fn feasible_motions_are_never_refused_and_a_wider_bend_is_never_much_slower() {
+    // Where few tensions are possible, those nearest to the middle of their limits jump from one instant to the next.
+    let mut spec = built_scene("caroca").spec().clone();
+    (spec.obstacles, spec.wrench, spec.query) = (Vec::new(), None, None);
+    let scene = Scene::new(spec).unwrap();
+    let path = [[0.41, 0.10, 1.02], [0.06, 0.34, 1.39], [0.12, 0.10, 1.61]];
+    let duration = |blend: f64| {
+        let limits = MotionSpec { speed: None, acceleration: None, blend: Some(blend), ..FREE };
+        motion(&scene, &path, &limits).duration()
+    };
+    let durations = [0.0, 0.008, 0.01, 0.012, 0.013, 0.018, 0.02, 0.03, 0.05].map(duration);
+    assert!(durations.windows(2).all(|pair| pair[1] < pair[0]), "{durations:?}");
 }
 
 #[test]

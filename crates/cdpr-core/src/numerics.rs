@@ -453,8 +453,8 @@ pub const TIMING_INTERVALS: usize = 1000;
 /// A timing that exceeds its limits by at most this share is not planned again but slowed down as a whole.
 pub const TIMING_EXCESS: f64 = 1e-5;
 
-/// How often the time between two instants is halved to prove that tensions exist in between.
-pub const TENSION_HALVINGS: usize = 5;
+/// Parts into which the time between two instants is divided at most to prove that tensions exist in between.
+pub const TENSION_PARTS: usize = 256;
 
 /// Share by which limits are tightened where the proof that tensions exist fails. It doubles with every further attempt.
 pub const TENSION_EXCESS: f64 = 2e-3;

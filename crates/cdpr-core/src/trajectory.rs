@@ -268,11 +268,15 @@ const BINDING: f64 = 0.999;
 
 /// Without a limit of acceleration the fastest motion would be arbitrarily fast.
 fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
-    if limits.acceleration.is_some() || limits.cable_acceleration.is_some() || winches.tension_limits().is_some() {
+    if limits.acceleration.is_some()
+        || limits.jerk.is_some()
+        || limits.cable_acceleration.is_some()
+        || winches.tension_limits().is_some()
+    {
         return Ok(());
     }
     let note = winches.note().unwrap_or_default();
-    let problem = format!("found no limit, expected an acceleration or a cable_acceleration, since {note}");
+    let problem = format!("found no limit, expected an acceleration, a jerk or a cable_acceleration, since {note}");
     Err(Error::invalid("acceleration", problem))
 }
 

@@ -3,18 +3,18 @@
 //! During a time h in which the motion is smooth, a quantity f exceeds the larger of its values at both ends by at most
 //! h²/8 max |f''|. [`Rates`] bounds the derivatives of the position, of the turn and of each attachment.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use super::curve::Curve;
 use super::limits::Limits;
 use super::motion::{Derivatives, Motion, Rates};
 use super::timing::{Phase, Timing};
-use super::winches::{Span, TensionShare, Winches, Winding};
+use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::numerics::{TENSION_HALVINGS, TURNING};
+use crate::numerics::{TENSION_PARTS, TURNING};
 use crate::watch::Watch;
-use crate::wrench::TensionQp;
 
 /// A limit that a trajectory keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,9 +67,18 @@ impl Smooth {
         Span { ends: &self.ends, rates: &self.rates, time: self.time }
     }
 
-    fn halves(&self, curve: &Curve) -> [Smooth; 2] {
-        let half = 0.5 * self.time;
-        [self.phase, self.phase.after(half)].map(|phase| Smooth::new(curve, self.piece, phase, half))
+    /// What the proof that tensions exist depends on, as bits.
+    fn state(&self) -> [u64; 6] {
+        let Phase { s, speed, acceleration, jerk, .. } = self.phase;
+        let [s, speed, acceleration, jerk, time] = [s, speed, acceleration, jerk, self.time].map(f64::to_bits);
+        [self.piece as u64, s, speed, acceleration, jerk, time]
+    }
+
+    /// Equal parts of this time.
+    fn parts(&self, curve: &Curve, count: usize) -> Vec<Smooth> {
+        let at = |k: usize| self.phase.after(self.time * k as f64 / count as f64);
+        let part = |k: usize| Smooth::between(curve, self.piece, [at(k), at(k + 1)], self.time / count as f64);
+        (0..count).map(part).collect()
     }
 }
 
@@ -216,24 +225,40 @@ fn for_each_end(
     Ok(())
 }
 
+/// Smooth times, as bits, during which it is proved that tensions exist.
+pub type Proved = HashSet<[u64; 6]>;
+
 /// The phases of a timing in which it is not proved that tensions within their limits move the platform. Where the slack of the
-/// available wrenches is large, a bound proves it; elsewhere, computed tensions do.
+/// available wrenches is large, a bound proves it; elsewhere, computed tensions do. What is already proved is not
+/// proved again: one round of planning differs from the one before in few places.
 ///
 /// # Errors
 /// A place where the cables cannot hold the platform at rest; a solver that reached no answer; [`Error::interrupted`],
 /// [`Error::out_of_time`].
-pub fn without_tensions(curve: &Curve, timing: &Timing, winches: &Winches, watch: &Watch) -> Result<Vec<usize>, Error> {
-    let (mut lacking, mut solver) = (Vec::new(), TensionQp::default());
+pub fn without_tensions(
+    curve: &Curve,
+    timing: &Timing,
+    winches: &Winches,
+    proved: &mut Proved,
+    watch: &Watch,
+) -> Result<Vec<usize>, Error> {
+    let (mut lacking, mut solver) = (Vec::new(), RecentTensions::default());
     if winches.tension_limits().is_none() {
         return Ok(lacking);
     }
     for_each_end(curve, timing, winches, watch, |k, smooth, ends| {
-        let sag = winches.sag(&smooth.span());
-        if ends[0].slack.min(ends[1].slack) >= sag || lacking.last() == Some(&k) {
+        let slack = [ends[0].slack, ends[1].slack];
+        if slack[0].min(slack[1]) >= winches.sag(&smooth.span())
+            || lacking.last() == Some(&k)
+            || proved.contains(&smooth.state())
+        {
             return Ok(());
         }
         watch.check()?;
-        if !has_tensions(curve, smooth, winches, &mut solver, TENSION_HALVINGS)? {
+        let spare = winches.spare(&smooth.span());
+        if has_tensions(curve, (smooth, slack, spare), winches, &mut solver, TENSION_PARTS)? {
+            proved.insert(smooth.state());
+        } else {
             lacking.push(k);
         }
         Ok(())
@@ -253,21 +278,51 @@ pub fn not_held(position: &Point) -> Error {
 /// Number of places that are examined between checks for interruption.
 pub const BETWEEN_CHECKS: usize = 256;
 
-/// Whether it is proved that tensions exist during a smooth time, or during both halves of it.
+/// Whether it is proved that tensions exist during a smooth time, or during all parts of it, given the slack that is left at both
+/// ends, and how much more there is at least.
+///
+/// Slack may drop between two ends by a bound that grows with the time, and what computed tensions lack by one that grows with its
+/// square. So the number of parts that each proof needs is known when it fails, and the smaller one is tried.
 fn has_tensions(
     curve: &Curve,
-    smooth: &Smooth,
+    (smooth, slack, spare): (&Smooth, [f64; 2], f64),
     winches: &Winches,
-    solver: &mut TensionQp,
-    halvings: usize,
+    solver: &mut RecentTensions,
+    most_parts: usize,
 ) -> Result<bool, Error> {
-    if winches.hold_between(solver, &smooth.span())? {
+    let span = smooth.span();
+    let left = slack[0].min(slack[1]) + spare;
+    let by_slack = if left > 0.0 { winches.sag(&span) / left } else { f64::INFINITY };
+    if by_slack <= 1.0 {
         return Ok(true);
     }
-    if halvings == 0 {
+    let mut by_tensions = f64::INFINITY;
+    if by_slack > CHEAP_PARTS {
+        by_tensions = winches.hold_between(solver, &span)?;
+        if by_tensions <= 1.0 {
+            return Ok(true);
+        }
+    }
+    let parts = (by_slack.min(by_tensions) * MORE_PARTS).ceil().max(2.0);
+    if !(parts <= most_parts as f64) {
         return Ok(false);
     }
-    let [first, second] = smooth.halves(curve);
-    Ok(has_tensions(curve, &first, winches, solver, halvings - 1)?
-        && has_tensions(curve, &second, winches, solver, halvings - 1)?)
+    let parts = smooth.parts(curve, parts as usize);
+    let joints: Vec<Motion> = parts[1..].iter().map(|part| part.ends[0]).collect();
+    let shares = winches.tension_shares(&joints).map_err(|k| not_held(&joints[k].position))?;
+    let slacks: Vec<f64> =
+        [slack[0]].into_iter().chain(shares.iter().map(|share| share.slack)).chain([slack[1]]).collect();
+    for (part, slack) in parts.iter().zip(slacks.windows(2)) {
+        let part = (part, [slack[0], slack[1]], spare);
+        if !has_tensions(curve, part, winches, solver, most_parts / parts.len())? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
+
+/// So many parts are proved by slack sooner than one by computed tensions.
+const CHEAP_PARTS: f64 = 12.0;
+
+/// Share by which there are more parts than a bound asks for, since they differ from each other.
+const MORE_PARTS: f64 = 1.1;

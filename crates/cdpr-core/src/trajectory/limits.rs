@@ -50,7 +50,7 @@ impl Limits {
     /// The limits of a scene, replaced by those of `given` that are set.
     ///
     /// # Errors
-    /// A number that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite; a jerk without an acceleration.
+    /// A number that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite.
     ///
     /// # Example
     /// ```
@@ -63,9 +63,6 @@ impl Limits {
     pub fn of(scene: &Scene, given: &MotionSpec) -> Result<Self, Error> {
         body::sound_motion(given)?;
         let spec = given.over(scene.spec().motion.as_ref());
-        if spec.jerk.is_some() && spec.acceleration.is_none() {
-            return Err(Error::invalid("jerk", "found a jerk without an acceleration, expected both"));
-        }
         Ok(Limits {
             speed: spec.speed,
             acceleration: spec.acceleration,

@@ -15,6 +15,7 @@
 //! derivatives are bounded by Σ C(k, j) ρ⁽ʲ⁾ ρ⁽ᵏ⁻ʲ⁾ times that, with the bounds ρ⁽ʲ⁾ of the derivatives of unit vectors of the platform.
 
 use std::borrow::Cow;
+use std::collections::VecDeque;
 
 use nalgebra::{Matrix3, Matrix6, Matrix6xX, Vector6};
 
@@ -67,6 +68,43 @@ struct CableBounds {
     /// Norm of the column for a unit of the cable's vector.
     lever: f64,
 }
+
+/// Tensions at instants that were asked for most recently: where one time ends, the next one begins.
+#[derive(Default)]
+pub struct RecentTensions {
+    solver: TensionQp,
+    /// `None` where no tensions are known to exist.
+    known: VecDeque<(Motion, Option<Vec<f64>>)>,
+}
+
+/// Instants that are remembered.
+const RECENT: usize = 3;
+
+impl RecentTensions {
+    fn of(
+        &mut self,
+        motion: &Motion,
+        solve: impl FnOnce(&mut TensionQp) -> Result<Option<Balance>, Error>,
+    ) -> Result<Option<&[f64]>, Error> {
+        let place = match self.known.iter().position(|(known, _)| known == motion) {
+            Some(place) => place,
+            None => {
+                // At a limit the solver may not be able to decide; then nothing is proved.
+                let found = match solve(&mut self.solver)? {
+                    Some(Balance::Feasible(tensions)) => Some(tensions.as_slice().to_vec()),
+                    _ => None,
+                };
+                self.known.truncate(RECENT - 1);
+                self.known.push_front((*motion, found));
+                0
+            }
+        };
+        Ok(self.known[place].1.as_deref())
+    }
+}
+
+/// Parts into which a time is divided in which a cable may lose its direction, or the cables their hold.
+const TOO_LONG: f64 = 4.0;
 
 impl MovingMass {
     /// The platform of a scene at its orientation, or why tensions cannot be limited.
@@ -239,7 +277,8 @@ impl MovingMass {
         cables + time * time / 8.0 * self.second_derivative(&ends[0], rates)
     }
 
-    /// Whether tensions within the limits exist everywhere on a motion between two instants.
+    /// Whether tensions within the limits exist everywhere on a motion between two instants: if the number is at most 1. Otherwise
+    /// the proof may succeed on so many equal parts; it is infinite if it cannot.
     ///
     /// The forces per length τ of the cables at both ends are interpolated linearly. The imbalance that remains is zero at both
     /// ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular value of
@@ -247,16 +286,14 @@ impl MovingMass {
     ///
     /// # Errors
     /// A solver that reached no answer.
-    pub fn hold_between(&self, solver: &mut TensionQp, Span { ends, rates, time }: &Span) -> Result<bool, Error> {
-        let time = *time;
+    pub fn hold_between(&self, solver: &mut RecentTensions, span: &Span) -> Result<f64, Error> {
+        let Span { ends, rates, time } = *span;
         let reserved = self.facets.statics().limits();
         let mut densities: [Vec<f64>; 2] = Default::default();
         let lengths = ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
         for (k, motion) in ends.iter().enumerate() {
-            // At a limit the solver may not be able to decide; then nothing is proved.
-            let Some(Balance::Feasible(tensions)) = self.balance(solver, motion, &reserved)? else {
-                return Ok(false);
-            };
+            let found = solver.of(motion, |solver| self.balance(solver, motion, &reserved))?;
+            let Some(tensions) = found else { return Ok(f64::INFINITY) };
             densities[k] = tensions.iter().zip(&lengths[k]).map(|(t, l)| t / l).collect();
         }
         let eighth = time * time / 8.0;
@@ -274,19 +311,48 @@ impl MovingMass {
             lever * (density * acceleration + 2.0 * change * speed) + density * jolt + 2.0 * change * swing
         };
         let missing = self.second_derivative(&ends[0], rates) + (0..cables.len()).map(share).sum::<f64>();
-        let moved = |k: usize| cables[k].lever * cables[k].attachment[0] + turned(k)[0];
-        let drift = (0..cables.len()).map(|k| moved(k).powi(2)).sum::<f64>().sqrt() * time;
-        let correction = eighth * missing / (self.least_singular_value(&ends[0], rates.turns()) - drift);
-        let holds = |k: usize| {
+        let correction = eighth * missing / self.least_singular_value_during(&cables, [&lengths[0], &lengths[1]], span);
+        let parts = |k: usize| {
             let [speed, acceleration] = cables[k].attachment;
             let (l, tau) = (lengths[0][k].max(lengths[1][k]), densities[0][k].max(densities[1][k]));
             let shortest = lengths[0][k].min(lengths[1][k]) - speed * time;
             let change = (densities[1][k] - densities[0][k]).abs() / time;
             let bend = (acceleration + speed * speed / shortest) * tau + 2.0 * speed * change;
             let reserve = reserved[k][0] - self.limits[k][0];
-            shortest > 0.0 && (l + speed * time) * correction + eighth * bend <= reserve
+            // What is missing at most grows with the square of the time.
+            let missing = ((l + speed * time) * correction + eighth * bend) / reserve;
+            if shortest > 0.0 { missing.sqrt() } else { TOO_LONG }
         };
-        Ok(correction >= 0.0 && (0..cables.len()).all(holds))
+        if !(correction >= 0.0) {
+            return Ok(TOO_LONG);
+        }
+        Ok((0..cables.len()).map(parts).fold(0.0, |most, parts| if parts <= most { most } else { parts }))
+    }
+
+    /// How much more slack the available wrenches have between two instants than those with a reserve of tension, at least, in
+    /// any direction, N. In a unit direction c the reserves r add Σ r |c·w| over the columns w, which is at least the least r times
+    /// the smallest singular value of the wrench matrix.
+    pub fn spare(&self, span: &Span) -> f64 {
+        let lengths = span.ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
+        let cables: Vec<CableBounds> = self.bounds(&span.ends[0], span.rates).collect();
+        let longest = |k: usize| lengths[0][k].max(lengths[1][k]) + cables[k].attachment[0] * span.time;
+        let most = (0..cables.len()).map(longest).fold(0.0, f64::max);
+        let reserves = self.facets.statics().limits().into_iter().zip(&self.limits);
+        let reserve = reserves.map(|(reserved, limits)| reserved[0] - limits[0]).fold(f64::INFINITY, f64::min);
+        let least = self.least_singular_value_during(&cables, [&lengths[0], &lengths[1]], span);
+        reserve * (least / most).max(0.0)
+    }
+
+    /// A lower bound of [`MovingMass::least_singular_value`] between two instants, given the lengths of the cables at both.
+    fn least_singular_value_during(&self, cables: &[CableBounds], lengths: [&[f64]; 2], span: &Span) -> f64 {
+        let Span { ends, rates, time } = *span;
+        let moved = |k: usize| {
+            let CableBounds { attachment: [speed, _], arm: [swing, _], lever } = cables[k];
+            let longest = lengths[0][k].max(lengths[1][k]) + speed * time;
+            lever * speed + swing * longest
+        };
+        let drift = (0..cables.len()).map(|k| moved(k).powi(2)).sum::<f64>().sqrt() * time;
+        self.least_singular_value(&ends[0], rates.turns()) - drift
     }
 
     /// The bounds for each cable; those of a platform that turns do not depend on the instant.

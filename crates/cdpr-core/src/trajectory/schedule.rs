@@ -2,16 +2,18 @@
 
 use std::ops::Range;
 
-use super::between::{BETWEEN_CHECKS, not_held, shares, tension_shares, without_tensions};
+use rayon::prelude::*;
+
+use super::between::{BETWEEN_CHECKS, Proved, not_held, shares, tension_shares, without_tensions};
 use super::corners::{Corner, Passing};
 use super::curve::Curve;
 use super::fastest::{fastest, grid};
 use super::jet::Jet;
 use super::limits::Limits;
-use super::rows::Rows;
+use super::rows::{Row, Rows};
 use super::timing::Timing;
 use super::winches::Winches;
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::numerics::{TENSION_EXCESS, TIMING_EXCESS, TIMING_ROUNDS};
 use crate::watch::Watch;
@@ -88,45 +90,96 @@ impl<'a> Schedule<'a> {
         let mut rests = vec![0];
         rests.extend(stops.map(|corner| curve.piece_at(corner.at)).filter(|piece| *piece > 0));
         rests.push(curve.pieces().len());
-        let stretch = |pair: &[usize]| Stretch::new(curve, pair[0]..pair[1], limits, winches, watch);
+        // With a limit of jerk, accelerations far above those of use need no limit of their own.
+        let capped = limits.jerk.map(|jerk| {
+            let most = MORE_THAN_USEFUL * useful_acceleration(jerk, curve.length());
+            Limits { acceleration: Some(limits.acceleration.map_or(most, |given| given.min(most))), ..*limits }
+        });
+        let capped = capped.as_ref().unwrap_or(limits);
+        let stretch = |pair: &[usize]| Stretch::new(curve, pair[0]..pair[1], capped, winches, watch);
         let stretches = rests.windows(2).filter(|pair| pair[0] < pair[1]).map(stretch).collect::<Result<_, _>>()?;
         Ok(Schedule { curve, limits, winches, stretches })
     }
 
-    /// The timing: planned on the grid, checked between its parameters, and planned again with tighter limits where one is
-    /// exceeded; finally slowed down by the excess that is left.
+    /// The timing: each stretch between two rests is planned on its grid, checked between its parameters, and planned again with
+    /// tighter limits where one is exceeded; finally slowed down by the excess that is left.
     ///
     /// # Errors
     /// A place where the cables cannot hold or accelerate the platform; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn timing(self, watch: &Watch) -> Result<Timing, Error> {
-        let (mut best, windows): (Option<Timing>, _) = (None, self.windows());
-        for (own, window) in std::iter::repeat_n(self, windows.len()).zip(windows) {
-            let timing = own.slowed(window, watch)?;
-            if best.as_ref().is_none_or(|best| timing.duration() < best.duration()) {
-                best = Some(timing);
+        let Schedule { curve, limits, winches, stretches } = self;
+        let alone = |stretch: Stretch| {
+            let own = Schedule { curve, limits, winches, stretches: vec![stretch] };
+            match limits.jerk {
+                None => own.slowed(0.0, watch),
+                Some(jerk) => own.within_jerk(jerk, watch),
             }
-        }
-        Ok(best.expect("at least one window"))
+        };
+        let timings: Vec<Timing> = stretches.into_par_iter().map(alone).collect::<Result<_, _>>()?;
+        Ok(Timing::joined(timings))
     }
 
-    /// The averaging times to try in order to keep the limit of jerk, s: the first suffices for a jump of the acceleration by its
-    /// limit, the last for a jump from the limit to its negative. 0 without a limit of jerk.
-    fn windows(&self) -> Vec<f64> {
-        match (self.limits.jerk, self.limits.acceleration) {
-            (Some(jerk), Some(acceleration)) => [1.0, 1.4, 2.0].map(|share| share * acceleration / jerk).to_vec(),
-            _ => vec![0.0],
+    /// The timing of one stretch with a limit of jerk: the fastest that is found by averaging the progress over some time.
+    ///
+    /// Averaging over w turns a jump of the acceleration by A into a jerk A/w. A large acceleration needs a long w, so smaller ones
+    /// are tried as well. None above J/4 (32 L/J)^⅓ is of use: over a length L, a motion from rest to rest with jerk J never reaches
+    /// more. They are the same ones whatever the limit, so that a looser limit does not make a motion slower.
+    fn within_jerk(self, jerk: f64, watch: &Watch) -> Result<Timing, Error> {
+        let useful = useful_acceleration(jerk, self.stretches[0].length());
+        let given = self.limits.acceleration.unwrap_or(f64::INFINITY);
+        let grid = (0..).map(|k| useful * SMALLER.powi(k)).skip_while(|a| *a > given);
+        let mut best = Err(None);
+        for acceleration in [given].into_iter().filter(|a| *a < useful).chain(grid) {
+            let mut may_be_faster = false;
+            for (share, coasting) in AVERAGING {
+                let window = share * acceleration / jerk;
+                let own = self.capped(acceleration, if coasting { ROLLING * window } else { 0.0 });
+                let duration = own.fastest()?.iter().map(Timing::duration).sum::<f64>() + window;
+                if best.as_ref().is_ok_and(|best: &Timing| duration >= best.duration()) {
+                    continue;
+                }
+                may_be_faster = true;
+                match own.slowed(window, watch) {
+                    Ok(timing) if best.as_ref().is_ok_and(|best: &Timing| timing.duration() >= best.duration()) => {}
+                    Ok(timing) => best = Ok(timing),
+                    Err(error) if error.class() != ErrorClass::Input => return Err(error),
+                    Err(error) => best = best.or(Err(Some(error))),
+                }
+            }
+            if !may_be_faster || acceleration < LEAST_TRIED * useful.min(given) {
+                break;
+            }
         }
+        best.map_err(|error| error.expect("something was tried"))
+    }
+
+    /// The limits with at most this acceleration. With a `window`, s, the speed is so limited that a motion along the whole stretch
+    /// rolls at constant speed for that time, between speeding up and slowing down.
+    fn capped(&self, acceleration: f64, window: f64) -> Self {
+        let mut own = self.clone();
+        for stretch in &mut own.stretches {
+            let rolling =
+                0.5 * acceleration * ((window.powi(2) + 4.0 * stretch.length() / acceleration).sqrt() - window);
+            for rows in &mut stretch.rows {
+                let Some(ellipse) = &mut rows.ellipse else { continue };
+                ellipse.radius = ellipse.radius.min(acceleration);
+                if window > 0.0 {
+                    rows.linear.push(Row { a: 0.0, b: ellipse.first.norm_squared(), c: rolling * rolling });
+                }
+            }
+        }
+        own
     }
 
     /// The timing for one window, so slow that it keeps all limits.
     fn slowed(mut self, window: f64, watch: &Watch) -> Result<Timing, Error> {
-        let mut excess = TENSION_EXCESS;
+        let (mut excess, mut proved) = (TENSION_EXCESS, Proved::new());
         for _ in 0..TIMING_ROUNDS {
             let timing = smoothed(&self.fastest()?, window);
             let mut shares = self.shares(&timing, window, watch)?;
             if worst(&shares) <= 1.0 + TIMING_EXCESS {
                 let timing = timing.stretched(worst(&shares).sqrt());
-                let lacking = without_tensions(self.curve, &timing, self.winches, watch)?;
+                let lacking = without_tensions(self.curve, &timing, self.winches, &mut proved, watch)?;
                 if lacking.is_empty() {
                     return Ok(timing);
                 }
@@ -136,11 +189,30 @@ impl<'a> Schedule<'a> {
             self.tighten(&timing, &shares, window);
         }
         let timing = smoothed(&self.fastest()?, window);
-        let slower = timing.stretched(worst(&self.shares(&timing, window, watch)?).sqrt());
-        match without_tensions(self.curve, &slower, self.winches, watch)?.first() {
-            None => Ok(slower),
-            Some(phase) => Err(not_moved(&self.curve.at(slower.phases()[*phase].s).position)),
+        let factor = worst(&self.shares(&timing, window, watch)?).sqrt();
+        self.slowed_as_a_whole(&timing.stretched(factor), watch)
+    }
+
+    /// The timing, slowed down until it is proved that tensions exist everywhere: at rest they do.
+    fn slowed_as_a_whole(&self, timing: &Timing, watch: &Watch) -> Result<Timing, Error> {
+        let lacking = |factor: f64| {
+            without_tensions(self.curve, &timing.stretched(factor), self.winches, &mut Proved::new(), watch)
+        };
+        let (mut fast, mut slow) = (1.0, 1.0);
+        loop {
+            match lacking(slow)?.first() {
+                None => break,
+                Some(phase) if slow > MOST_SLOWED => {
+                    return Err(not_moved(&self.curve.at(timing.phases()[*phase].s).position));
+                }
+                Some(_) => (fast, slow) = (slow, slow * (1.0 + (slow - 1.0).max(LEAST_SLOWED))),
+            }
         }
+        while slow - fast > LEAST_SLOWED * slow {
+            let middle = 0.5 * (fast + slow);
+            if lacking(middle)?.is_empty() { slow = middle } else { fast = middle }
+        }
+        Ok(timing.stretched(slow))
     }
 
     /// The shares of limits that each phase of a timing uses. Without smoothing, the rows already limit tensions.
@@ -173,7 +245,32 @@ impl<'a> Schedule<'a> {
     }
 }
 
+/// The largest acceleration that a motion from rest to rest over a length, m, reaches within a limit of jerk: J T/4 with the shortest
+/// time T = (32 L/J)^⅓.
+fn useful_acceleration(jerk: f64, length: f64) -> f64 {
+    0.25 * jerk * (32.0 * length / jerk).cbrt()
+}
+
+/// On a bend, the acceleration across the curve may be larger than any along it.
+const MORE_THAN_USEFUL: f64 = 2.0;
+
+/// Ratio of the accelerations that are tried, and the share of the largest below which none is.
+const SMALLER: f64 = 0.8;
+const LEAST_TRIED: f64 = 0.05;
+
+/// A motion rolls for a little longer than the progress is averaged, since it begins and ends to do so between two parameters of the grid.
+const ROLLING: f64 = 1.01;
+
+/// How long the progress is averaged, as a share of the time in which the jerk builds up the acceleration, and whether a motion
+/// rolls between speeding up and slowing down. Without that, the acceleration may jump to its negative.
+const AVERAGING: [(f64, bool); 4] = [(1.0, true), (1.0, false), (1.4, false), (2.0, false)];
+
 impl Stretch {
+    /// m.
+    fn length(&self) -> f64 {
+        self.grid[self.grid.len() - 1] - self.grid[0]
+    }
+
     /// Divides the limits between pairs of parameters by factors.
     fn tighten(&mut self, exceeded: &[([f64; 2], f64)]) {
         let (first, last) = (self.grid[0], self.grid[self.grid.len() - 1]);
@@ -186,6 +283,10 @@ impl Stretch {
         self.rows.iter_mut().zip(factors).for_each(|(rows, factor)| rows.tighten(factor));
     }
 }
+
+/// Steps in which a motion is slowed down as a whole, as a share, and the factor beyond which that is given up.
+const LEAST_SLOWED: f64 = 1e-3;
+const MOST_SLOWED: f64 = 1e4;
 
 fn smoothed(stretches: &[Timing], window: f64) -> Timing {
     let smooth = |timing: &Timing| if window > 0.0 { timing.smoothed(window) } else { timing.clone() };

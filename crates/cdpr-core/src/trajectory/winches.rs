@@ -4,7 +4,7 @@ use super::jet::Jet;
 use super::limits::Limits;
 use super::motion::Motion;
 use super::moving_mass::MovingMass;
-pub use super::moving_mass::Span;
+pub use super::moving_mass::{RecentTensions, Span};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::model::Scene;
@@ -145,6 +145,11 @@ impl Winches {
         self.tensions.as_ref().map_or(0.0, |mass| mass.sag(span))
     }
 
+    /// How much the slack during a motion exceeds that of [`Winches::tension_shares`], at least, N: those leave a reserve of tension.
+    pub fn spare(&self, span: &Span) -> f64 {
+        self.tensions.as_ref().map_or(0.0, |mass| mass.spare(span))
+    }
+
     /// The tensions nearest to the middle of their limits during a motion, N; `None` if tensions are not limited.
     ///
     /// # Errors
@@ -157,12 +162,12 @@ impl Winches {
         found.map(Some).ok_or_else(problem)
     }
 
-    /// Whether tensions within the limits exist everywhere on a motion between two instants, as [`MovingMass::hold_between`]
-    /// proves it.
+    /// Whether tensions within the limits exist everywhere on a motion between two instants: if the number of parts of
+    /// [`MovingMass::hold_between`] is at most 1.
     ///
     /// # Errors
     /// A solver that reached no answer.
-    pub fn hold_between(&self, solver: &mut TensionQp, span: &Span) -> Result<bool, Error> {
-        self.tensions.as_ref().map_or(Ok(true), |mass| mass.hold_between(solver, span))
+    pub fn hold_between(&self, solver: &mut RecentTensions, span: &Span) -> Result<f64, Error> {
+        self.tensions.as_ref().map_or(Ok(0.0), |mass| mass.hold_between(solver, span))
     }
 }

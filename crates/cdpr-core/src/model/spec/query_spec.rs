@@ -184,7 +184,7 @@ pub struct MotionSpec {
     /// Largest angular acceleration of a platform that turns, rad/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn_acceleration: Option<f64>,
-    /// Largest jerk of the platform, m/s³; needs an acceleration.
+    /// Largest jerk of the platform, m/s³.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub jerk: Option<f64>,
     /// Largest speed at which a cable is wound or unwound, m/s.
