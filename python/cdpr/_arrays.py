@@ -172,7 +172,7 @@ def shown(value: Any) -> str:
 
 
 def as_numbers(name: str, values: Any) -> Floats:
-    """An array of any shape, C-contiguous float64."""
+    """An array of any shape, C-contiguous and aligned float64."""
     if (other := _no_number(values)) is not None:
         raise InputError(f"{name}: found {other}, expected numbers" if _many(values) else f"{name}: found {other}, expected a number")
     try:
@@ -184,7 +184,7 @@ def as_numbers(name: str, values: Any) -> Floats:
     if array.dtype.kind == "O" and (other := next(filter(None, map(_no_number, array.flat)), None)) is not None:
         raise InputError(f"{name}: found {other}, expected numbers")
     try:
-        return np.ascontiguousarray(array, dtype=np.float64) if array.ndim else array.astype(np.float64)
+        return np.require(array, np.float64, ["C", "A"])
     except (TypeError, ValueError, OverflowError) as problem:
         raise InputError(f"{name}: found {problem}, expected numbers") from None
 

@@ -520,7 +520,8 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
     Returns
     -------
     Path
-        Can be passed wherever an array (k, 3) of waypoints is expected.
+        Can be passed wherever an array (k, 3) of waypoints is expected. The cost of a .csv path that turns includes its turns only
+        if the scene is given, which says how long a turn is.
 
     Raises
     ------
@@ -549,7 +550,7 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
     known = json.loads(written)
     turns = known.get("orientations")
     if turns is not None:
-        cost = known.get("cost", cost)  # the weight of turns is that of the scene
+        cost = known.get("cost") or cost
     orientation = None if turn is None else np.array(turn)
     return Path(waypoints, cost, orientation, orientations=turns, _json=written)
 

@@ -274,7 +274,7 @@ class Trajectory(ByValue):
         """Whether the platform turns."""
         return self._motion.turns()
 
-    def save(self, file: str | os.PathLike[str]) -> None:
+    def save(self, file: str | os.PathLike[str], *, effort: bool = False) -> None:
         """Write a file.
 
         Parameters
@@ -282,13 +282,16 @@ class Trajectory(ByValue):
         file : path
             The extension selects the format: .json holds everything; .csv holds the samples, with the columns of
             `to_pandas`; .yaml is a message of ROS 2, ``trajectory_msgs/msg/JointTrajectory``, whose joints are the cables.
+        effort : bool
+            Also write the tensions into the message, as effort, N; controllers of positions refuse such messages.
 
         Raises
         ------
         FileError
-            Another extension, or a file that cannot be written; nothing half-written is left.
+            Another extension, ``effort`` with another one than .yaml or without tensions, or a file that cannot be written; nothing
+            half-written is left.
         """
-        self._motion.save(file_name(file, "file"))
+        self._motion.save(file_name(file, "file"), flag("effort", effort))
 
     def to_pandas(self) -> Any:
         """Return the samples as a table; requires pandas.

@@ -159,3 +159,18 @@ def test_what_is_no_number_is_named(hard1):
     ]:
         with pytest.raises(cdpr.InputError, match=re.escape(named)):
             call()
+
+
+def test_arrays_that_are_not_aligned_give_the_answers_of_their_copies() -> None:
+    scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    places = np.array([[0.3, 1.0, 0.3], [0.3, 1.0, 1.7], [1.7, 1.0, 1.7]])
+    shifted = np.frombuffer(b"abc" + places.tobytes(), dtype=np.float64, offset=3).reshape(-1, 3)
+    records = np.zeros(3, dtype=np.dtype([("flag", "u1"), ("xyz", "f8", 3)], align=False))
+    records["xyz"] = places
+    for given in (shifted, records["xyz"], places[::-1][::-1], np.asfortranarray(places), places.astype(">f8")):
+        assert not (given is shifted and given.flags.aligned)
+        assert scene.states_valid(given).tolist() == scene.states_valid(places).tolist()
+        assert cdpr.check(scene, given) == cdpr.check(scene, places)
+        assert scene.motions_valid(given[:-1], given[1:]).tolist() == scene.motions_valid(places[:-1], places[1:]).tolist()
+    assert not shifted.flags.aligned and not records["xyz"].flags.aligned
+    assert scene.motion_valid(shifted[0], shifted[1]) == scene.motion_valid(places[0], places[1])

@@ -47,6 +47,7 @@ SKIPPED = {
     "docs/ompl.md": 1,
     "docs/planners.md": 1,
     "docs/reproduction.md": 1,
+    "docs/ros2.md": 1,
     "docs/tutorial.md": 1,
     "docs/wrench.md": 1,
 }

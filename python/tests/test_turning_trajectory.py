@@ -129,3 +129,24 @@ def test_the_figure_shows_the_angular_speed(spin: cdpr.Trajectory) -> None:
 
     titles = [chart.get_title("left") for chart in cdpr.figures.trajectory(spin)]
     assert titles == ["speed (m/s)", "acceleration (m/s²)", "angular speed (rad/s)", "cable speeds (m/s)", "limited by"]
+
+
+def test_quaternions_of_a_path_change_least_from_one_to_the_next(tmp_path) -> None:
+    scene = cdpr.Scene.load("testdata/scenes/turn.toml")
+    # A quarter turn, given by quaternions of alternating signs.
+    yaws = np.linspace(0.0, 0.5 * np.pi, 7)
+    turns = np.array([[np.cos(yaw / 2) * (-1) ** k, 0, 0, np.sin(yaw / 2) * (-1) ** k] for k, yaw in enumerate(yaws)])
+    place = np.tile([0.6, 1.6, 1.2], (len(yaws), 1))
+    motion = cdpr.trajectory(scene, place, turns, turn_speed=1, turn_acceleration=2)
+    for quaternions in (motion.orientations, motion.waypoint_orientations):
+        assert (np.sum(quaternions[1:] * quaternions[:-1], axis=1) >= 0).all()
+
+
+def test_the_cost_of_a_csv_path_includes_its_turns(tmp_path) -> None:
+    scene = cdpr.Scene.load("testdata/scenes/turn.toml")
+    path = cdpr.plan(scene)
+    path.save(tmp_path / "path.csv")
+    path.save(tmp_path / "path.json")
+    found = [cdpr.load_path(tmp_path / name, scene).cost for name in ("path.csv", "path.json")]
+    assert found == pytest.approx([path.cost, path.cost], abs=1e-12)
+    assert cdpr.check(scene, cdpr.load_path(tmp_path / "path.csv", scene)).length == pytest.approx(path.cost, abs=1e-12)

@@ -371,7 +371,7 @@ fn a_planned_turning_path_becomes_a_motion_that_passes_its_check() {
 fn table(file: &TrajectoryFile) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("motion.csv");
-    cdpr_files::save_trajectory(&path, file).unwrap();
+    cdpr_files::save_trajectory(&path, file, false).unwrap();
     std::fs::read_to_string(path).unwrap()
 }
 

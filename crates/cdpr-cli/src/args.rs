@@ -106,8 +106,9 @@ pub enum Command {
     #[command(after_help = "Examples:
   cdpr trajectory hall.toml path.json -o motion.json --speed 1 --acceleration 2
   cdpr trajectory hall.toml path.json -o motion.csv --rate 500 --blend 0.05
-  cdpr trajectory hall.toml path.json -o motion.yaml
-  ros2 topic pub --once /winches trajectory_msgs/msg/JointTrajectory \"$(cat motion.yaml)\"")]
+  cdpr trajectory hall.toml path.json -o motion.yaml --rate 100
+
+motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a node that publishes it.")]
     Trajectory(TrajectoryArgs),
     /// Write a commented scene that can be planned at once: a small example, or one built around your own robot and
     /// meshes.

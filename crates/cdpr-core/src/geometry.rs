@@ -38,7 +38,7 @@ pub use mesh::TriangleMesh;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
 pub use pose::{
     Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,
-    rotation_as_written, turn_about, wxyz,
+    rotation_as_written, turn_about, wxyz, wxyz_in_turn,
 };
 pub use shadow::{Shadow, shadow};
 pub use shape::{ConvexShape, SupportMap, Swept, Triangle};

@@ -493,8 +493,11 @@ pub const RECORDED_BEND: f64 = 2.0;
 /// Share of a tension limit by which a recorded tension may exceed it.
 pub const RECORDED_TENSION: f64 = 1e-6;
 
+/// Share of a period below which a motion does not last into another one.
+pub const SAME_SAMPLE: f64 = 1e-6;
+
 /// Largest imbalance of recorded tensions, as a share of 1 N plus the norm of the wrench to be balanced.
-pub const RECORDED_BALANCE: f64 = 1e-3;
+pub const RECORDED_BALANCE: f64 = 1e-4;
 
 /// Share of its range by which a tension may exceed its limits if accelerations are derived from positions.
 pub const RECORDED_RESERVE: f64 = 1e-2;

@@ -11,7 +11,7 @@ use crate::choice::Choice;
 use crate::collision::path_check::{Nearest, path_length};
 use crate::collision::{Engine, Interference, Violation};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, rotation_as_written, wxyz};
+use crate::geometry::{Point, Pose, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
@@ -165,7 +165,7 @@ impl PathFile {
     pub fn of_poses(scene: &Scene, poses: &[Pose]) -> Self {
         let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
         PathFile {
-            orientations: Some(poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
+            orientations: Some(wxyz_in_turn(poses.iter().map(|pose| &pose.orientation))),
             cost: Some(pose_path_length(scene, poses)),
             ..PathFile::of(scene, &positions)
         }
@@ -199,7 +199,7 @@ impl PathFile {
             wrench: appraisal.wrench.clone(),
             lower_bound: None,
         };
-        let quaternions: Vec<[f64; 4]> = result.orientations.iter().map(wxyz).collect();
+        let quaternions = wxyz_in_turn(&result.orientations);
         PathFile {
             status: Some(status.name().to_string()),
             orientations: Some(quaternions).filter(|quaternions| !quaternions.is_empty()),

@@ -129,7 +129,7 @@ pub fn check_trajectory(
     let faults = faults.sorted();
     Ok(TrajectoryReport {
         valid: faults.is_empty(),
-        duration: times[times.len() - 1] - times[0],
+        duration: exact.map_or(times[times.len() - 1] - times[0], |(_, timing)| timing.duration()),
         length: path_length(&shown.positions),
         samples: times.len(),
         exact: fine.is_some(),

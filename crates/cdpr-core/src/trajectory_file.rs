@@ -61,7 +61,7 @@ pub struct TrajectoryFile {
     pub nearest: Option<NearestInTime>,
     /// Names of the cables.
     pub cables: Vec<String>,
-    /// Times of the samples, s: 0 to the duration.
+    /// Times of the samples, s: from 0 to the duration or, in whole periods of `rate`, the first time after it.
     pub times: Vec<f64>,
     /// Position of the platform's origin at each time, m.
     pub positions: Vec<[f64; 3]>,

@@ -89,19 +89,25 @@ fn format_of(path: &Path) -> Result<Written, Error> {
     }
 }
 
-/// Checks that a trajectory can be written under this name, before any work is done.
+/// Checks that a trajectory can be written under this name, before any work is done; with `effort` as in [`save_trajectory`].
 ///
 /// # Errors
-/// An extension that is none of .json, .csv, .yaml and .yml.
-pub fn check_trajectory_name(path: &Path) -> Result<(), Error> {
-    format_of(path).map(drop)
+/// An extension that is none of .json, .csv, .yaml and .yml; `effort` with another one than the last two.
+pub fn check_trajectory_name(path: &Path, effort: bool) -> Result<(), Error> {
+    let format = format_of(path)?;
+    if effort && format != Written::Yaml {
+        return Err(Error::file(path, "cannot hold the field effort, which only a ROS 2 message (.yaml) has"));
+    }
+    Ok(())
 }
 
 /// Writes a trajectory in the format given by the extension: JSON; the samples as CSV, `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`
-/// and the columns of the cables; or a ROS 2 message `trajectory_msgs/msg/JointTrajectory` of the cables as YAML.
+/// and the columns of the cables; or a ROS 2 message `trajectory_msgs/msg/JointTrajectory` of the cables as YAML. With `effort`,
+/// the message also has the tensions, N, which controllers of positions refuse.
 ///
 /// # Errors
-/// Another extension, or a file that cannot be written; nothing half-written is left.
+/// Another extension, `effort` with other formats or without tensions, or a file that cannot be written; nothing half-written is
+/// left.
 ///
 /// # Example
 /// ```
@@ -110,15 +116,16 @@ pub fn check_trajectory_name(path: &Path) -> Result<(), Error> {
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("motion.csv");
 /// let motion = testing::moving(&testing::empty(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
-/// save_trajectory(&path, &motion)?;
+/// save_trajectory(&path, &motion, false)?;
 /// assert_eq!(load_trajectory(&path)?.motion.times, motion.times);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn save_trajectory(path: &Path, file: &TrajectoryFile) -> Result<(), Error> {
+pub fn save_trajectory(path: &Path, file: &TrajectoryFile, effort: bool) -> Result<(), Error> {
+    check_trajectory_name(path, effort)?;
     let text = match format_of(path)? {
         Written::Json => trajectory_json(file),
         Written::Csv => table::table(file),
-        Written::Yaml => message::message(path, file)?,
+        Written::Yaml => message::message(path, file, effort)?,
     };
     write_atomically(path, text.as_bytes())
 }
@@ -226,6 +233,7 @@ fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Re
     Ok(Recorded {
         cable_lengths: sorted(&motion.cable_lengths),
         cable_speeds: sorted(&motion.cable_speeds),
+        cable_accelerations: sorted(&motion.cable_accelerations),
         tensions: sorted(&motion.tensions),
         ..motion.clone()
     })
@@ -275,7 +283,11 @@ mod tests {
             ("/duration", json!(-1), "duration: found -1, expected a number of at least 0"),
             ("/times/2", json!(null), "times[2]: found null, expected a number"),
             ("/times/2", json!(0.5), "times[2]: found 0.5 s after 0.5 s, expected times that increase"),
-            ("/times/4", json!(2.5), "times[4]: found 2.5 s, expected 2 s: samples last from 0 to the duration"),
+            (
+                "/times/4",
+                json!(2.5),
+                "times[4]: found 2.5 s, expected 2 s, or the next whole period: samples last from 0 to the duration",
+            ),
             ("/times", json!([0.0]), "times: found 1 entries, expected at least two"),
             ("/positions", json!([[0, 0, 0]]), "positions: found 1 entries, expected 5: one for each time"),
             ("/positions/1", json!([0, 0]), "positions[1]: found 2 numbers, expected 3"),
@@ -304,14 +316,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
         for name in ["a.json", "a.csv", "a.yaml", "a.YML"] {
-            save_trajectory(&folder.path().join(name), &file).unwrap();
+            save_trajectory(&folder.path().join(name), &file, false).unwrap();
         }
         let load = |name: &str| load_trajectory(&folder.path().join(name));
         assert_eq!(load("a.json").unwrap().file.unwrap(), file);
         assert_eq!(load("a.json").unwrap().motion, load("a.csv").unwrap().motion);
         let refused = load("a.yaml").unwrap_err().to_string();
         assert!(refused.ends_with("a.yaml: found the extension .yaml, expected .json or .csv"), "{refused}");
-        let refused = save_trajectory(&folder.path().join("a.txt"), &file).unwrap_err().to_string();
+        let refused = save_trajectory(&folder.path().join("a.txt"), &file, false).unwrap_err().to_string();
         assert!(refused.ends_with("a.txt: found the extension .txt, expected .json, .csv or .yaml"), "{refused}");
         assert!(!folder.path().join("a.txt").exists());
         assert_eq!(loaded_if_trajectory("x,y,z\n1,2,3\n").unwrap(), None);

@@ -119,8 +119,8 @@ impl Trajectory {
     }
 
     /// Writes a file in the format given by the extension.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file)))
+    fn save(&self, py: Python<'_>, path: PathBuf, effort: bool) -> PyResult<()> {
+        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file, effort)))
     }
 
     /// A self-contained page that plays the motion in a scene, and a warning if it was made for another scene; with `strict`,

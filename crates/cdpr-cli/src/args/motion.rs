@@ -66,6 +66,9 @@ pub struct TimingArgs {
     /// Samples per second.
     #[arg(long, value_name = "HZ", default_value_t = 100.0, value_parser = positive, allow_negative_numbers = true)]
     pub rate: f64,
+    /// In a ROS 2 message (.yaml), also write the tensions, as effort; controllers of positions refuse such messages.
+    #[arg(long)]
+    pub effort: bool,
     #[command(flatten)]
     pub limits: LimitArgs,
 }

@@ -31,7 +31,7 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    check_trajectory_name(args.trajectory.as_deref())?;
+    check_trajectory_name(args.trajectory.as_deref(), args.timing.effort)?;
     args.limits_need_a_trajectory()?;
     let files = [&args.output, &args.html, &args.proof, &args.trajectory].map(|file| file.as_deref());
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
@@ -89,7 +89,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.trajectory {
         match &timed {
-            Some(timed) => save_trajectory(path, &timed.file, out)?,
+            Some(timed) => save_trajectory(path, &timed.file, args.timing.effort, out)?,
             None => {
                 let reason = if found.status == Status::Solved { "interrupted" } else { "there is no path" };
                 out.say(&format!("{} was not written: {reason}", path.display()));

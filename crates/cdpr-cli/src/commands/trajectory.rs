@@ -20,24 +20,30 @@ use crate::output::{Console, Verdict, count, is_stream, scene_line, short};
 use crate::progress::with_sign_of_life;
 
 /// Checks that a trajectory can be written under this name, before any work is done.
-pub fn check_trajectory_name(path: Option<&Path>) -> Result<(), Error> {
-    path.filter(|path| !is_stream(path)).map_or(Ok(()), cdpr_files::check_trajectory_name)
+pub fn check_trajectory_name(path: Option<&Path>, effort: bool) -> Result<(), Error> {
+    match path {
+        Some(path) if !is_stream(path) => cdpr_files::check_trajectory_name(path, effort),
+        _ if effort => {
+            Err(Error::invalid("--effort", "found without a ROS 2 message, expected a trajectory file named .yaml"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes a trajectory in the format given by the extension; JSON to standard output, pipes and devices.
-pub fn save_trajectory(path: &Path, file: &TrajectoryFile, out: &Console) -> Result<(), Error> {
+pub fn save_trajectory(path: &Path, file: &TrajectoryFile, effort: bool, out: &Console) -> Result<(), Error> {
     if is_stream(path) {
         return out.write(path, trajectory_json(file).as_bytes(), "");
     }
     let writing = writing();
-    cdpr_files::save_trajectory(path, file)?;
+    cdpr_files::save_trajectory(path, file, effort)?;
     drop(writing);
     out.wrote(path, "");
     Ok(())
 }
 
 pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
-    check_trajectory_name(args.output.as_deref())?;
+    check_trajectory_name(args.output.as_deref(), args.timing.effort)?;
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
     let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
@@ -53,7 +59,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(output) = &args.output {
-        save_trajectory(output, &timed.file, out)?;
+        save_trajectory(output, &timed.file, args.timing.effort, out)?;
     }
     Ok(Answer::Yes)
 }

@@ -44,10 +44,12 @@ fn scaled(cell: &mut String, factor: f64) {
 #[test]
 fn a_trajectory_is_valid_in_every_format_that_is_read() {
     let folder = planned();
-    for file in ["motion.json", "motion.csv"] {
+    // A table says only when its last sample is, a whole period.
+    for (file, duration) in [("motion.json", "3.2688"), ("motion.csv", "3.27")] {
         let checked = check(folder.path(), file, &LIMITS);
         assert_eq!(status(&checked), 0, "{}{}", stdout(&checked), stderr(&checked));
-        assert!(stdout(&checked).contains("valid: 3.2688 s along 2.4447 m, 328 samples"), "{}", stdout(&checked));
+        let words = format!("valid: {duration} s along 2.4447 m, 328 samples");
+        assert!(stdout(&checked).contains(&words), "{}", stdout(&checked));
         let report = json(&check(folder.path(), file, &["--format", "json"]));
         assert_eq!((&report["valid"], &report["faults"]), (&json!(true), &json!([])));
         assert!((report["largest"]["speed"].as_f64().unwrap() - 1.0).abs() < 1e-4);
@@ -84,6 +86,45 @@ fn a_motion_keeps_the_clearance_of_its_scene_and_check_demands_it() {
     assert!(stdout(&checked).contains(words), "{}", stdout(&checked));
     let checked = run(&["check", "scene.toml", "spent.csv", "--motion-clearance", "0.001"]);
     assert_eq!(status(&checked), 0, "{}", stdout(&checked));
+}
+
+#[test]
+fn columns_of_cables_are_compared_with_the_robot_and_with_the_limits() {
+    let folder = planned();
+    let text = fs::read_to_string(folder.path().join("motion.json")).unwrap();
+    let changed = |key: &str, k: usize, value: f64| {
+        let mut file: Value = serde_json::from_str(&text).unwrap();
+        file[key][k][2] = json!(value);
+        fs::write(folder.path().join("changed.json"), file.to_string()).unwrap();
+        stdout(&check(folder.path(), "changed.json", &["--cable-speed", "2", "--cable-acceleration", "4"]))
+    };
+    let found = changed("cable_accelerations", 150, 1e6);
+    assert!(found.contains("cable 2: acceleration 1000000 m/s², limit 4 m/s²"), "{found}");
+    assert!(found.contains("cable 2: acceleration 1000000 m/s², ") && found.contains(" expected"), "{found}");
+    let found = changed("cable_speeds", 150, 2.1);
+    assert!(found.contains("cable 2: speed 2.1 m/s, limit 2 m/s"), "{found}");
+    let found = changed("cable_speeds", 0, 0.0);
+    assert!(found.contains("\nvalid: ") || found.starts_with("valid: "), "{found}");
+}
+
+#[test]
+fn the_last_sample_is_at_rest_on_a_whole_period() {
+    let folder = planned();
+    for rate in ["1000", "333", "7"] {
+        let hard1 = testdata("scenes/hard1.toml");
+        let made = [&["trajectory", &hard1, "path.json", "-o", "rate.json", "--rate", rate][..], &LIMITS].concat();
+        assert_eq!(status(&cdpr_in(folder.path(), &made)), 0);
+        let file: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("rate.json")).unwrap()).unwrap();
+        let (times, rate) = (file["times"].as_array().unwrap(), rate.parse::<f64>().unwrap());
+        let (last, duration) = (times[times.len() - 1].as_f64().unwrap(), file["duration"].as_f64().unwrap());
+        assert!(last >= duration && last < duration + 1.0 / rate && last == (times.len() - 1) as f64 / rate);
+        for key in ["velocities", "accelerations", "cable_speeds", "cable_accelerations"] {
+            let row = file[key].as_array().unwrap().last().unwrap().as_array().unwrap();
+            assert!(row.iter().all(|x| x.as_f64().unwrap() == 0.0), "{key} {row:?}");
+        }
+        let checked = check(folder.path(), "rate.json", &LIMITS);
+        assert_eq!(status(&checked), 0, "{}", stdout(&checked));
+    }
 }
 
 #[test]
@@ -214,7 +255,18 @@ fn plan_writes_a_trajectory_in_one_command() {
         (&["plan", &hard1, "--trajectory", "t.csv"], "acceleration: found no limit, expected an acceleration"),
         (&["trajectory", &hard1, "nowhere.csv"], "nowhere.csv: cannot be read"),
         (&["trajectory", &hard1, "path.json", "--speed", "-1"], "expected a positive number"),
-        (&["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4"], "jerk: found a jerk without"),
+        (
+            &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "--effort"],
+            "--effort: found without a ROS 2 message, expected a trajectory file named .yaml",
+        ),
+        (
+            &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.csv", "--effort"],
+            "m.csv: cannot hold the field effort, which only a ROS 2 message (.yaml) has",
+        ),
+        (
+            &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.yaml", "--effort"],
+            "m.yaml: cannot hold the field effort: the tensions of this motion are not known",
+        ),
         (&["check", &hard1, "path.json", "--speed", "1"], "path.json: found a path without times"),
     ] {
         let refused = cdpr_in(folder.path(), arguments);

@@ -92,6 +92,17 @@ pub fn wxyz(rotation: &Rotation) -> [f64; 4] {
     [rotation.w, rotation.i, rotation.j, rotation.k]
 }
 
+/// Rotations as quaternions w x y z, with signs chosen so that their components change least from one to the next.
+pub fn wxyz_in_turn<'a>(rotations: impl IntoIterator<Item = &'a Rotation>) -> Vec<[f64; 4]> {
+    let mut found: Vec<[f64; 4]> = Vec::new();
+    for rotation in rotations {
+        let digits = wxyz(rotation);
+        let jumps = found.last().is_some_and(|last| last.iter().zip(digits).map(|(a, b)| a * b).sum::<f64>() < 0.0);
+        found.push(if jumps { digits.map(|x| -x) } else { digits });
+    }
+    found
+}
+
 /// The rotation of a quaternion w x y z of about unit length. If its length is 1 up to rounding, its digits are kept, so that a
 /// pose is read back exactly as it was written. Otherwise a path that touches its limits could be valid when written and invalid
 /// when read.

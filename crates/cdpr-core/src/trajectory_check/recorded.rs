@@ -39,6 +39,8 @@ pub struct Recorded {
     pub cable_lengths: Option<Vec<Vec<f64>>>,
     /// Their rates, m/s, if they are known.
     pub cable_speeds: Option<Vec<Vec<f64>>>,
+    /// The rates of these, m/s², if they are known.
+    pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// Tensions of the cables, N, if they are known.
     pub tensions: Option<Vec<Vec<f64>>>,
     /// The motion in exact form, if it is known; its time begins at 0.
@@ -63,6 +65,7 @@ impl Recorded {
             angular_accelerations: file.angular_accelerations.as_deref().and_then(vectors),
             cable_lengths: Some(file.cable_lengths.clone()),
             cable_speeds: Some(file.cable_speeds.clone()),
+            cable_accelerations: file.cable_accelerations.clone(),
             tensions: file.tensions.clone(),
             exact: if has_exact { Some(file.exact()?) } else { None },
         })

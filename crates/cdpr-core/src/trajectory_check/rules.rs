@@ -208,13 +208,35 @@ impl Rules<'_> {
                 add(FaultKind::CableLength, name, *found, expected, RECORDED_LENGTH, ["length", "m"]);
             }
         }
+        let of_turn = |rate: f64| self.reach() * rate;
         let turns_known = motion.orientations.is_none() || motion.angular_velocities.is_some();
         if let (Some(speeds), Some(velocities), true) = (&motion.cable_speeds, &motion.velocities, turns_known) {
             let windings = self.winches.windings(&motions[k]);
-            let of_turn = self.reach() * motions[k].angular_velocity.norm();
-            let allowed = RECORDED_RATE * (1.0 + velocities[k].norm() + of_turn);
+            let fastest = velocities[k].norm() + of_turn(motions[k].angular_velocity.norm());
             for ((name, winding), found) in self.names.iter().zip(windings).zip(&speeds[k]) {
+                let allowed = RECORDED_RATE * (1.0 + fastest);
                 add(FaultKind::CableRate, name, *found, winding.speed, allowed, ["speed", "m/s"]);
+            }
+        }
+        let gains_known = motion.orientations.is_none() || motion.angular_accelerations.is_some() && turns_known;
+        let known = motion.velocities.is_some() && gains_known;
+        if let (Some(rates), Some(accelerations), true) = (&motion.cable_accelerations, &motion.accelerations, known) {
+            let now = &motions[k];
+            let (turn, gain) = (now.angular_velocity.norm(), now.angular_acceleration.norm());
+            let fastest = accelerations[k].norm() + of_turn(gain + turn * turn) + now.velocity.norm_squared();
+            for ((name, winding), found) in self.names.iter().zip(self.winches.windings(now)).zip(&rates[k]) {
+                let allowed = RECORDED_RATE * (1.0 + fastest);
+                add(FaultKind::CableRate, name, *found, winding.acceleration, allowed, ["acceleration", "m/s²"]);
+            }
+        }
+        let columns = [
+            (FaultKind::CableSpeed, &motion.cable_speeds, self.limits.cable_speed),
+            (FaultKind::CableAcceleration, &motion.cable_accelerations, self.limits.cable_acceleration),
+        ];
+        for (kind, rows, limit) in columns {
+            for (name, value) in self.names.iter().zip(rows.iter().flat_map(|rows| &rows[k])) {
+                let value = value.abs();
+                Quantity { kind, cable: Some(name), value, limit, rounding: 0.0 }.check(step, time, faults);
             }
         }
     }

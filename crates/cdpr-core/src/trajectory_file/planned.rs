@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::collision::{Engine, Interference};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz};
+use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::model::{Scene, body};
-use crate::numerics::MOST_SAMPLES;
+use crate::numerics::{MOST_SAMPLES, SAME_SAMPLE};
 use crate::path_file::SceneId;
 use crate::plan::engine_within;
 use crate::trajectory::timing::{Phase, Timing};
@@ -19,7 +19,7 @@ use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
 impl TrajectoryFile {
-    /// A trajectory of a scene along a path, sampled `rate` times per second and at its end.
+    /// A trajectory of a scene along a path, sampled `rate` times per second until it is at rest at the end.
     ///
     /// # Errors
     /// A rate that is not positive or gives too many samples; a solver that reached no answer; [`Error::interrupted`],
@@ -33,9 +33,11 @@ impl TrajectoryFile {
     ) -> Result<Self, Error> {
         let times = sample_times(trajectory.duration(), rate)?;
         let (mut solver, mut samples) = (TensionQp::default(), Vec::with_capacity(times.len()));
-        for &time in &times {
+        for (k, &time) in times.iter().enumerate() {
             watch.check()?;
-            samples.push(trajectory.sample(&mut solver, time)?);
+            // At rest at the end, whatever rounding makes of its time.
+            let state = if k + 1 < times.len() { time } else { f64::INFINITY };
+            samples.push(Sample { time, ..trajectory.sample(&mut solver, state)? });
         }
         let turn = scene.orientation();
         let turns =
@@ -44,10 +46,12 @@ impl TrajectoryFile {
         let (mut largest, nearest) = peaks(scene, trajectory, &times, turns, watch)?;
         largest.include_tensions(samples.iter().filter_map(|sample| sample.tensions.as_deref()));
         let platform = |of: fn(&Motion) -> [f64; 3]| -> Vec<[f64; 3]> {
-            samples.iter().map(|sample| of(&sample.motion)).collect()
+            samples.iter().map(|sample| of(&sample.motion).map(|x| x + 0.0)).collect()
         };
         let each = |of: fn(&crate::trajectory::Winding) -> f64| {
-            samples.iter().map(|sample| sample.windings.iter().map(of).collect()).collect()
+            // Zero has no sign.
+            let row = |sample: &Sample| sample.windings.iter().map(|winding| of(winding) + 0.0).collect();
+            samples.iter().map(row).collect()
         };
         Ok(TrajectoryFile {
             format: TRAJECTORY_FORMAT.to_string(),
@@ -70,7 +74,7 @@ impl TrajectoryFile {
             positions: platform(|motion| motion.position.into()),
             velocities: platform(|motion| motion.velocity.into()),
             accelerations: platform(|motion| motion.acceleration.into()),
-            orientations: turns.then(|| continuous(samples.iter().map(|sample| sample.motion.orientation))),
+            orientations: turns.then(|| wxyz_in_turn(samples.iter().map(|sample| &sample.motion.orientation))),
             angular_velocities: turns.then(|| platform(|motion| motion.angular_velocity.into())),
             angular_accelerations: turns.then(|| platform(|motion| motion.angular_acceleration.into())),
             cable_lengths: each(|winding| winding.length),
@@ -96,7 +100,7 @@ impl TrajectoryFile {
     ) -> Result<Self, Error> {
         let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
         let file = Self::of(scene, &positions, trajectory, rate, watch)?;
-        let orientations = poses.iter().map(|pose| wxyz(&pose.orientation)).collect();
+        let orientations = wxyz_in_turn(poses.iter().map(|pose| &pose.orientation));
         Ok(TrajectoryFile { waypoint_orientations: file.orientations.is_some().then_some(orientations), ..file })
     }
 }
@@ -129,18 +133,7 @@ fn peaks(
     Ok((largest, nearest))
 }
 
-/// Quaternions w x y z, with signs chosen so that their components change least from one to the next.
-fn continuous(orientations: impl Iterator<Item = Rotation>) -> Vec<[f64; 4]> {
-    let mut found: Vec<[f64; 4]> = Vec::new();
-    for orientation in orientations {
-        let digits = wxyz(&orientation);
-        let jumps = found.last().is_some_and(|last| last.iter().zip(digits).map(|(a, b)| a * b).sum::<f64>() < 0.0);
-        found.push(if jumps { digits.map(|x| -x) } else { digits });
-    }
-    found
-}
-
-/// Instants at a rate, and the end.
+/// Instants at a rate, up to the first at which the motion is at its end: whole periods of a controller.
 fn sample_times(duration: f64, rate: f64) -> Result<Vec<f64>, Error> {
     let rate = body::positive("rate", rate)?;
     if duration * rate > MOST_SAMPLES {
@@ -148,16 +141,9 @@ fn sample_times(duration: f64, rate: f64) -> Result<Vec<f64>, Error> {
             format!("found {rate} per second for {duration:.3} s, which makes more than {MOST_SAMPLES:e} samples");
         return Err(Error::invalid("rate", problem));
     }
-    let mut times: Vec<f64> = (0..).map(|k| f64::from(k) / rate).take_while(|time| *time < duration).collect();
-    if times.len() > 1 && duration - times[times.len() - 1] < SAME_SAMPLE / rate {
-        times.pop();
-    }
-    times.push(duration);
-    Ok(times)
+    let periods = (duration * rate - SAME_SAMPLE).ceil().max(1.0) as u32;
+    Ok((0..=periods).map(|k| f64::from(k) / rate).collect())
 }
-
-/// Steps shorter than this share of a period are none.
-const SAME_SAMPLE: f64 = 1e-6;
 
 fn corners(trajectory: &Trajectory) -> Vec<TrajectoryCorner> {
     let corner = |corner: &crate::trajectory::Corner| TrajectoryCorner {

@@ -2,6 +2,7 @@
 
 use cdpr_core::error::Error;
 use cdpr_core::model::body;
+use cdpr_core::numerics::SAME_SAMPLE;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// Beginning and end of the samples may differ from 0 and the duration by this share of the duration, due to rounding.
@@ -89,13 +90,19 @@ fn times(file: &TrajectoryFile) -> Result<(), Error> {
         let problem = format!("found {} s after {} s, expected times that increase", times[k], times[k - 1]);
         return Err(Error::invalid(format!("times[{k}]"), problem));
     }
-    for (k, found, expected) in [(0, first, 0.0), (times.len() - 1, last, duration)] {
-        if (found - expected).abs() > ROUNDING * duration {
-            let problem = format!("found {found} s, expected {expected} s: samples last from 0 to the duration");
-            return Err(Error::invalid(format!("times[{k}]"), problem));
-        }
-    }
-    Ok(())
+    let (rounding, period) = (ROUNDING * duration, 1.0 / file.rate);
+    let period = if period.is_finite() { period.max(0.0) } else { 0.0 };
+    let (short, long) = (rounding.max(SAME_SAMPLE * period), rounding.max(period * (1.0 - SAME_SAMPLE)));
+    let last_is_good = (duration - short..=duration + long).contains(&last);
+    let wrong = match () {
+        () if first.abs() > rounding => Some((0, first, "0 s".to_string())),
+        () if !last_is_good => Some((times.len() - 1, last, format!("{duration} s, or the next whole period"))),
+        () => None,
+    };
+    wrong.map_or(Ok(()), |(k, found, expected)| {
+        let problem = format!("found {found} s, expected {expected}: samples last from 0 to the duration");
+        Err(Error::invalid(format!("times[{k}]"), problem))
+    })
 }
 
 fn samples(file: &TrajectoryFile) -> Result<(), Error> {

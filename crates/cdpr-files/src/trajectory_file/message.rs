@@ -1,5 +1,6 @@
 //! Trajectories as YAML: a ROS 2 message `trajectory_msgs/msg/JointTrajectory` whose joints are the cables. Positions are
-//! lengths, m, and effort is tension, N; the other fields are their rates.
+//! lengths, m; velocities and accelerations are their rates. Effort is left out unless it is asked for, since controllers of positions
+//! refuse a message that has it; it is tension, N.
 
 use std::path::Path;
 
@@ -48,26 +49,36 @@ impl Time {
 }
 
 /// The row of a sample, or an empty one.
-fn row(rows: &Option<Vec<Vec<f64>>>, k: usize) -> &[f64] {
-    rows.as_ref().map_or(&[], |rows| &rows[k])
+fn row(rows: Option<&Vec<Vec<f64>>>, k: usize) -> &[f64] {
+    rows.map_or(&[], |rows| &rows[k])
 }
 
-/// A trajectory as YAML text, for instance for `ros2 topic pub`.
+/// A trajectory as YAML text, with its tensions if `effort` is set.
 ///
 /// # Errors
-/// A trajectory that is too long for the message; `path` is named.
-pub fn message(path: &Path, file: &TrajectoryFile) -> Result<String, Error> {
+/// A trajectory without tensions, if they are asked for; one that is too long for the message, or sampled more often than once in a
+/// nanosecond; `path` is named.
+pub fn message(path: &Path, file: &TrajectoryFile, effort: bool) -> Result<String, Error> {
+    if effort && file.tensions.is_none() {
+        return Err(Error::file(path, "cannot hold the field effort: the tensions of this motion are not known"));
+    }
+    let tensions = file.tensions.as_ref().filter(|_| effort);
     let point = |k: usize| {
         Some(JointTrajectoryPoint {
             positions: &file.cable_lengths[k],
             velocities: &file.cable_speeds[k],
-            accelerations: row(&file.cable_accelerations, k),
-            effort: row(&file.tensions, k),
+            accelerations: row(file.cable_accelerations.as_ref(), k),
+            effort: row(tensions, k),
             time_from_start: Time::of(file.times[k] - file.times[0])?,
         })
     };
     let too_long = || Error::file(path, format!("cannot be written: ROS 2 has no durations of {} s", file.duration));
-    let points = (0..file.times.len()).map(point).collect::<Option<_>>().ok_or_else(too_long)?;
+    let points: Vec<JointTrajectoryPoint> =
+        (0..file.times.len()).map(point).collect::<Option<_>>().ok_or_else(too_long)?;
+    if points.windows(2).any(|pair| pair[0].time_from_start == pair[1].time_from_start) {
+        let problem = "cannot be written: ROS 2 counts time in nanoseconds, and there is more than one sample in one; choose a lower rate";
+        return Err(Error::file(path, problem));
+    }
     let header = Header { stamp: Time { sec: 0, nanosec: 0 }, frame_id: "" };
     let message = JointTrajectory { header, joint_names: &file.cables, points };
     let options = serde_saphyr::ser_options! { quote_all: true };
@@ -128,9 +139,9 @@ mod tests {
         let names = ["yes", "1e5", "12:30", "a: b", "'\"\\", "ü\n# -", "", "~"];
         file.cables = names.map(str::to_string).to_vec();
         file.cable_accelerations = Some(vec![vec![1e-7; 8]; 4]);
-        for tensions in [None, Some(vec![vec![100.0; 8]; 4])] {
-            file.tensions = tensions;
-            let text = message(Path::new("motion.yaml"), &file).unwrap();
+        file.tensions = Some(vec![vec![100.0; 8]; 4]);
+        for effort in [false, true] {
+            let text = message(Path::new("motion.yaml"), &file, effort).unwrap();
             let found: definition::JointTrajectory = serde_saphyr::from_str(&text).unwrap();
             assert_eq!(found.joint_names, names);
             assert_eq!(
@@ -140,10 +151,7 @@ mod tests {
             assert_eq!(found.points.len(), 4);
             for (k, point) in found.points.iter().enumerate() {
                 assert_eq!((&point.positions, &point.velocities), (&file.cable_lengths[k], &file.cable_speeds[k]));
-                assert_eq!(
-                    (point.accelerations.len(), point.effort.len()),
-                    (8, file.tensions.as_ref().map_or(0, |_| 8))
-                );
+                assert_eq!((point.accelerations.len(), point.effort.len()), (8, if effort { 8 } else { 0 }));
                 let time = f64::from(point.time_from_start.sec) + 1e-9 * f64::from(point.time_from_start.nanosec);
                 assert!((time - file.times[k]).abs() < 1e-9);
             }
@@ -168,7 +176,12 @@ mod tests {
         }
         assert_eq!(Time::of(2_147_483_648.0), None);
         let mut file = upward();
+        let refused =
+            |file: &TrajectoryFile, effort| message(Path::new("m.yaml"), file, effort).unwrap_err().to_string();
+        assert!(refused(&file, true).starts_with("m.yaml: cannot hold the field effort"));
         file.times[3] = 1e10;
-        assert!(message(Path::new("m.yaml"), &file).unwrap_err().to_string().starts_with("m.yaml: cannot be written"));
+        assert!(refused(&file, false).starts_with("m.yaml: cannot be written: ROS 2 has no durations"));
+        file.times[3] = file.times[2] + 1e-10;
+        assert!(refused(&file, false).contains("choose a lower rate"));
     }
 }

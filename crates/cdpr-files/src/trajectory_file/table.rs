@@ -204,6 +204,7 @@ impl Columns {
             accelerations: vectors(["ax", "ay", "az"]),
             cable_lengths: self.by_cable("length:", rows),
             cable_speeds: self.by_cable("speed:", rows),
+            cable_accelerations: None,
             tensions: self.by_cable("tension:", rows),
             exact: None,
             angular_velocities,
