@@ -173,4 +173,3 @@ def test_arrays_that_are_not_aligned_give_the_answers_of_their_copies() -> None:
         assert cdpr.check(scene, given) == cdpr.check(scene, places)
         assert scene.motions_valid(given[:-1], given[1:]).tolist() == scene.motions_valid(places[:-1], places[1:]).tolist()
     assert not shifted.flags.aligned and not records["xyz"].flags.aligned
-    assert scene.motion_valid(shifted[0], shifted[1]) == scene.motion_valid(places[0], places[1])
