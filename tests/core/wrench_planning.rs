@@ -2,6 +2,7 @@
 
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, check_path};
 use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::model::{
     BodySpec, CableSpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec,
     WrenchSpec,
@@ -9,11 +10,14 @@ use cdpr_core::model::{
 use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
+use cdpr_core::trajectory::Trajectory;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{
-    Measure, Required, Statics, WrenchConstraint, certified, constraint, first_failure, least_slack, measures,
-    wrench_at,
+    Measure, Required, Statics, TensionQp, WrenchConstraint, certified, constraint, first_failure, least_slack,
+    measures, wrench_at,
 };
+use cdpr_files::scene_from_text;
+use cdpr_files::text::Notation;
 use cdpr_tests::{built_robot, built_scene, rng};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -341,4 +345,43 @@ fn slack_that_is_next_to_nothing_is_told_apart_from_slack_that_is_lacking() {
     let violation = lacking.explain(&here, &here).expect("refused");
     assert!(!violation.unproved && violation.sentence().starts_with("the cables cannot balance"));
     assert_eq!(serde_json::json!(violation).get("unproved"), None);
+}
+
+/// CASPR's NIST RoboCrane with six suspended cables: a platform of 1 kg, whose tensions are unique.
+fn robocrane(most: f64) -> Scene {
+    let text = format!(
+        "version = 1\n[workspace]\nmin = [-3, -3, 0]\nmax = [3, 3.5, 3]\n[query]\nstart = [0, 0, 1.5]\ngoal = [0.1, 0, 1.4]\n\
+         [wrench]\nforce = 1\n[robot]\nmass = 1\nplatform = [{{ vertices = [[0, -0.866, 0], [-0.75, 0.433, 0], [0.75, 0.433, 0]] }}]\n\
+         cables = [{}]",
+        [
+            ([-3.0, -1.7321], [0.0, -0.866]),
+            ([-3.0, -1.7321], [-0.75, 0.433]),
+            ([3.0, -1.7321], [0.0, -0.866]),
+            ([3.0, -1.7321], [0.75, 0.433]),
+            ([0.0, 3.4642], [-0.75, 0.433]),
+            ([0.0, 3.4642], [0.75, 0.433]),
+        ]
+        .map(|([x, y], [a, b])| format!(
+            "{{ outlet = [{x}, {y}, 3], attachment = [{a}, {b}, 0], tension = [0, {most:?}] }}"
+        ))
+        .join(", ")
+    );
+    scene_from_text(&text, Notation::Toml, None).unwrap()
+}
+
+#[test]
+fn a_tension_limit_that_stands_for_none_changes_nothing() {
+    for most in [1e3, 3.7e4, 1e5, 3e9, 9_999_999_999.0] {
+        let scene = robocrane(most);
+        assert_eq!(scene.notes().len(), usize::from(most > 2e4), "{most}: {:?}", scene.notes());
+        let found = plan(&scene, &PlanOptions::default(), &()).unwrap().result;
+        assert_eq!(found.status, Status::Solved, "{most}");
+        let least = measures(&scene).unwrap()[0].slack(found.waypoints.last().unwrap());
+        assert!((least - 2.738).abs() < 1e-3, "{most}: {least}");
+        let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+        let motion = Trajectory::new(&scene, &found.waypoints, &limits, &Watch::NONE).unwrap();
+        assert!((motion.duration() - 0.5318).abs() < 1e-4, "{most}: {}", motion.duration());
+        let tensions = motion.sample(&mut TensionQp::default(), 0.0).unwrap().tensions.unwrap();
+        assert!(tensions.iter().all(|t| *t > 1.0 && *t < 10.0), "{most}: {tensions:?}");
+    }
 }

@@ -79,6 +79,20 @@ impl TryFrom<RobotSpec> for Robot {
 }
 
 impl Robot {
+    /// The robot with tension limits of at most this, N, and the names of the cables whose limits were larger.
+    pub(super) fn with_most_tension(mut self, most: f64) -> (Self, Vec<String>) {
+        let mut lowered = Vec::new();
+        for cable in &mut self.cables {
+            if let Some([least, largest]) = &mut cable.tension
+                && *largest > most.max(*least)
+            {
+                *largest = most.max(*least);
+                lowered.push(cable.name.clone());
+            }
+        }
+        (self, lowered)
+    }
+
     /// The robot as plain data.
     pub fn spec(&self) -> &RobotSpec {
         &self.spec

@@ -15,7 +15,7 @@ use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
 use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
-use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, SAME_TURN};
+use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
 use crate::words::small_length;
 
 /// Default gravity, world axes, m/s².
@@ -101,7 +101,15 @@ impl Scene {
             at_end("start_orientation", &query.start_orientation)?,
             at_end("goal_orientation", &query.goal_orientation)?,
         ];
-        let notes = degrees_hints(&spec, &robot);
+        let mut notes = degrees_hints(&spec, &robot);
+        let (robot, unlimited) = match most_tension(&spec, &robot) {
+            Some(most) => {
+                let (robot, lowered) = robot.with_most_tension(most);
+                (robot, unlimited_note(&lowered, most))
+            }
+            None => (robot, None),
+        };
+        notes.extend(unlimited);
         Ok(Scene {
             spec,
             robot,
@@ -529,4 +537,30 @@ fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Res
         }
     }
     Ok(())
+}
+
+/// The largest tension that counts, N: [`PLENTY_OF_TENSION`] times the forces on the platform. `None` if its mass is not known.
+fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
+    let size = |w: &[f64; 6], length: f64| {
+        Vector::new(w[0], w[1], w[2]).norm() + Vector::new(w[3], w[4], w[5]).norm() / length
+    };
+    let gravity = Vector::from(spec.gravity.unwrap_or(GRAVITY)).norm().max(Vector::from(GRAVITY).norm());
+    let wrench = spec.wrench.clone().unwrap_or_default();
+    let length = wrench.characteristic_length.unwrap_or(1.0).min(1.0);
+    let corners = wrench.vertices.iter().flatten().map(|corner| size(corner, length)).fold(0.0, f64::max);
+    let required = wrench.force.unwrap_or(0.0) + wrench.moment.unwrap_or(0.0) / length + corners;
+    let load = wrench.load.map_or(0.0, |load| size(&load, length));
+    let margin = spec.motion.and_then(|motion| motion.wrench_margin).unwrap_or(0.0);
+    let least = robot.cables().iter().filter_map(|cable| cable.tension).map(|[least, _]| least).fold(0.0, f64::max);
+    Some(PLENTY_OF_TENSION * (robot.mass()? * gravity + load + required + margin + least))
+}
+
+/// What is said about cables whose tension limits are lowered.
+fn unlimited_note(cables: &[String], most: f64) -> Option<String> {
+    let [first, others @ ..] = cables else { return None };
+    let more = if others.is_empty() { String::new() } else { format!(" and of {} more cables", others.len()) };
+    Some(format!(
+        "the tension limit of {first}{more} counts as {most:.0} N: {PLENTY_OF_TENSION:.0} times the weight, load, required wrenches \
+         and least tension; give the real limit, since margins and the middle of the limits depend on it"
+    ))
 }

@@ -163,10 +163,14 @@ impl Statics {
         Self::new(scene.robot(), &Loads::of(scene))
     }
 
-    /// The same with each cable's range of tensions narrowed by a share of it at both ends.
+    /// The statics with each cable's range of tensions narrowed at both ends: by a share of it or, if that is less, of a hundred times
+    /// the tensions that occur at rest.
     pub fn with_reserve(mut self, share: f64) -> Self {
+        let least = self.cables.iter().map(|cable| cable.tension[0]).fold(0.0, f64::max);
+        let at_rest = self.balance.norm() + least;
+        let occurring = if at_rest > 0.0 { 100.0 * at_rest } else { f64::INFINITY };
         for StaticCable { tension: [least, most], .. } in &mut self.cables {
-            let reserve = share * (*most - *least);
+            let reserve = share * (*most - *least).min(occurring);
             (*least, *most) = (*least + reserve, *most - reserve);
         }
         self
