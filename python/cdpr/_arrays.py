@@ -137,6 +137,14 @@ def positive(name: str, value: Any) -> float:
     return found
 
 
+def not_negative(name: str, value: Any) -> float:
+    """A finite number that is not negative."""
+    found = finite(name, value)
+    if found < 0:
+        raise InputError(f"{name}: found {found}, expected a number of at least 0")
+    return found
+
+
 def finite(name: str, value: Any) -> float:
     """One finite number, as JSON can hold it."""
     found = number(name, value)

@@ -92,6 +92,14 @@ class Scene:
     ) -> tuple[Scene | None, str | None]: ...
     def position_box(self) -> tuple[list[float], list[float]]: ...
     def clearance(self, positions: _Floats, threads: int | None, orientations: _Floats | None = None) -> _Floats: ...
+    def nearest_valid(
+        self,
+        position: tuple[float, float, float],
+        margin: float,
+        engine: str,
+        interference: str,
+        orientation: tuple[float, float, float, float] | None = None,
+    ) -> tuple[float, float, float] | None: ...
     def violations(
         self,
         start: _Point,

@@ -198,6 +198,8 @@ def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
         "raw_waypoints": _array(found["raw_waypoints"]),
         "raw_cost": _number(found["raw_cost"]),
         "reason": None if found["reason"] is None else violation_from(found["reason"]),
+        "reasons": tuple(violation_from(values) for values in found.get("reasons", ())),
+        "nearest_valid": None if found.get("nearest_valid") is None else np.array(found["nearest_valid"]),
         "proof": None if certificate is None else proof_from(found["proof"], certificate),
         "exempt": tuple(exemption_from(values) for values in found["exempt"]),
         "history": tuple(Milestone(**entry) for entry in found["history"]),

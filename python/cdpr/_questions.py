@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Floats, Shape, alike, flat_points, flat_quaternions, point, quaternion, shaped, thread_count
+from ._arrays import Floats, Shape, alike, flat_points, flat_quaternions, not_negative, point, quaternion, shaped, thread_count
 from ._given import text
 from ._violation import Violation, violation_from
 
@@ -223,6 +223,49 @@ def violations(
         turns = (before, after)
     found = json.loads(self._core.violations(first, last, *judges(engine, interference), turns))
     return tuple(violation_from(values) for values in found)
+
+
+def nearest_valid(
+    self: Scene,
+    position: ArrayLike,
+    orientation: ArrayLike | None = None,
+    *,
+    margin: float = 0.001,
+    engine: Engine = "cspace",
+    interference: Interference = "exact",
+) -> Floats | None:
+    """A valid position near a position: for a start or goal that is not valid.
+
+    Parameters
+    ----------
+    position : array_like (3,)
+        Position of the platform's origin, world, m.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default the scene's.
+    margin : float
+        How far the position is inside the valid ones, m: it stays valid if it is moved so far along axes and diagonals.
+    engine : {"cspace", "gjk"}
+    interference : {"exact", "swept"}
+
+    Returns
+    -------
+    ndarray (3,) or None
+        The position itself if it is valid by the margin. Otherwise the first one found on spheres of growing radius, moved back
+        toward the position; not always the nearest one. None if none was found.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene.nearest_valid([0.8, 1.0, 0.3]).round(3).tolist()
+    [0.774, 1.0, 0.3]
+    >>> scene.nearest_valid([0.3, 1.0, 0.3]).tolist()
+    [0.3, 1.0, 0.3]
+    """
+    at, room = point("position", position), not_negative("margin", margin)
+    turn = None if orientation is None else quaternion("orientation", orientation)
+    found = self._core.nearest_valid(at, room, *judges(engine, interference), turn)
+    return None if found is None else np.array(found)
 
 
 def explain_motion(

@@ -241,7 +241,11 @@ class Result(Path):
     raw_cost : float
         Its length, m; NaN unless solved.
     reason : Violation or None
-        Why the start or goal is invalid.
+        The worst of what makes the start or goal invalid.
+    reasons : tuple of Violation
+        Everything that makes the start or goal invalid, worst first.
+    nearest_valid : ndarray (3,) or None
+        If the start or goal is invalid: a valid position near it, m, if one was found.
     proof : Proof or None
         Why there is no path, if that was proved.
     opening_below : float or None
@@ -277,6 +281,8 @@ class Result(Path):
     raw_waypoints: Floats = field(default_factory=lambda: np.empty((0, 3)))
     raw_cost: float = float("nan")
     reason: Violation | None = None
+    reasons: tuple[Violation, ...] = ()
+    nearest_valid: Floats | None = None
     proof: Proof | None = None
     opening_below: float | None = None
     min_clearance: Mapping[str, Any] | None = None

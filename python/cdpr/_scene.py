@@ -534,6 +534,7 @@ class Scene(Immutable):
     motions_valid = _questions.motions_valid
     clearance = _questions.clearance
     violations = _questions.violations
+    nearest_valid = _questions.nearest_valid
     explain_motion = _questions.explain_motion
 
     @classmethod

@@ -144,6 +144,9 @@ def calls(tmp_path, monkeypatch, batch):
         "Scene.states_valid": (scene.states_valid, {"points": [HERE], "orientations": TURNED} | judges | threads),
         "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | many_turns | judges | threads),
         "Scene.clearance": (scene.clearance, {"points": [HERE], "orientations": TURNED} | threads),
+        "Scene.nearest_valid": (
+            scene.nearest_valid, {"position": HERE, "orientation": [1.0, 0, 0, 0], "margin": 0.01} | judges,
+        ),
         "Scene.violations": (scene.violations, {"start": HERE, "end": THERE} | turns | judges),
         "Scene.explain_motion": (scene.explain_motion, {"start": HERE, "end": THERE} | turns | judges),
         "Path": (

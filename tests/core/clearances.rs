@@ -183,7 +183,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
         assert!(demands.clone().count() > 0 && demands.clone().all(|c| engine.conditions().required(c) == Some(0.02)));
     }
     let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap().result;
-    assert_eq!(planned.status, Status::Solved, "{:?}", planned.reason);
+    assert_eq!(planned.status, Status::Solved, "{:?}", planned.reasons);
     let found = of_path(&touching, &planned.waypoints);
     let [exempt] = &found.exempt[..] else { panic!("{:?}", found.exempt) };
     assert_eq!((exempt.exemption.reason, exempt.exemption.demanded), (Reason::Touch, 0.02));

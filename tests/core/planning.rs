@@ -98,7 +98,7 @@ fn invalid_ends_are_answers_with_reasons() {
         (Query::of(&hard1).to(outside), Status::GoalInvalid),
     ] {
         let found = planned(query, PlanOptions::paper());
-        assert_eq!((found.status, found.reason.is_some(), found.waypoints.len()), (status, true, 0));
+        assert_eq!((found.status, found.reason().is_some(), found.waypoints.len()), (status, true, 0));
         assert!(found.cost.is_nan());
     }
 }

@@ -157,7 +157,7 @@ fn a_tilt_limit_holds_all_along_a_path() {
     let query = Query::of(&scene).oriented([None, Some(tilted)]).to(Point::new(1.0, 0.4, 1.2));
     let refused = plan(query, &PlanOptions::default(), &()).unwrap().result;
     assert_eq!(refused.status, Status::GoalInvalid);
-    assert!(refused.reason.unwrap().sentence().contains("tilts further"));
+    assert!(refused.reason().unwrap().sentence().contains("tilts further"));
 }
 
 #[test]
@@ -192,7 +192,7 @@ fn ends_that_the_axis_does_not_allow_are_invalid() {
     for (ends, status) in [([None, tilted], Status::GoalInvalid), ([tilted, tilted], Status::StartInvalid)] {
         let refused = plan(query.oriented(ends), &PlanOptions::default(), &()).unwrap().result;
         assert_eq!(refused.status, status);
-        let reason = refused.reason.unwrap();
+        let reason = refused.reason().unwrap();
         assert_eq!((reason.kind, reason.at), (Kind::TurningAxis, 0.0));
         assert!(reason.sentence().contains("another axis than the scene allows"), "{}", reason.sentence());
     }

@@ -66,7 +66,7 @@ fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_tha
     let scene = cogiro(balls(5000.0, 30.0));
     let result = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(result.status, Status::StartInvalid);
-    let reason = result.reason.expect("a reason");
+    let reason = result.reason().expect("a reason").clone();
     let limit = reason.wrench.clone().expect("a wrench limit");
     assert_eq!((reason.kind, reason.margin), (Kind::Wrench, None));
     assert!(limit.wrench_margin.unwrap() < -1000.0);
@@ -138,7 +138,7 @@ fn the_papers_robot_is_told_to_lack_a_rank() {
     let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
     let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap().result;
     let words = "rank 5 of 6, underconstrained: no tensions resist turning about z";
-    let reason = result.reason.unwrap();
+    let reason = result.reason().unwrap().clone();
     assert!(reason.sentence().contains(words), "{}", reason.sentence());
     let json = serde_json::json!(reason);
     assert_eq!((&json["rank"], &json["holding"]), (&5.into(), &"underconstrained".into()));

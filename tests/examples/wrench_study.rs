@@ -31,7 +31,7 @@ fn main() -> Result<(), cdpr_core::Error> {
 fn report(name: &str, scene: &Scene, measures: &[Measure], seeds: u64) -> Result<(), cdpr_core::Error> {
     let run = |seed| plan(scene, &PlanOptions { seed, ..PlanOptions::paper() }, &()).map(|planned| planned.result);
     let results: Vec<PlanResult> = (0..seeds).map(run).collect::<Result<_, _>>()?;
-    if let Some(reason) = results.iter().find_map(|r| r.reason.as_ref()) {
+    if let Some(reason) = results.iter().find_map(|r| r.reason()) {
         println!("  {name} [wrench]: {}", reason.sentence());
     }
     let solved: Vec<&PlanResult> = results.iter().filter(|r| r.status == Status::Solved).collect();

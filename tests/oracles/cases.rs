@@ -41,7 +41,7 @@ fn planned(case: &PlanCase) -> Value {
     options.planner = PlannerOptions::new(choice(&case.planner), options.step, &settings).unwrap();
     let query = Query { start: case.start.map(Point::from), goal: case.goal.map(Point::from), ..Query::of(&scene) };
     let found = plan(query, &options, &()).unwrap().result;
-    json!({ "status": found.status, "cost": found.cost, "reason": found.reason })
+    json!({ "status": found.status, "cost": found.cost, "reason": found.reason() })
 }
 
 #[test]

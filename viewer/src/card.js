@@ -4,6 +4,11 @@ import { html } from './charts.js';
 import { describeBound, describeDirectness, describeOutcome, describePeaks, describeReason } from './wording.js';
 import { formatApproach, formatGap, formatLength, formatSeconds, isEdited, statedLength } from './wording.js';
 
+// Reasons beyond these would fill the card.
+const MOST_REASONS = 6;
+
+const formatPosition = (point) => `(${point.map((x) => Number(x.toFixed(3))).join(', ')})`;
+
 const byId = (id) => document.getElementById(id);
 
 const GROUPS = { obstacles: 'nearest obstacle', robot: 'within the robot' };
@@ -25,7 +30,10 @@ function quality({ path, result, trajectory }, length) {
 
 function remarks(model, length) {
   const { path, result, trajectory } = model;
-  if (result?.reason) return [describeReason(result.reason)];
+  if (result?.reason) {
+    const place = result.nearestValid ? [`a valid position near it: ${formatPosition(result.nearestValid)}`] : [];
+    return [...result.reasons.slice(0, MOST_REASONS).map(describeReason), ...place];
+  }
   if (result?.openingBelow > 0) return [`every path passes an opening narrower than ${formatGap(result.openingBelow)}`];
   if (trajectory) return trajectory.largest ? [describePeaks(trajectory.largest)] : [];
   if (!path || path.waypoints.length < 2) return [];

@@ -241,6 +241,9 @@ function readResult(result) {
   if (!result) return null;
   return {
     reason: result.reason ? readViolation(result.reason) : null,
+    // Everything that is wrong with the start or goal, worst first.
+    reasons: list(result.reasons ?? [result.reason].filter(Boolean)).map(readViolation),
+    nearestValid: isPoint(result.nearest_valid) ? result.nearest_valid : null,
     openingBelow: numberOrNull(result.opening_below),
     seed: numberOrNull(result.seed),
     seconds: numberOrNull(result.seconds),

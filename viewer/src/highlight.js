@@ -129,7 +129,7 @@ export function createHighlight(model, frame, shapes, theme) {
   const isSeen = (name) => sees(name);
   const outlines = createOutlines(model, frame, shapes, theme, isSeen);
   const gaps = (model.motion?.approaches ?? []).map(() => createGap(frame, theme, isSeen));
-  const always = model.motion ? [] : model.result.reason.culprits;
+  const always = model.motion ? [] : [...new Set(model.result.reasons.flatMap(({ culprits }) => culprits))];
 
   function show(nearest) {
     gaps.forEach((gap, i) => gap.show(nearest?.gaps[i]?.tight ? nearest.gaps[i] : null));

@@ -269,7 +269,7 @@ impl Command {
         }
         match self {
             Command::Plan(args) => all([&args.scene.scene]),
-            Command::Check(args) => all([&args.path.scene.scene, &args.path.path]),
+            Command::Check(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Info(args) => all([&args.scene]),
             Command::Post(args) => all([&args.path.scene.scene, &args.path.path]),
             Command::Trajectory(args) => all([&args.scene.scene, &args.path]),

@@ -168,12 +168,14 @@ fn trajectory(scene: &Scene, text: &str, Strict { strict }: Strict, out: &Consol
     Ok(Motion::Trajectory(Box::new((scene, file))))
 }
 
-/// A path or the samples of a trajectory, with the scene at its orientation.
+/// A path or the samples of a trajectory, with the scene at its orientation; or a proof, with the scene.
 pub enum Given {
     /// A path without times.
     Path(Box<(Scene, LoadedPath)>),
     /// A trajectory from any source.
     Trajectory(Box<(Scene, Recorded)>),
+    /// The text of a proof.
+    Proof(Box<(Scene, String)>),
 }
 
 /// A path or a trajectory from any source, JSON or CSV. Warns if it was made for another scene.
@@ -193,6 +195,9 @@ pub fn path_or_trajectory(args: &PathArgs, out: &Console) -> Result<Given, Error
     let of_path = |found| Given::Path(Box::new(found));
     if let Some(stream) = stream_of(&args.path)? {
         return stream.parse(|text| match loaded_if_trajectory(text)? {
+            _ if cdpr_files::text::is_certificate(text) => {
+                Ok(Given::Proof(Box::new((scene.clone(), text.to_string()))))
+            }
             Some(loaded) => recorded(loaded),
             None => path_from_text(&scene, text, args.strict, out).map(of_path),
         });

@@ -19,7 +19,7 @@ pub use clearance::{Clearance, Tightest, path_clearance, tightest, tightest_at_p
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;
 pub use many::{clearances, motions_valid, states_valid};
-pub use nearby::valid_nearby;
+pub use nearby::{nearest_valid, valid_nearby};
 pub use path_check::{PathReport, check_path};
 pub use validity::{Checker, Engine, Validity};
-pub use violation::{Violation, WrenchLimit};
+pub use violation::{Violation, WrenchLimit, worst_first};

@@ -227,6 +227,9 @@ pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
 /// is due to rounding.
 pub const SEPARATING_LEFT: f64 = 1e-8;
 
+/// How far a suggested position is inside the valid positions, m.
+pub const PLACE_MARGIN: f64 = 1e-3;
+
 /// Tension limits count up to so many times the forces on the platform. Larger ones stand for "no limit": nothing that moves the platform
 /// needs them, and tolerances are in proportion to them.
 pub const PLENTY_OF_TENSION: f64 = 1e3;

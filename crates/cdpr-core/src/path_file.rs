@@ -95,8 +95,14 @@ impl SceneId {
 /// The keys of a planned path that are only written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedKeys {
-    /// Why the start or goal is invalid.
+    /// The worst of what makes the start or goal invalid.
     pub reason: Option<Violation>,
+    /// Everything that makes the start or goal invalid, worst first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reasons: Vec<Violation>,
+    /// If the start or goal is invalid: a valid position near it, if one was found, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nearest_valid: Option<[f64; 3]>,
     /// Why there is no path, if that was proved.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "shared")]
     pub proof: Option<Arc<NoPath>>,
@@ -183,10 +189,24 @@ impl PathFile {
 
     /// A planning result in a scene; `lower_bound` is left out.
     pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
-        let PlanResult { status, reason, waypoints, cost, raw_waypoints, raw_cost, tree, history, stats, .. } = result;
+        let PlanResult {
+            status,
+            reasons,
+            nearest_valid,
+            waypoints,
+            cost,
+            raw_waypoints,
+            raw_cost,
+            tree,
+            history,
+            stats,
+            ..
+        } = result;
         let PlanResult { found_by, no_path, opening_below, .. } = result;
         let planned = PlannedKeys {
-            reason: reason.clone(),
+            reason: result.reason().cloned(),
+            reasons: reasons.clone(),
+            nearest_valid: nearest_valid.map(Into::into),
             proof: no_path.clone(),
             opening_below: *opening_below,
             engine: options.engine,

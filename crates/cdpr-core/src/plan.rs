@@ -144,7 +144,9 @@ fn search(
     let [start, goal] = query.ends()?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if !engine.state_valid(&state) {
-            return Ok(PlanResult::unsolved(status, engine.explain(&state, &state), Stats::default()));
+            let place = (engine.conditions().position_box(), &state);
+            let valid = |position: &Point| watch.check().is_ok() && engine.state_valid(position);
+            return Ok(PlanResult::invalid_end(status, engine, &state, place, valid));
         }
     }
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
@@ -167,7 +169,7 @@ fn search(
             let no_path = NoPath::of(*proof, query.scene, engine, options, watch)?;
             let stats = Stats { planning_seconds: clock.elapsed().as_secs_f64(), ..Stats::default() };
             let no_path = Some(Arc::new(no_path));
-            return Ok(PlanResult { no_path, ..PlanResult::unsolved(Status::NoPath, None, stats) });
+            return Ok(PlanResult { no_path, ..PlanResult::unsolved(Status::NoPath, stats) });
         }
     };
     let planning_seconds = clock.elapsed().as_secs_f64();
@@ -179,7 +181,7 @@ fn search(
         history,
         opening_below,
         lower_bound,
-        ..PlanResult::unsolved(status, None, stats)
+        ..PlanResult::unsolved(status, stats)
     };
     Ok(match status {
         Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },

@@ -63,12 +63,21 @@ pub fn read_certificate(path: &Path) -> Result<Option<String>, Error> {
         return Ok(None); // a pipe can be read only once
     }
     let Ok(file) = File::open(path) else { return Ok(None) };
-    let is_text = file.take(256).read_to_string(&mut beginning).is_ok();
-    let names = [cdpr_core::proof::FORMAT, cdpr_core::lower_bound::FORMAT].map(|name| format!("\"{name}\""));
-    if !is_text || !beginning.trim_start().starts_with('{') || !names.iter().any(|name| beginning.contains(name)) {
+    let is_text = file.take(BEGINNING).read_to_string(&mut beginning).is_ok();
+    if !is_text || !is_certificate(&beginning) {
         return Ok(None);
     }
     read_at_most(path, MOST_CERTIFICATE_BYTES).map(Some)
+}
+
+/// Bytes at the beginning of a certificate that hold its format.
+const BEGINNING: u64 = 256;
+
+/// Whether a text begins like a certificate of either kind.
+pub fn is_certificate(text: &str) -> bool {
+    let beginning: String = text.chars().take(BEGINNING as usize).collect();
+    let names = [cdpr_core::proof::FORMAT, cdpr_core::lower_bound::FORMAT].map(|name| format!("\"{name}\""));
+    beginning.trim_start().starts_with('{') && names.iter().any(|name| beginning.contains(name))
 }
 
 /// The error for a file that cannot be read; for a missing file, it suggests a similar name in the same folder.

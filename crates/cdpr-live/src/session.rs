@@ -1,8 +1,9 @@
 //! Answers requests, and keeps the engine of the last scene.
 
-use cdpr_core::collision::{Checker, Engine, Interference, Validity, Violation, valid_nearby};
+use cdpr_core::collision::{Checker, Engine, Interference, Validity, Violation, nearest_valid, worst_first};
 use cdpr_core::geometry::{Point, Pose, rotation_as_written};
 use cdpr_core::model::{QuerySpec, SceneSpec};
+use cdpr_core::numerics::PLACE_MARGIN;
 use cdpr_core::path_file::PathFile;
 use cdpr_core::plan::{
     Appraisal, Observer, PlanOptions, PlanResult, Query, appraise, engine_for, plan, turning_engine,
@@ -140,8 +141,9 @@ impl Known {
         }
         self.compile(Default::default())?;
         let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
-        let nearest = || valid_nearby(engine.conditions().position_box(), &at, |position| engine.state_valid(position));
-        Ok(placed(engine.explain(&at, &at), nearest))
+        let valid = |position: &Point| engine.state_valid(position);
+        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid);
+        Ok(placed(engine.violations(&at, &at), nearest))
     }
 
     fn place_turned(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
@@ -152,13 +154,15 @@ impl Known {
         let turn = orientation.map_or(*self.scene.orientation(), rotation_as_written);
         let pose = Pose::new(at, turn);
         let valid = |position: &Point| engine.state_valid(&Pose::new(*position, turn));
-        Ok(placed(engine.explain(&pose, &pose), || valid_nearby(engine.conditions().position_box(), &at, valid)))
+        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid);
+        Ok(placed(engine.violations(&pose, &pose), nearest))
     }
 }
 
-fn placed(violation: Option<Violation>, nearest: impl FnOnce() -> Option<Point>) -> Value {
-    let nearest = violation.as_ref().and_then(|_| nearest()).map(<[f64; 3]>::from);
-    json!({ "violation": violation, "nearest": nearest })
+fn placed(violations: Vec<Violation>, nearest: impl FnOnce() -> Option<Point>) -> Value {
+    let violations = worst_first(violations);
+    let nearest = violations.first().and_then(|_| nearest()).map(<[f64; 3]>::from);
+    json!({ "violation": violations.first(), "violations": violations, "nearest": nearest })
 }
 
 /// Tells the page of better paths.

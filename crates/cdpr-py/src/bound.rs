@@ -66,8 +66,9 @@ fn bound_at(
     if !wanted.certified || best.is_infinite() {
         return Ok((best, None));
     }
+    let asked = scene.with_ends(query.poses()?)?;
     let accepts = |certificate: &Certificate, watch: &Watch| {
-        cdpr_certify::check_bound(scene, &serialized(certificate), watch).is_ok()
+        cdpr_certify::check_bound(&asked, &serialized(certificate), watch).is_ok()
     };
     let forbidden = Forbidden::new(&*engine, [start, goal], &watch)?;
     let certificate = forbidden.accepted_certificate(scene, best, &accepts, &watch)?;

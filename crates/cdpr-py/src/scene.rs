@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
-use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path};
+use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path, nearest_valid};
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{
@@ -258,6 +258,38 @@ impl Scene {
         }
         let engine = self.engine(py, engine, interference)?;
         answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
+    }
+
+    /// A valid position near a position, `margin` metres inside the valid ones, at the scene's orientation or at another one; `None` if
+    /// none was found.
+    #[pyo3(signature = (position, margin, engine, interference, orientation=None))]
+    fn nearest_valid(
+        &self,
+        py: Python<'_>,
+        position: [f64; 3],
+        margin: f64,
+        engine: &str,
+        interference: &str,
+        orientation: Option<[f64; 4]>,
+    ) -> PyResult<Option<[f64; 3]>> {
+        let at = point(position);
+        let found = match orientation {
+            Some(turn) => {
+                let engine = self.turning_engine(py, engine, interference)?;
+                abandonable(py, move || {
+                    let valid = |place: &Point| engine.state_valid(&pose((*place).into(), turn));
+                    Ok(nearest_valid(engine.conditions().position_box(), &at, margin, valid))
+                })
+            }
+            None => {
+                let engine = self.engine(py, engine, interference)?;
+                interruptible(py, |_| {
+                    let valid = |place: &Point| engine.state_valid(place);
+                    Ok(nearest_valid(engine.conditions().position_box(), &at, margin, valid))
+                })
+            }
+        };
+        Ok(found?.map(Into::into))
     }
 
     /// The report on a path as JSON, with the orientation at each waypoint if the platform turns.

@@ -28,7 +28,8 @@ impl Planning {
 
 fn result(path: &Value) -> Value {
     let seconds = |key: &str| path["stats"][key].as_f64().unwrap_or(0.0);
-    let mut result = picked(path, &["reason", "opening_below", "seed", "lower_bound", "cost"]);
+    let mut result =
+        picked(path, &["reason", "reasons", "nearest_valid", "opening_below", "seed", "lower_bound", "cost"]);
     result.insert("seconds".to_string(), json!(seconds("planning_seconds") + seconds("post_seconds")));
     Value::Object(result)
 }

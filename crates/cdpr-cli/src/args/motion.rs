@@ -1,11 +1,11 @@
 //! Arguments of `trajectory` and `check`, and the limits of motions.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cdpr_core::model::spec::MotionSpec;
 use clap::{Args, ValueHint};
 
-use super::shared::{PathArgs, SceneArgs, Strict};
+use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict};
 use super::values::{not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
@@ -76,9 +76,38 @@ pub struct TimingArgs {
 #[derive(Debug, Args)]
 pub struct CheckArgs {
     #[command(flatten)]
-    pub path: PathArgs,
+    pub scene: SceneArgs,
+    /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns). Also a
+    /// trajectory, JSON as written by `trajectory` or CSV with at least the columns t,x,y,z, or a proof as written by `plan
+    /// --proof`.
+    #[arg(value_hint = ValueHint::FilePath, required_unless_present = "at")]
+    pub path: Option<PathBuf>,
+    /// Check a position of the platform's origin instead of a path, m: everything that is wrong with it, worst first, and a
+    /// valid position near it.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with_all = ["path", "strict"])]
+    pub at: Option<Vec<f64>>,
+    /// With --at: how far the suggested position is inside the valid ones, m [default: 0.001].
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true, requires = "at")]
+    pub margin: Option<f64>,
+    /// Start that a proof is about, instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "at")]
+    pub start: Option<Vec<f64>>,
+    /// Goal that a proof is about, instead of the scene's, m.
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "at")]
+    pub goal: Option<Vec<f64>>,
+    #[command(flatten)]
+    pub strict: Strict,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
     #[command(flatten)]
     pub limits: LimitArgs,
+}
+
+impl CheckArgs {
+    /// These arguments for a file.
+    pub fn of_file(&self, path: &Path) -> PathArgs {
+        PathArgs { scene: self.scene.clone(), path: path.to_path_buf(), strict: self.strict, checker: self.checker }
+    }
 }
 
 #[derive(Debug, Args)]

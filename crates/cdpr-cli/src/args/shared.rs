@@ -37,8 +37,6 @@ pub struct PathArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns).
-    /// For `check` also a trajectory, JSON as written by `trajectory` or CSV with at least the columns t,x,y,z, or a
-    /// proof as written by `plan --proof`.
     #[arg(value_hint = ValueHint::FilePath)]
     pub path: PathBuf,
     #[command(flatten)]

@@ -2,10 +2,12 @@
 
 use cdpr_certify::{BoundSummary, Summary};
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
-use cdpr_core::collision::{Exemption, Reason};
-use cdpr_core::geometry::Pose;
+use cdpr_core::collision::{Exemption, Reason, nearest_valid, worst_first};
+use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::model::body;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{self, CheckReport, check, engine_within};
+use cdpr_core::numerics::PLACE_MARGIN;
+use cdpr_core::plan::{self, CheckReport, Query, check, engine_within};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
@@ -17,21 +19,105 @@ use crate::Answer;
 use crate::args::{CheckArgs, Format, PathArgs};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
-use crate::output::{Console, Verdict, count, degrees, robot_line, scene_line, short, thousandths};
+use crate::output::{Console, Verdict, count, degrees, position, robot_line, scene_line, short, thousandths};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
-    let CheckArgs { path: args, limits } = args;
-    if let Some(text) = cdpr_files::text::read_certificate(&args.path)? {
-        return check_proof(args, &text, out);
-    }
-    match input::path_or_trajectory(args, out)? {
-        Given::Path(found) if limits.spec() == MotionSpec::default() => check_waypoints(args, &found.0, &found.1, out),
-        Given::Path(_) => {
-            let problem = "found a path without times, expected a trajectory: limits are given";
-            Err(Error::invalid("", problem).in_file(&args.path))
+    let limits = args.limits.spec();
+    let Some(path) = &args.path else {
+        if limits != MotionSpec::default() {
+            return Err(Error::invalid("--at", "found a position, expected a trajectory: limits are given"));
         }
-        Given::Trajectory(found) => trajectory_check::run(args, limits.spec(), &found.0, &found.1, out),
+        return check_place(args, out);
+    };
+    if args.margin.is_some() {
+        return Err(Error::invalid("--margin", "found with a file, expected it with --at"));
+    }
+    let files = args.of_file(path);
+    let given = match cdpr_files::text::read_certificate(path)? {
+        Some(text) => Given::Proof(Box::new((input::scene(&args.scene, out)?, text))),
+        None => input::path_or_trajectory(&files, out)?,
+    };
+    let wrong = |found: &str, expected: &str| {
+        Err(Error::invalid("", format!("found {found}, expected {expected}")).in_file(path))
+    };
+    let ends_given = args.start.is_some() || args.goal.is_some();
+    match given {
+        Given::Path(_) if limits != MotionSpec::default() => {
+            wrong("a path without times", "a trajectory: limits are given")
+        }
+        Given::Proof(_) if limits != MotionSpec::default() => wrong("a proof", "a trajectory: limits are given"),
+        Given::Path(_) | Given::Trajectory(_) if ends_given => {
+            wrong("a path", "a proof: --start and --goal are what a proof is about")
+        }
+        Given::Path(found) => check_waypoints(&files, &found.0, &found.1, out),
+        Given::Trajectory(found) => trajectory_check::run(&files, limits, &found.0, &found.1, out),
+        Given::Proof(found) => {
+            let (scene, text) = *found;
+            let scene = if ends_given { with_ends(args, &scene)? } else { scene };
+            check_proof(&files, &scene, &text, out)
+        }
+    }
+}
+
+/// The scene with the ends that a proof is about.
+fn with_ends(args: &CheckArgs, scene: &Scene) -> Result<Scene, Error> {
+    let end = |option: &str, given: &Option<Vec<f64>>| {
+        given.as_deref().map(|numbers| body::point(option, [numbers[0], numbers[1], numbers[2]])).transpose()
+    };
+    let (start, goal) = (end("--start", &args.start)?, end("--goal", &args.goal)?);
+    let query = Query { start: start.or(scene.start()), goal: goal.or(scene.goal()), ..Query::of(scene) };
+    scene.with_ends(query.poses().map_err(|e| e.in_file(&args.scene.scene))?)
+}
+
+/// Checks a position: what is wrong with it, and a valid position near it.
+fn check_place(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
+    let scene = input::scene(&args.scene, out)?;
+    let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
+    let numbers = args.at.as_deref().unwrap_or_default();
+    let at = body::point("--at", [numbers[0], numbers[1], numbers[2]])?;
+    let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
+    out.notes(&scene, engine.conditions());
+    let violations = worst_first(engine.violations(&at, &at));
+    let valid = |place: &Point| !interrupted() && engine.state_valid(place);
+    let margin = args.margin.unwrap_or(PLACE_MARGIN);
+    let nearest = nearest_valid(engine.conditions().position_box(), &at, margin, valid);
+    match args.scene.format {
+        Format::Json => out.result(&format!(
+            "{:#}",
+            serde_json::json!({
+                "valid": violations.is_empty(),
+                "violations": violations,
+                "nearest_valid": nearest.map(<[f64; 3]>::from),
+                "margin": margin,
+            })
+        )),
+        Format::Text => {
+            out.result(&scene_line(&scene));
+            match violations.is_empty() {
+                true => out.verdict(&Verdict::yes("valid:", format!(" the platform at {}", position(&at)))),
+                false => {
+                    let found = format!(" the platform at {}, {}", position(&at), count(violations.len(), "violation"));
+                    out.verdict(&Verdict::no("not valid:", found));
+                }
+            }
+            violations.iter().for_each(|violation| out.result(&format!("  {}", violation.sentence())));
+            nearest_place(&at, nearest.as_ref(), margin).iter().for_each(|line| out.result(line));
+        }
+    }
+    Ok(if violations.is_empty() { Answer::Yes } else { Answer::No })
+}
+
+/// A valid position near one that is not, or not by as much as the margin; nothing if there is no need for one.
+fn nearest_place(at: &Point, nearest: Option<&Point>, margin: f64) -> Option<String> {
+    let inside = if margin > 0.0 { format!("{} inside", small_length(margin)) } else { "valid".to_string() };
+    match nearest {
+        None => Some(format!("no position that is {inside} was found near it")),
+        Some(place) if place == at => None,
+        Some(place) => {
+            let away = small_length((place - at).norm());
+            Some(format!("the nearest position found that is {inside}: {}, {away} away", position(place)))
+        }
     }
 }
 
@@ -83,19 +169,18 @@ pub fn turns(poses: &[Pose]) -> String {
 }
 
 /// Checks a proof of either kind, without the code that made it.
-fn check_proof(args: &PathArgs, text: &str, out: &Console) -> Result<Answer, Error> {
-    let scene = input::scene(&args.scene, out)?;
-    input::selects_orientation(&scene, &args.scene)?;
-    input::never_turns(&scene, &args.scene)?;
+fn check_proof(args: &PathArgs, scene: &Scene, text: &str, out: &Console) -> Result<Answer, Error> {
+    input::selects_orientation(scene, &args.scene)?;
+    input::never_turns(scene, &args.scene)?;
     let check = |stop: &Interrupt| match cdpr_certify::is_bound(text) {
-        true => bound(text, &scene, &Watch::on(stop)),
-        false => no_path(text, &scene, &Watch::on(stop)),
+        true => bound(text, scene, &Watch::on(stop)),
+        false => no_path(text, scene, &Watch::on(stop)),
     };
     let proved = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.path))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", proved.answer)),
         Format::Text => {
-            out.result(&scene_line(&scene));
+            out.result(&scene_line(scene));
             out.verdict(&Verdict::yes("proved:", format!(" {}", proved.what)));
             out.result(&proved.how);
         }

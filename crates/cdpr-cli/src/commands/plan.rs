@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
-use cdpr_core::geometry::{Point, Pose, wxyz};
+use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::numerics::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
@@ -54,7 +54,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let appraisal = planned.appraise(scene, bounded || args.proof.is_some(), &watch)?;
         let length = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
         let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
-            true => unless_interrupted(planned.bound_certificate(scene, length, &accepted(scene), &Watch::on(stop)))?,
+            true => {
+                let asked = scene.with_ends(args.query(scene)?.poses()?)?;
+                unless_interrupted(planned.bound_certificate(scene, length, &accepted(&asked), &Watch::on(stop)))?
+            }
             false => None,
         };
         Ok((planned, options, timed, appraisal, bound.flatten()))
@@ -77,6 +80,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Format::Text => {
             out.result(&question(&scene, ends));
             out.verdict(&answer(&scene, &options, &found));
+            invalid_end_lines(&found).iter().for_each(|line| out.result(line));
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound, here)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
@@ -116,7 +120,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if interrupted() {
         out.say("interrupted; this is the best path found so far");
     } else if let Some(path) = &args.html {
-        let page = page(&shown_scene(&scene, ends)?, Contents::from(&file), form(args.is_static));
+        let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);
@@ -198,17 +202,6 @@ fn excess_line(cost: f64, bound: f64, here: &str) -> String {
     format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
 }
 
-/// The scene with the start and goal of the query.
-fn shown_scene(scene: &Scene, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
-    let mut spec = scene.spec().clone();
-    let query = spec.query.get_or_insert_default();
-    (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
-    let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
-    (query.start_orientation, query.goal_orientation) =
-        if scene.keeps_orientation(&[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
-    Scene::new(spec)
-}
-
 fn question(scene: &Scene, ends: [Pose; 2]) -> String {
     let [start, goal] = ends.map(|end| position(&end.position));
     if scene.keeps_orientation(&ends) {
@@ -219,7 +212,7 @@ fn question(scene: &Scene, ends: [Pose; 2]) -> String {
 }
 
 fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
-    let reason = || found.reason.as_ref().map_or(String::new(), |r| format!(": {}", r.sentence()));
+    let reason = || found.reason().map_or(String::new(), |worst| format!(": {}", worst.sentence()));
     match found.status {
         Status::Solved => solved(scene, options, found),
         Status::BudgetSpent if found.stats.samples == 0 => {
@@ -239,6 +232,13 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
         Status::StartInvalid => Verdict::no("no:", format!(" the start of {} is not valid{}", scene.name(), reason())),
         Status::GoalInvalid => Verdict::no("no:", format!(" the goal of {} is not valid{}", scene.name(), reason())),
     }
+}
+
+/// What else makes the start or goal invalid, and a valid position near it.
+fn invalid_end_lines(found: &PlanResult) -> Vec<String> {
+    let others = found.reasons.iter().skip(1).map(|violation| format!("  also: {}", violation.sentence()));
+    let nearest = found.nearest_valid.map(|place| format!("a valid position near it: {}", position(&place)));
+    others.chain(nearest).collect()
 }
 
 fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
@@ -319,10 +319,12 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
             None => out.say(&format!("next: cdpr plan {scene}{turned} --proof proof.json, and check that")),
         },
         (Status::StartInvalid | Status::GoalInvalid, _) => {
-            if let Some([cable, obstacle]) = stands_beside(asked, found) {
-                let pair = format!("[{cable:?}, {obstacle:?}]");
+            if let Some((cables, obstacle)) = stands_beside(asked, found) {
+                let pairs: Vec<String> = cables.iter().map(|cable| format!("[{cable:?}, {obstacle:?}]")).collect();
                 out.say(&format!(
-                    "next: only the platform may touch {obstacle}; to let {cable} do so as well, add {pair} to `touch`"
+                    "next: only the platform may touch {obstacle}; to let {} do so as well, add {} to `touch`",
+                    cables.join(", "),
+                    pairs.join(", ")
                 ));
             }
             let turned = if turns { " or orientation (--start-orientation, --goal-orientation)" } else { "" };
@@ -334,13 +336,21 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
     }
 }
 
-/// The cable and the obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable
-/// attached at the point of contact comes as close as the platform.
-fn stands_beside<'a>(scene: &Scene, found: &'a PlanResult) -> Option<[&'a str; 2]> {
+/// The cables and the obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable attached at the
+/// point of contact comes as close as the platform.
+fn stands_beside<'a>(scene: &Scene, found: &'a PlanResult) -> Option<(Vec<&'a str>, &'a str)> {
+    let touches = |name: &str| {
+        let index = scene.obstacles().iter().position(|known| known.name == name);
+        index.is_some_and(|k| scene.pairs().between(Member::Platform, Member::Obstacle(k)) == PairRule::Touch)
+    };
     let beside = |reason: &&Violation| reason.kind == Kind::CableObstacle && reason.gap >= Some(-TOUCH_DEPTH);
-    let reason = found.reason.as_ref().filter(beside)?;
-    let [cable, obstacle] = &reason.culprits[..] else { return None };
-    let index = scene.obstacles().iter().position(|known| known.name == *obstacle)?;
-    let touches = scene.pairs().between(Member::Platform, Member::Obstacle(index)) == PairRule::Touch;
-    touches.then_some([cable, obstacle])
+    let pairs = found.reasons.iter().filter(beside).filter_map(|reason| match &reason.culprits[..] {
+        [cable, obstacle] if touches(obstacle) => Some((cable.as_str(), obstacle.as_str())),
+        _ => None,
+    });
+    let pairs: Vec<(&str, &str)> = pairs.collect();
+    let obstacle = pairs.first()?.1;
+    let mut cables: Vec<&str> = pairs.iter().filter(|(_, other)| *other == obstacle).map(|(cable, _)| *cable).collect();
+    cables.sort_unstable();
+    Some((cables, obstacle))
 }

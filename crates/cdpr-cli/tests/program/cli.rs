@@ -128,9 +128,12 @@ fn a_cable_that_ends_where_the_platform_may_touch_is_told_how_to_do_so_too() {
     };
     let platform = "[\"platform\", \"conveyor\"]";
     let refused = stderr(&planned(platform));
-    let hint = "next: only the platform may touch conveyor; to let cable 0 do so as well, add [\"cable 0\", \"conveyor\"] to `touch`";
-    assert!(refused.contains(hint), "{refused}");
     let pairs: Vec<String> = [0, 2, 4, 6].map(|k| format!("[\"cable {k}\", \"conveyor\"]")).into();
+    let hint = format!(
+        "next: only the platform may touch conveyor; to let cable 0, cable 2, cable 4, cable 6 do so as well, add {} to `touch`",
+        pairs.join(", ")
+    );
+    assert!(refused.contains(&hint), "{refused}");
     assert_eq!(status(&planned(&format!("{platform}, {}", pairs.join(", ")))), 0);
     let refused = stderr(&planned(""));
     assert!(refused.contains("next: choose another position") && !refused.contains("to `touch`"), "{refused}");

@@ -293,3 +293,79 @@ fn arguments_are_escaped_in_the_errors_about_them() {
         assert!(said.contains("\\u00") || said.contains("\\u202e"), "{said}");
     }
 }
+
+/// A scene whose goal is in a pillar, above a plate, and too heavy to hold.
+fn four_things_wrong() -> tempfile::TempDir {
+    let folder = folder();
+    let text = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
+    let text = text.replace("../", &testdata(""));
+    let plate = "\n[[obstacles]]\nname = \"plate\"\nbox = [0.4, 0.4, 0.02]\nposition = [1.0, 1.0, 1.0]\n";
+    fs::write(folder.path().join("scene.toml"), text + plate).unwrap();
+    folder
+}
+
+#[test]
+fn everything_that_is_wrong_with_an_end_is_told_worst_first() {
+    let folder = four_things_wrong();
+    let run = |args: &[&str]| cdpr_in(folder.path(), args);
+    let goal = ["--goal", "1.0", "1.0", "0.9"];
+    let planned = run(&[&["plan", "scene.toml", "--format", "json"], &goal[..]].concat());
+    assert_eq!(status(&planned), 1);
+    let planned = json(&planned);
+    let reasons = planned["reasons"].as_array().unwrap();
+    assert!(reasons.len() > 4, "{reasons:?}");
+    let margins: Vec<f64> = reasons.iter().map_while(|reason| reason["margin"].as_f64()).collect();
+    assert!(margins.windows(2).all(|pair| pair[0] <= pair[1]) && margins.len() > 3, "{margins:?}");
+    assert_eq!(planned["reason"], reasons[0]);
+    let place: Vec<String> = planned["nearest_valid"].as_array().unwrap().iter().map(ToString::to_string).collect();
+    let found = stdout(&run(&[&["plan", "scene.toml"], &goal[..]].concat()));
+    assert_eq!(found.matches("\n  also: ").count(), reasons.len() - 1, "{found}");
+    assert!(found.contains("\na valid position near it: ("), "{found}");
+    // `check --at` says the same, and that the place it proposes is valid.
+    let checked = run(&["check", "scene.toml", "--at", "1.0", "1.0", "0.9", "--format", "json"]);
+    assert_eq!(status(&checked), 1);
+    assert_eq!(
+        (&json(&checked)["violations"], &json(&checked)["nearest_valid"]),
+        (&planned["reasons"], &planned["nearest_valid"])
+    );
+    let there: Vec<&str> = place.iter().map(String::as_str).collect();
+    let valid = run(&[&["check", "scene.toml", "--at"], &there[..]].concat());
+    assert_eq!(status(&valid), 0, "{}", stdout(&valid));
+    assert!(stdout(&valid).contains("\nvalid: the platform at ("), "{}", stdout(&valid));
+    let far = run(&["check", "scene.toml", "--at", "0.3", "1", "0.3", "--margin", "5"]);
+    assert!(stdout(&far).contains("no position that is 5.000 m inside was found near it"), "{}", stdout(&far));
+    for (args, words) in [
+        (&["check", "scene.toml"][..], "<PATH>"),
+        (&["check", "scene.toml", "p.json", "--at", "1", "1", "1"], "--at"),
+        (&["check", "scene.toml", "--at", "1", "1", "1", "--speed", "1"], "found a position, expected a trajectory"),
+        (&["check", "scene.toml", "p.json", "--margin", "1"], "--at"),
+    ] {
+        let refused = run(args);
+        assert!(status(&refused) == 2 && stderr(&refused).contains(words), "{args:?}: {}", stderr(&refused));
+    }
+}
+
+#[test]
+fn what_plan_writes_check_checks_with_the_same_ends() {
+    let folder = folder();
+    let run = |args: &[&str]| cdpr_in(folder.path(), args);
+    let (hard1, ends) = (testdata("scenes/hard1.toml"), ["--start", "0.4", "1", "0.4", "--goal", "1.7", "1", "1.2"]);
+    let planned = run(&[&["plan", &hard1, "--proof", "bound.json"], &ends[..]].concat());
+    assert!(status(&planned) == 0 && folder.path().join("bound.json").exists(), "{}", stderr(&planned));
+    let closed = testdata("scenes/closed.toml");
+    assert_eq!(status(&run(&["plan", &closed, "--proof", "none.json"])), 1);
+    for (scene, file, ends) in [(&hard1, "bound.json", &ends[..]), (&closed, "none.json", &[])] {
+        let checked = run(&[&["check", scene, file], ends].concat());
+        assert_eq!(status(&checked), 0, "{}", stderr(&checked));
+        // The same from standard input.
+        let text = fs::read_to_string(folder.path().join(file)).unwrap();
+        let piped = cdpr_fed(folder.path(), &[&["check", scene, "-"], ends].concat(), &text);
+        assert_eq!((status(&piped), stdout(&piped)), (0, stdout(&checked)), "{}", stderr(&piped));
+        let refused = run(&[&["check", scene, file, "--speed", "1"], ends].concat());
+        assert!(stderr(&refused).contains("found a proof, expected a trajectory: limits are given"));
+    }
+    assert_eq!(status(&run(&["check", &hard1, "bound.json"])), 2); // about other ends
+    assert_eq!(status(&run(&["plan", &hard1, "-o", "path.json"])), 0);
+    let refused = run(&["check", &hard1, "path.json", "--start", "0.4", "1", "0.4"]);
+    assert!(stderr(&refused).contains("found a path, expected a proof: --start and --goal are what a proof is about"));
+}

@@ -36,6 +36,25 @@ pub fn valid_nearby(positions: (Point, Point), at: &Point, valid: impl Fn(&Point
     Some(moved_back(at, found, valid))
 }
 
+/// As [`valid_nearby`], but `margin` metres inside the valid positions, so that a suggestion is not at its limit: all positions at that
+/// distance along the axes and diagonals are valid too. `None` if no such position was found.
+pub fn nearest_valid(
+    positions: (Point, Point),
+    at: &Point,
+    margin: f64,
+    valid: impl Fn(&Point) -> bool,
+) -> Option<Point> {
+    let around = || {
+        let steps = (0..27).map(|k| Vector::new((k % 3) as f64 - 1.0, (k / 3 % 3) as f64 - 1.0, (k / 9) as f64 - 1.0));
+        steps.filter_map(|step| step.try_normalize(0.0)).map(|direction| direction * margin)
+    };
+    let roomy = |place: &Point| valid(place) && (margin == 0.0 || around().all(|step| valid(&(place + step))));
+    if roomy(at) {
+        return Some(*at);
+    }
+    valid_nearby(positions, at, roomy)
+}
+
 /// The last valid position found by halving between an invalid and a valid one.
 fn moved_back(at: &Point, found: Point, valid: impl Fn(&Point) -> bool) -> Point {
     let (mut far, mut near) = (found, *at);

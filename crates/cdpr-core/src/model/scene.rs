@@ -368,6 +368,20 @@ impl Scene {
         Scene::new(spec)
     }
 
+    /// The scene with this start and goal in its query.
+    ///
+    /// # Errors
+    /// Never for the ends of a query of this scene.
+    pub fn with_ends(&self, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
+        let mut spec = self.spec.clone();
+        let query = spec.query.get_or_insert_default();
+        (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
+        let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
+        (query.start_orientation, query.goal_orientation) =
+            if self.keeps_orientation(&[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
+        Scene::new(spec)
+    }
+
     /// The scene with this clearance, m, in place of its own; clearances of kinds and pairs that are larger are lowered to it.
     /// With 0, bodies may touch but not overlap.
     ///

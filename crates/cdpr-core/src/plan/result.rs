@@ -6,8 +6,9 @@ use serde::Serialize;
 
 use super::NoPath;
 use crate::choices;
-use crate::collision::Violation;
+use crate::collision::{Validity, Violation, nearest_valid, worst_first};
 use crate::geometry::{Point, Pose, Rotation};
+use crate::numerics::PLACE_MARGIN;
 use crate::planning::{Milestone, SearchTree, Status};
 
 /// Counts and times of a run.
@@ -47,8 +48,10 @@ pub struct PlanResult {
     pub status: Status,
     /// What found the path, if there is one.
     pub found_by: FoundBy,
-    /// Why the start or goal is invalid.
-    pub reason: Option<Violation>,
+    /// Everything that makes the start or goal invalid, worst first.
+    pub reasons: Vec<Violation>,
+    /// If the start or goal is invalid: a valid position near it, if one was found, m.
+    pub nearest_valid: Option<Point>,
     /// Why there is no path, if that was proved.
     pub no_path: Option<Arc<NoPath>>,
     /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
@@ -82,16 +85,37 @@ impl PlanResult {
 
     /// The result if time runs out before the search begins.
     pub fn out_of_time() -> Self {
-        PlanResult::unsolved(Status::BudgetSpent, None, Stats::default())
+        PlanResult::unsolved(Status::BudgetSpent, Stats::default())
     }
 
-    pub(super) fn unsolved(status: Status, reason: Option<Violation>, stats: Stats) -> Self {
+    /// The worst of what makes the start or goal invalid.
+    pub fn reason(&self) -> Option<&Violation> {
+        self.reasons.first()
+    }
+
+    /// The result for an end that is not valid, and a search for a valid position near it.
+    pub(super) fn invalid_end<S>(
+        status: Status,
+        engine: &(impl Validity<S> + ?Sized),
+        end: &S,
+        (positions, at): ((Point, Point), &Point),
+        valid: impl Fn(&Point) -> bool,
+    ) -> Self {
+        PlanResult {
+            reasons: worst_first(engine.violations(end, end)),
+            nearest_valid: nearest_valid(positions, at, PLACE_MARGIN, valid),
+            ..PlanResult::unsolved(status, Stats::default())
+        }
+    }
+
+    pub(super) fn unsolved(status: Status, stats: Stats) -> Self {
         let (cost, raw_cost) = (f64::NAN, f64::NAN);
         let tree = Arc::default();
         PlanResult {
             status,
             found_by: FoundBy::Planner,
-            reason,
+            reasons: Vec::new(),
+            nearest_valid: None,
             no_path: None,
             opening_below: None,
             lower_bound: None,

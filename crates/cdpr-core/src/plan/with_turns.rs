@@ -83,7 +83,9 @@ fn search(
 ) -> Result<PlanResult, Error> {
     for (pose, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if !engine.state_valid(&pose) {
-            return Ok(PlanResult::unsolved(status, engine.explain(&pose, &pose), Stats::default()));
+            let place = (engine.conditions().position_box(), &pose.position);
+            let valid = |at: &Point| watch.check().is_ok() && engine.state_valid(&Pose::new(*at, pose.orientation));
+            return Ok(PlanResult::invalid_end(status, engine, &pose, place, valid));
         }
     }
     let space = PoseSpace::of(scene, [&start, &goal])?;
@@ -101,7 +103,7 @@ fn search(
     let Outcome { status, waypoints, tree, motion_checks, samples, history, .. } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
     let tree = SearchTree { states: positions(&tree.states), parents: tree.parents };
-    let unsolved = PlanResult { tree: Arc::new(tree), history, ..PlanResult::unsolved(status, None, stats) };
+    let unsolved = PlanResult { tree: Arc::new(tree), history, ..PlanResult::unsolved(status, stats) };
     if status != Status::Solved {
         return Ok(unsolved);
     }
