@@ -92,6 +92,10 @@ impl SceneId {
     }
 }
 
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
+}
+
 /// The keys of a planned path that are only written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedKeys {
@@ -115,6 +119,9 @@ pub struct PlannedKeys {
     pub interference: Interference,
     /// Seed of all random numbers.
     pub seed: u64,
+    /// Clearance that the path was planned with in addition to that of the scene, m, for a timed motion with more room.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub added_clearance: f64,
     /// All other options on which the path depends.
     pub options: OptionKeys,
     /// Counts and times.
@@ -212,6 +219,7 @@ impl PathFile {
             engine: options.engine,
             interference: options.interference,
             seed: options.seed,
+            added_clearance: result.added_clearance,
             options: OptionKeys::of(options),
             stats: *stats,
             history: history.clone(),

@@ -101,10 +101,10 @@ def _clearance(chart: Axes, scene: Scene, way: Way, ends: Floats) -> None:
     places = np.unique(np.concatenate([np.linspace(0.0, ends[-1], _STEPS + 1), ends]))
     gaps = scene.clearance(*way.at(scene, places))
     chart.plot(places, gaps, color=BLACK, gid="clearance", zorder=3)
-    required = scene.required_clearance
-    words = f"{required:g} m required" if required > 0 else ""
-    framed(chart, "clearance (m)", _known(gaps), words, [required] if required > 0 else [])
     nearest = check(scene, way.positions, way.orientations if way.turns else None).min_clearance
+    required = 0.0 if nearest is None else nearest["required"]
+    words = f"{required:g} m required of {' and '.join(nearest['culprits'])}" if nearest and required > 0 else ""
+    framed(chart, "clearance (m)", _known(gaps), words, [required] if required > 0 else [])
     if nearest is not None:
         place = ends[nearest["segment"]] + nearest["at"] * (ends[nearest["segment"] + 1] - ends[nearest["segment"]])
         chart.plot([place], [nearest["value"]], color=VERMILION, marker="o", markersize=3, gid="nearest", zorder=4)

@@ -306,7 +306,7 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
         }
         (Status::Solved, None) if args.trajectory.as_ref().is_some_and(|path| !is_stream(path)) => {}
         (Status::Solved, None) if args.scene.format == Format::Text => {
-            out.say(&format!("next: cdpr plan {scene} -o path.json --html view.html"));
+            out.say("next: add -o path.json to write the path, and --html view.html for a picture");
         }
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),

@@ -58,6 +58,8 @@ pub struct PlanResult {
     pub opening_below: Option<f64>,
     /// No path at the orientation of this one is shorter, m, if the planner computed such a bound.
     pub lower_bound: Option<f64>,
+    /// Clearance that the path was planned with in addition to that of the scene, m; 0 unless a timed motion wanted more room.
+    pub added_clearance: f64,
     /// The final path, m; empty unless solved.
     pub waypoints: Vec<Point>,
     /// The orientation at each waypoint; empty if the platform keeps that of the scene.
@@ -119,6 +121,7 @@ impl PlanResult {
             no_path: None,
             opening_below: None,
             lower_bound: None,
+            added_clearance: 0.0,
             waypoints: Vec::new(),
             orientations: Vec::new(),
             cost,

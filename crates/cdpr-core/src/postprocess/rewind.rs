@@ -162,7 +162,7 @@ impl<S: StateSpace> Rewinder<'_, S> {
     /// it can be connected, and removes what lies between.
     fn backward(&self, path: &mut Vec<S::State>) -> Result<(), Error> {
         let mut reference = path.len().saturating_sub(1);
-        while reference >= 2 {
+        while reference >= 2 && !self.watch.expired()? {
             reference = match self.earliest_connection(path, reference)? {
                 Some((j, None)) => {
                     path.drain(j + 1..reference);
@@ -189,8 +189,8 @@ impl<S: StateSpace> Rewinder<'_, S> {
             let segment = self.space.distance(x_j, x_next);
             let steps = (segment / self.step * (1.0 + STEP_COUNT)).floor() as usize;
             for k in 0..=steps {
-                if tried.is_multiple_of(POLL) {
-                    self.watch.expired()?;
+                if tried.is_multiple_of(POLL) && self.watch.expired()? {
+                    return Ok(None); // what has been rewound so far is a path
                 }
                 tried += 1;
                 let along = k as f64 * self.step;

@@ -197,6 +197,9 @@ struct Strand<'a> {
 impl<'a> Strand<'a> {
     /// `None` if time runs out before the polyhedra are ready.
     fn new(taut: &'a StringPuller<'a>, path: &[Point], watch: &Watch) -> Result<Option<Self>, Error> {
+        if path.len() <= 2 {
+            return Ok(None); // a straight line, for which nothing need be prepared
+        }
         let Some(hulls) = taut.hulls(watch)? else { return Ok(None) };
         let mut path: Vec<Bend> = path.iter().map(|place| Bend::new(*place, None)).collect();
         path.dedup_by(|a, b| a.place == b.place);

@@ -162,7 +162,7 @@ fn another(
     watch.check()?;
     // A bound of a scene with a larger clearance is none of this one.
     let lower_bound = found.lower_bound.filter(|_| room == 0.0);
-    Ok((found.status == Status::Solved).then_some(PlanResult { lower_bound, ..found }))
+    Ok((found.status == Status::Solved).then_some(PlanResult { lower_bound, added_clearance: room, ..found }))
 }
 
 #[cfg(test)]
@@ -210,6 +210,7 @@ mod tests {
             let again = plan(Query::of(&again), &found.options, &()).unwrap().result;
             assert_eq!(again.waypoints, found.result.waypoints);
             assert!(found.room == 0.0 || found.result.lower_bound.is_none());
+            assert_eq!(found.result.added_clearance, found.room);
         }
     }
 
