@@ -23,8 +23,10 @@ pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bou
     let [below, above] = [minus(&exact3(&center), &low), minus(&high, &exact3(&center))];
     let half: Exact3 = std::array::from_fn(|k| if below[k] > above[k] { below[k].clone() } else { above[k].clone() });
     let mut supply = exact(0.0);
-    for (cable, arm) in scene.robot().cables().iter().zip(&bodies.arms) {
-        let Some([least, largest]) = cable.tension else { return refused("a cable without tension limits") };
+    // The limits as they are given, not as they count: a limit that stands for none closes nothing.
+    let limits = scene.robot().spec().cables.iter().map(|cable| cable.tension);
+    for ((cable, given), arm) in scene.robot().cables().iter().zip(limits).zip(&bodies.arms) {
+        let Some([least, largest]) = given else { return refused("a cable without tension limits") };
         let arm = exact3(arm);
         let pull = plus(&force, &cross(&moment, &arm));
         let line = minus(&minus(&exact3(&cable.outlet.coords), &arm), &exact3(&center));

@@ -110,6 +110,9 @@ impl Scene {
             None => (robot, None),
         };
         notes.extend(unlimited);
+        if spec.wrench.as_ref().is_some_and(|wrench| wrench.load.is_some_and(|load| load != [0.0; 6])) {
+            notes.push("wrenches are certified with `load`; a platform without it is another scene".to_string());
+        }
         Ok(Scene {
             spec,
             robot,

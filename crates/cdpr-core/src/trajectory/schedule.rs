@@ -111,7 +111,7 @@ impl<'a> Schedule<'a> {
         let alone = |stretch: Stretch| {
             let own = Schedule { curve, limits, winches, stretches: vec![stretch] };
             match limits.jerk {
-                None => own.slowed(0.0, watch),
+                None => own.slowed(0.0, f64::INFINITY, watch).map(|timing| timing.expect("nothing is too slow")),
                 Some(jerk) => own.within_jerk(jerk, watch),
             }
         };
@@ -128,29 +128,28 @@ impl<'a> Schedule<'a> {
         let useful = useful_acceleration(jerk, self.stretches[0].length());
         let given = self.limits.acceleration.unwrap_or(f64::INFINITY);
         let grid = (0..).map(|k| useful * SMALLER.powi(k)).skip_while(|a| *a > given);
-        let mut best = Err(None);
+        let (mut best, mut refused): (Option<Timing>, _) = (None, None);
         for acceleration in [given].into_iter().filter(|a| *a < useful).chain(grid) {
             let mut may_be_faster = false;
             for (share, coasting) in AVERAGING {
                 let window = share * acceleration / jerk;
                 let own = self.capped(acceleration, if coasting { ROLLING * window } else { 0.0 });
-                let duration = own.fastest()?.iter().map(Timing::duration).sum::<f64>() + window;
-                if best.as_ref().is_ok_and(|best: &Timing| duration >= best.duration()) {
+                let known = best.as_ref().map_or(f64::INFINITY, Timing::duration);
+                if own.fastest()?.iter().map(Timing::duration).sum::<f64>() + window >= known {
                     continue;
                 }
                 may_be_faster = true;
-                match own.slowed(window, watch) {
-                    Ok(timing) if best.as_ref().is_ok_and(|best: &Timing| timing.duration() >= best.duration()) => {}
-                    Ok(timing) => best = Ok(timing),
-                    Err(error) if error.class() != ErrorClass::Input => return Err(error),
-                    Err(error) => best = best.or(Err(Some(error))),
+                match own.slowed(window, known, watch) {
+                    Ok(faster) => best = faster.or(best),
+                    Err(error) if error.class() == ErrorClass::Input => refused = Some(error),
+                    Err(error) => return Err(error),
                 }
             }
             if !may_be_faster || acceleration < LEAST_TRIED * useful.min(given) {
                 break;
             }
         }
-        best.map_err(|error| error.expect("something was tried"))
+        best.ok_or_else(|| refused.expect("something was tried"))
     }
 
     /// The limits with at most this acceleration. With a `window`, s, the speed is so limited that a motion along the whole stretch
@@ -171,17 +170,20 @@ impl<'a> Schedule<'a> {
         own
     }
 
-    /// The timing for one window, so slow that it keeps all limits.
-    fn slowed(mut self, window: f64, watch: &Watch) -> Result<Timing, Error> {
+    /// The timing for one window, so slow that it keeps all limits; `None` if it takes as long as a `known` one, s.
+    fn slowed(mut self, window: f64, known: f64, watch: &Watch) -> Result<Option<Timing>, Error> {
         let (mut excess, mut proved) = (TENSION_EXCESS, Proved::new());
         for _ in 0..TIMING_ROUNDS {
             let timing = smoothed(&self.fastest()?, window);
+            if timing.duration() >= known {
+                return Ok(None); // tighter limits make it no faster
+            }
             let mut shares = self.shares(&timing, window, watch)?;
             if worst(&shares) <= 1.0 + TIMING_EXCESS {
                 let timing = timing.stretched(worst(&shares).sqrt());
                 let lacking = without_tensions(self.curve, &timing, self.winches, &mut proved, watch)?;
                 if lacking.is_empty() {
-                    return Ok(timing);
+                    return Ok(Some(timing).filter(|timing| timing.duration() < known));
                 }
                 lacking.iter().for_each(|k| shares[*k] = 1.0 + excess);
                 excess *= 2.0;
@@ -190,7 +192,8 @@ impl<'a> Schedule<'a> {
         }
         let timing = smoothed(&self.fastest()?, window);
         let factor = worst(&self.shares(&timing, window, watch)?).sqrt();
-        self.slowed_as_a_whole(&timing.stretched(factor), watch)
+        let timing = self.slowed_as_a_whole(&timing.stretched(factor), watch)?;
+        Ok(Some(timing).filter(|timing| timing.duration() < known))
     }
 
     /// The timing, slowed down until it is proved that tensions exist everywhere: at rest they do.
