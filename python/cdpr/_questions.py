@@ -258,7 +258,7 @@ def nearest_valid(
     >>> import cdpr
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> scene.nearest_valid([0.8, 1.0, 0.3]).round(3).tolist()
-    [0.774, 1.0, 0.3]
+    [0.672, 1.0, 0.3]
     >>> scene.nearest_valid([0.3, 1.0, 0.3]).tolist()
     [0.3, 1.0, 0.3]
     """
