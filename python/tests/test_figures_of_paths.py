@@ -125,3 +125,13 @@ def test_paths_are_compared_by_name_length_and_waypoints(hard1):
         assert text.get_text() == f"{name}: {result.cost:.2f} m, {len(result.waypoints)} waypoints"
         assert len(named(ax, name)) == 1
     assert len({named(ax, name)[0].get_color() for name in found}) == 2
+
+
+def test_the_clearance_that_is_drawn_is_that_of_the_pair_it_names():
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    scene = scene.replace(clearance=0.001, clearances={("cable 1", "pillar"): 0.004})
+    path = [[0.3, 1.0, 0.3], [0.72, 1.0, 0.3]]
+    nearest = cdpr.check(scene, path).min_clearance
+    assert (nearest["required"], nearest["culprits"]) == (0.004, ["cable 1", "pillar"])
+    chart, *_ = figures.along(scene, path)
+    assert chart.get_title("right").startswith("0.004 m required of cable 1 and pillar")

@@ -19,7 +19,7 @@ pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewA
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
-pub use values::Trials;
+pub use values::{Trials, place};
 
 use crate::output::{Talk, is_standard_output};
 

@@ -359,6 +359,16 @@ fn late(place: &Place, arguments: &[&str], budget: f64) -> f64 {
 }
 
 #[test]
+fn rewinding_in_tiny_steps_ends_with_its_budget() {
+    let _alone = alone();
+    let place = Place::new();
+    let scene = Place::scene("hard1");
+    let arguments = ["plan", &scene, "--planner", "modified-rrt", "--step", "1e-9", "--budget-ms", "200", "-v"];
+    let least = (0..BUDGETED_RUNS).map(|_| late(&place, &arguments, 200.0)).find(|late| *late <= LATE);
+    assert!(least.is_some());
+}
+
+#[test]
 fn a_budget_holds_from_the_call_to_the_answer() {
     let _alone = alone();
     let place = Place::new();

@@ -92,10 +92,6 @@ impl SceneId {
     }
 }
 
-fn is_zero(number: &f64) -> bool {
-    *number == 0.0
-}
-
 /// The keys of a planned path that are only written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedKeys {
@@ -120,7 +116,7 @@ pub struct PlannedKeys {
     /// Seed of all random numbers.
     pub seed: u64,
     /// Clearance that the path was planned with in addition to that of the scene, m, for a timed motion with more room.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "crate::trajectory::is_zero")]
     pub added_clearance: f64,
     /// All other options on which the path depends.
     pub options: OptionKeys,

@@ -18,11 +18,12 @@ use rand_chacha::ChaCha8Rng;
 use web_time::Instant;
 
 use crate::collision::path_check::{first_invalid_segment, path_length};
-use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity};
+use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, nearest_valid};
 use crate::error::{Error, ErrorClass};
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose};
 use crate::lower_bound::Forbidden;
 use crate::model::Scene;
+use crate::numerics::PLACE_MARGIN;
 use crate::planning::{Outcome, Problem, Status, TranslationSpace};
 use crate::postprocess::{RewindOptions, StringPuller};
 use crate::watch::{Watch, in_time, unless_interrupted};
@@ -93,12 +94,34 @@ pub fn engine_within(
 pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
     let query = query.into();
     RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
-    if query.engine.is_none() && query.scene.orientation_is_open() {
-        return choosing::plan_choosing(&query, options, observer);
-    }
     let interrupted = || observer.interrupted();
-    let improved = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
-    plan_within(&query, options, &options.watch(&interrupted), &improved)
+    let watch = options.watch(&interrupted);
+    let planned = if query.engine.is_none() && query.scene.orientation_is_open() {
+        choosing::plan_choosing(&query, options, observer)?
+    } else {
+        let improved = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
+        plan_within(&query, options, &watch, &improved)?
+    };
+    with_place_near_invalid_end(planned, &query, &watch)
+}
+
+/// The result with a valid position near a start or goal that is not valid.
+fn with_place_near_invalid_end(mut planned: Planned, query: &Query, watch: &Watch) -> Result<Planned, Error> {
+    let end = match planned.result.status {
+        Status::StartInvalid => 0,
+        Status::GoalInvalid => 1,
+        _ => return Ok(planned),
+    };
+    let scene = planned.turned.as_ref().unwrap_or(query.scene);
+    let Pose { position, orientation } = Query { scene, ..*query }.poses()?[end];
+    let Some(checker) = planned.checker().or(query.engine) else { return Ok(planned) };
+    let valid = |place: &Point| match &planned.turning {
+        Some(engine) => engine.state_valid(&Pose::new(*place, orientation)),
+        None => checker.state_valid(place),
+    };
+    let found = nearest_valid(checker.conditions().position_box(), &position, PLACE_MARGIN, valid, watch);
+    planned.result.nearest_valid = unless_interrupted(found)?.flatten();
+    Ok(planned)
 }
 
 /// Plans at the orientation of the scene or, if the platform may turn, from there.
@@ -144,9 +167,7 @@ fn search(
     let [start, goal] = query.ends()?;
     for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if !engine.state_valid(&state) {
-            let place = (engine.conditions().position_box(), &state);
-            let valid = |position: &Point| watch.check().is_ok() && engine.state_valid(position);
-            return Ok(PlanResult::invalid_end(status, engine, &state, place, valid));
+            return Ok(PlanResult::invalid_end(status, engine, &state));
         }
     }
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };

@@ -34,6 +34,7 @@ pub use between::Bound;
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
 pub use limits::Limits;
+pub(crate) use limits::is_zero;
 pub use motion::Motion;
 pub use peaks::{Largest, NearestInTime, instants, nearest_in_time, nearest_while_turning};
 pub use timed_plan::{Minimise, TimedPlan, plan_timed};

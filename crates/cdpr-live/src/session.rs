@@ -142,8 +142,8 @@ impl Known {
         self.compile(Default::default())?;
         let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
         let valid = |position: &Point| engine.state_valid(position);
-        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid);
-        Ok(placed(engine.violations(&at, &at), nearest))
+        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
+        placed(engine.violations(&at, &at), nearest)
     }
 
     fn place_turned(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
@@ -154,15 +154,15 @@ impl Known {
         let turn = orientation.map_or(*self.scene.orientation(), rotation_as_written);
         let pose = Pose::new(at, turn);
         let valid = |position: &Point| engine.state_valid(&Pose::new(*position, turn));
-        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid);
-        Ok(placed(engine.violations(&pose, &pose), nearest))
+        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
+        placed(engine.violations(&pose, &pose), nearest)
     }
 }
 
-fn placed(violations: Vec<Violation>, nearest: impl FnOnce() -> Option<Point>) -> Value {
+fn placed(violations: Vec<Violation>, nearest: impl FnOnce() -> Result<Option<Point>, Error>) -> Result<Value, Error> {
     let violations = worst_first(violations);
-    let nearest = violations.first().and_then(|_| nearest()).map(<[f64; 3]>::from);
-    json!({ "violation": violations.first(), "violations": violations, "nearest": nearest })
+    let nearest = if violations.is_empty() { None } else { nearest()?.map(<[f64; 3]>::from) };
+    Ok(json!({ "violation": violations.first(), "violations": violations, "nearest": nearest }))
 }
 
 /// Tells the page of better paths.

@@ -276,16 +276,16 @@ impl Scene {
         let found = match orientation {
             Some(turn) => {
                 let engine = self.turning_engine(py, engine, interference)?;
-                abandonable(py, move || {
+                interruptible(py, |stop| {
                     let valid = |place: &Point| engine.state_valid(&pose((*place).into(), turn));
-                    Ok(nearest_valid(engine.conditions().position_box(), &at, margin, valid))
+                    nearest_valid(engine.conditions().position_box(), &at, margin, valid, &Watch::on(stop))
                 })
             }
             None => {
                 let engine = self.engine(py, engine, interference)?;
-                interruptible(py, |_| {
+                interruptible(py, |stop| {
                     let valid = |place: &Point| engine.state_valid(place);
-                    Ok(nearest_valid(engine.conditions().position_box(), &at, margin, valid))
+                    nearest_valid(engine.conditions().position_box(), &at, margin, valid, &Watch::on(stop))
                 })
             }
         };

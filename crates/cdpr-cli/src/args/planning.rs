@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use cdpr_core::geometry::Point;
+use cdpr_core::model::OrientationSource;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::model::{OrientationSource, body};
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::trajectory::Minimise;
@@ -14,7 +13,7 @@ use clap::{Args, ValueHint};
 
 use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
-use super::values::{budget, choice, orientation, positive, something};
+use super::values::{budget, choice, orientation, place, positive, something};
 
 #[derive(Debug, Args)]
 pub struct PlanArgs {
@@ -167,9 +166,6 @@ impl PlanArgs {
 impl PlanArgs {
     /// The planning query for a scene.
     pub fn query<'a>(&self, scene: &'a Scene) -> Result<Query<'a>, Error> {
-        let end = |option: &str, given: &Option<Vec<f64>>| {
-            given.as_deref().map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
-        };
         let turned = |option: &str, given: &Option<OrientationSource>| {
             given.as_ref().map(|source| scene.named_orientation(option, source)).transpose()
         };
@@ -177,7 +173,7 @@ impl PlanArgs {
             turned("--start-orientation", &self.start_orientation)?,
             turned("--goal-orientation", &self.goal_orientation)?,
         ];
-        let [start, goal] = [end("--start", &self.start)?, end("--goal", &self.goal)?];
+        let [start, goal] = [place("--start", self.start.as_deref())?, place("--goal", self.goal.as_deref())?];
         Ok(Query { start, goal, ..Query::of(scene) }.oriented(orientations))
     }
 }

@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use cdpr_core::Choice;
-use cdpr_core::model::OrientationSource;
+use cdpr_core::geometry::Point;
+use cdpr_core::model::{OrientationSource, body};
 use cdpr_core::plan::Post;
 use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
+use cdpr_core::{Choice, Error};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// Four numbers are a quaternion, anything else is a name.
@@ -15,6 +16,14 @@ pub fn orientation(text: &str) -> Result<OrientationSource, String> {
         Some(quaternion) => OrientationSource::Quaternion(quaternion),
         None => OrientationSource::Named(text.to_string()),
     })
+}
+
+/// The position that an option gives, if it is given, m.
+///
+/// # Errors
+/// Numbers that are not finite or too large; the option is named.
+pub fn place(option: &str, given: Option<&[f64]>) -> Result<Option<Point>, Error> {
+    given.map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
 }
 
 pub fn threads(text: &str) -> Result<usize, String> {

@@ -4,7 +4,6 @@ use cdpr_certify::{BoundSummary, Summary};
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason, nearest_valid, worst_first};
 use cdpr_core::geometry::{Point, Pose};
-use cdpr_core::model::body;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::numerics::PLACE_MARGIN;
 use cdpr_core::plan::{self, CheckReport, Query, check, engine_within};
@@ -16,7 +15,7 @@ use cdpr_files::LoadedPath;
 
 use super::trajectory_check;
 use crate::Answer;
-use crate::args::{CheckArgs, Format, PathArgs};
+use crate::args::{CheckArgs, Format, PathArgs, place};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, degrees, position, robot_line, scene_line, short, thousandths};
@@ -28,7 +27,8 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         if limits != MotionSpec::default() {
             return Err(Error::invalid("--at", "found a position, expected a trajectory: limits are given"));
         }
-        return check_place(args, out);
+        let at = place("--at", args.at.as_deref())?.expect("a path or --at is required");
+        return check_place(args, &at, out);
     };
     if args.margin.is_some() {
         return Err(Error::invalid("--margin", "found with a file, expected it with --at"));
@@ -47,9 +47,8 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
             wrong("a path without times", "a trajectory: limits are given")
         }
         Given::Proof(_) if limits != MotionSpec::default() => wrong("a proof", "a trajectory: limits are given"),
-        Given::Path(_) | Given::Trajectory(_) if ends_given => {
-            wrong("a path", "a proof: --start and --goal are what a proof is about")
-        }
+        Given::Path(_) if ends_given => wrong("a path", "a proof, since --start and --goal are given"),
+        Given::Trajectory(_) if ends_given => wrong("a trajectory", "a proof, since --start and --goal are given"),
         Given::Path(found) => check_waypoints(&files, &found.0, &found.1, out),
         Given::Trajectory(found) => trajectory_check::run(&files, limits, &found.0, &found.1, out),
         Given::Proof(found) => {
@@ -62,26 +61,21 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
 
 /// The scene with the ends that a proof is about.
 fn with_ends(args: &CheckArgs, scene: &Scene) -> Result<Scene, Error> {
-    let end = |option: &str, given: &Option<Vec<f64>>| {
-        given.as_deref().map(|numbers| body::point(option, [numbers[0], numbers[1], numbers[2]])).transpose()
-    };
-    let (start, goal) = (end("--start", &args.start)?, end("--goal", &args.goal)?);
+    let [start, goal] = [place("--start", args.start.as_deref())?, place("--goal", args.goal.as_deref())?];
     let query = Query { start: start.or(scene.start()), goal: goal.or(scene.goal()), ..Query::of(scene) };
     scene.with_ends(query.poses().map_err(|e| e.in_file(&args.scene.scene))?)
 }
 
 /// Checks a position: what is wrong with it, and a valid position near it.
-fn check_place(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
+fn check_place(args: &CheckArgs, at: &Point, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
-    let numbers = args.at.as_deref().unwrap_or_default();
-    let at = body::point("--at", [numbers[0], numbers[1], numbers[2]])?;
     let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
     out.notes(&scene, engine.conditions());
-    let violations = worst_first(engine.violations(&at, &at));
-    let valid = |place: &Point| !interrupted() && engine.state_valid(place);
+    let violations = worst_first(engine.violations(at, at));
     let margin = args.margin.unwrap_or(PLACE_MARGIN);
-    let nearest = nearest_valid(engine.conditions().position_box(), &at, margin, valid);
+    let positions = engine.conditions().position_box();
+    let nearest = nearest_valid(positions, at, margin, |place| engine.state_valid(place), &watch)?;
     match args.scene.format {
         Format::Json => out.result(&format!(
             "{:#}",
@@ -95,14 +89,14 @@ fn check_place(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         Format::Text => {
             out.result(&scene_line(&scene));
             match violations.is_empty() {
-                true => out.verdict(&Verdict::yes("valid:", format!(" the platform at {}", position(&at)))),
+                true => out.verdict(&Verdict::yes("valid:", format!(" the platform at {}", position(at)))),
                 false => {
-                    let found = format!(" the platform at {}, {}", position(&at), count(violations.len(), "violation"));
+                    let found = format!(" the platform at {}, {}", position(at), count(violations.len(), "violation"));
                     out.verdict(&Verdict::no("not valid:", found));
                 }
             }
             violations.iter().for_each(|violation| out.result(&format!("  {}", violation.sentence())));
-            nearest_place(&at, nearest.as_ref(), margin).iter().for_each(|line| out.result(line));
+            nearest_place(at, nearest.as_ref(), margin).iter().for_each(|line| out.result(line));
         }
     }
     Ok(if violations.is_empty() { Answer::Yes } else { Answer::No })

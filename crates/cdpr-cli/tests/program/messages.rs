@@ -367,5 +367,5 @@ fn what_plan_writes_check_checks_with_the_same_ends() {
     assert_eq!(status(&run(&["check", &hard1, "bound.json"])), 2); // about other ends
     assert_eq!(status(&run(&["plan", &hard1, "-o", "path.json"])), 0);
     let refused = run(&["check", &hard1, "path.json", "--start", "0.4", "1", "0.4"]);
-    assert!(stderr(&refused).contains("found a path, expected a proof: --start and --goal are what a proof is about"));
+    assert!(stderr(&refused).contains("found a path, expected a proof, since --start and --goal are given"));
 }

@@ -1,6 +1,8 @@
 //! A valid position near one that is not.
 
+use crate::error::Error;
 use crate::geometry::{Point, Vector};
+use crate::watch::Watch;
 
 /// Directions in which a valid position is sought, evenly spread over the sphere.
 const DIRECTIONS: usize = 200;
@@ -37,22 +39,26 @@ pub fn valid_nearby(positions: (Point, Point), at: &Point, valid: impl Fn(&Point
 }
 
 /// As [`valid_nearby`], but `margin` metres inside the valid positions, so that a suggestion is not at its limit: all positions at that
-/// distance along the axes and diagonals are valid too. `None` if no such position was found.
+/// distance along the axes and diagonals are valid too. `None` if no such position was found, or none in time.
+///
+/// # Errors
+/// [`Error::interrupted`].
 pub fn nearest_valid(
     positions: (Point, Point),
     at: &Point,
     margin: f64,
     valid: impl Fn(&Point) -> bool,
-) -> Option<Point> {
+    watch: &Watch,
+) -> Result<Option<Point>, Error> {
     let around = || {
         let steps = (0..27).map(|k| Vector::new((k % 3) as f64 - 1.0, (k / 3 % 3) as f64 - 1.0, (k / 9) as f64 - 1.0));
         steps.filter_map(|step| step.try_normalize(0.0)).map(|direction| direction * margin)
     };
+    let valid = |place: &Point| watch.check().is_ok() && valid(place);
     let roomy = |place: &Point| valid(place) && (margin == 0.0 || around().all(|step| valid(&(place + step))));
-    if roomy(at) {
-        return Some(*at);
-    }
-    valid_nearby(positions, at, roomy)
+    let found = if roomy(at) { Some(*at) } else { valid_nearby(positions, at, roomy) };
+    watch.expired()?;
+    Ok(found)
 }
 
 /// The last valid position found by halving between an invalid and a valid one.

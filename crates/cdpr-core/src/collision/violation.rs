@@ -89,15 +89,11 @@ impl WrenchLimit {
 /// Violations at one state, worst first: by what is missing of a gap, m, then wrenches by what they lack, then those that are only
 /// unproved.
 pub fn worst_first(mut violations: Vec<Violation>) -> Vec<Violation> {
-    let order = |violation: &Violation| {
-        let margin = violation.margin.unwrap_or_else(|| violation.wrench.as_ref().map_or(0.0, WrenchLimit::order));
-        (violation.unproved, violation.wrench.is_some(), margin)
+    let group = |violation: &Violation| (violation.unproved, violation.wrench.is_some());
+    let margin = |Violation { margin, wrench, .. }: &Violation| {
+        margin.or_else(|| wrench.as_ref().map(WrenchLimit::order)).unwrap_or(0.0)
     };
-    violations.sort_by(|a, b| {
-        let ([a, b], [of_a, of_b]) =
-            ([order(a), order(b)].map(|(unproved, wrench, _)| (unproved, wrench)), [order(a).2, order(b).2]);
-        a.cmp(&b).then(of_a.total_cmp(&of_b))
-    });
+    violations.sort_by(|a, b| group(a).cmp(&group(b)).then(margin(a).total_cmp(&margin(b))));
     violations
 }
 

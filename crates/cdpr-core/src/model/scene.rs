@@ -111,7 +111,7 @@ impl Scene {
         };
         notes.extend(unlimited);
         if spec.wrench.as_ref().is_some_and(|wrench| wrench.load.is_some_and(|load| load != [0.0; 6])) {
-            notes.push("wrenches are certified with `load`; a platform without it is another scene".to_string());
+            notes.push("wrenches are certified with `load` only: if the platform also moves without it, check the path without it too".to_string());
         }
         Ok(Scene {
             spec,

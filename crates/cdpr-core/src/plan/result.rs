@@ -6,9 +6,8 @@ use serde::Serialize;
 
 use super::NoPath;
 use crate::choices;
-use crate::collision::{Validity, Violation, nearest_valid, worst_first};
+use crate::collision::{Validity, Violation, worst_first};
 use crate::geometry::{Point, Pose, Rotation};
-use crate::numerics::PLACE_MARGIN;
 use crate::planning::{Milestone, SearchTree, Status};
 
 /// Counts and times of a run.
@@ -95,19 +94,10 @@ impl PlanResult {
         self.reasons.first()
     }
 
-    /// The result for an end that is not valid, and a search for a valid position near it.
-    pub(super) fn invalid_end<S>(
-        status: Status,
-        engine: &(impl Validity<S> + ?Sized),
-        end: &S,
-        (positions, at): ((Point, Point), &Point),
-        valid: impl Fn(&Point) -> bool,
-    ) -> Self {
-        PlanResult {
-            reasons: worst_first(engine.violations(end, end)),
-            nearest_valid: nearest_valid(positions, at, PLACE_MARGIN, valid),
-            ..PlanResult::unsolved(status, Stats::default())
-        }
+    /// The result for an end that is not valid.
+    pub(super) fn invalid_end<S>(status: Status, engine: &(impl Validity<S> + ?Sized), end: &S) -> Self {
+        let reasons = worst_first(engine.violations(end, end));
+        PlanResult { reasons, ..PlanResult::unsolved(status, Stats::default()) }
     }
 
     pub(super) fn unsolved(status: Status, stats: Stats) -> Self {

@@ -83,9 +83,7 @@ fn search(
 ) -> Result<PlanResult, Error> {
     for (pose, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
         if !engine.state_valid(&pose) {
-            let place = (engine.conditions().position_box(), &pose.position);
-            let valid = |at: &Point| watch.check().is_ok() && engine.state_valid(&Pose::new(*at, pose.orientation));
-            return Ok(PlanResult::invalid_end(status, engine, &pose, place, valid));
+            return Ok(PlanResult::invalid_end(status, engine, &pose));
         }
     }
     let space = PoseSpace::of(scene, [&start, &goal])?;

@@ -42,7 +42,8 @@ pub struct Limits {
     pub wrench_margin: f64,
 }
 
-fn is_zero(number: &f64) -> bool {
+/// Whether a number is left out of a file.
+pub(crate) fn is_zero(number: &f64) -> bool {
     *number == 0.0
 }
 

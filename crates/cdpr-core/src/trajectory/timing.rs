@@ -66,17 +66,19 @@ impl Timing {
     /// The start of the phase at an instant, and the state of progress then. Rounding never carries the state beyond the end of
     /// the phase, where the curve may change direction.
     pub fn phase_at(&self, time: f64) -> [Phase; 2] {
-        let given = time;
-        let time = time.clamp(0.0, self.duration);
-        let next = self.phases.partition_point(|phase| phase.time <= time).max(1);
+        let inside = time.clamp(0.0, self.duration);
+        let next = self.phases.partition_point(|phase| phase.time <= inside).max(1);
         let start = self.phases[next - 1];
-        let state = start.after(time - start.time);
+        let mut state = start.after(inside - start.time);
         let end = self.phases.get(next).map_or(f64::INFINITY, |next| next.s.max(start.s));
-        let state = Phase { s: state.s.min(end), ..state };
-        let inside = (0.0..=self.duration).contains(&given);
-        let rest = |state: Phase| Phase { acceleration: 0.0, jerk: 0.0, ..state };
-        let state = if inside { state } else { rest(state) };
-        [start, if given < self.duration { state } else { Phase { speed: 0.0, ..state } }]
+        state.s = state.s.min(end);
+        if time >= self.duration {
+            state.speed = 0.0;
+        }
+        if time != inside {
+            (state.acceleration, state.jerk) = (0.0, 0.0);
+        }
+        [start, state]
     }
 
     /// The instant at which the progress reaches a parameter of the curve, s.
