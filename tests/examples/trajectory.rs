@@ -1,7 +1,7 @@
 //! Trajectories along planned paths of scene files: limits at many instants, durations and computing times.
 //!
-//! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS STEPS SCENE...`: for each scene the paths of so many
-//! seeds, by turns without and with 2.5 cm of clearance, without and with a limit of jerk, each judged at so many instants.
+//! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS STEPS CLEARANCE SCENE...`: for each scene the paths of so many
+//! seeds, by turns without and with the clearance, m, without and with a limit of jerk, each judged at so many instants.
 
 use std::path::Path;
 use std::time::Instant;
@@ -16,16 +16,17 @@ use cdpr_core::watch::Watch;
 use cdpr_tests::motions::{Worst, worst};
 use rayon::prelude::*;
 
-const CLEARANCE: f64 = 0.025;
+const BLEND: f64 = 0.025;
 const JERK: f64 = 40.0;
 
 fn main() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [seeds, steps] = [0, 1].map(|k| args[k].parse::<u32>().expect("a number"));
-    for file in &args[2..] {
+    let more = Some(args[2].parse::<f64>().expect("a number"));
+    for file in &args[3..] {
         let scene = cdpr_files::load_scene(Path::new(file))?;
         let without = scene.spec().clearance;
-        let variants = [(without, None), (Some(CLEARANCE), None), (without, Some(JERK)), (Some(CLEARANCE), Some(JERK))];
+        let variants = [(without, None), (more, None), (without, Some(JERK)), (more, Some(JERK))];
         for (first, (clearance, jerk)) in (0..u64::from(seeds)).zip(variants) {
             let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() })?;
             let own: Vec<u64> = (first..u64::from(seeds)).step_by(variants.len()).collect();
@@ -60,7 +61,7 @@ fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Resul
         cable_acceleration: Some(4.0),
         turn_speed: None,
         turn_acceleration: None,
-        blend: Some(CLEARANCE),
+        blend: Some(BLEND),
         clearance: None,
         wrench_margin: None,
     };
