@@ -1,5 +1,7 @@
 //! Time of one motion check with either engine, in random scenes like the paper's; one thread.
 
+use std::sync::Arc;
+
 use cdpr_benches::{Motions, motions, random_scene, scattered_scene};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, Interference};
@@ -11,7 +13,7 @@ const SCENES: u64 = 20;
 const MOTIONS: usize = 500;
 const SHORT: Motions = Motions::Valid(0.1);
 
-type Case = (Box<dyn Checker>, Vec<(Point, Point)>);
+type Case = (Arc<dyn Checker>, Vec<(Point, Point)>);
 
 /// Engines of random scenes, with motions to check for each.
 fn cases(engine: Engine, kind: Motions, scenes: impl Fn(u64) -> Scene) -> Vec<Case> {

@@ -1,6 +1,8 @@
 //! Times of planners on scenes like the paper's, over many seeds: Modified RRT with rewinding on either engine, first
 //! paths, the anytime planner until it stops, string pulling, the lower bound.
 
+use std::sync::Arc;
+
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::model::Scene;
@@ -31,7 +33,7 @@ fn modified_rrt(c: &mut Criterion) {
 
 const SEEDS: u64 = 100;
 
-fn compiled(scene: &Scene) -> Box<dyn Checker> {
+fn compiled(scene: &Scene) -> Arc<dyn Checker> {
     engine_for(scene, Engine::Cspace, Interference::Exact).expect("sound")
 }
 
@@ -48,7 +50,7 @@ fn planners(c: &mut Criterion) {
                     let ask = |seed| {
                         let post = Some(Post::None);
                         let options = PlanOptions { planner: planner.clone(), seed, post, ..PlanOptions::default() };
-                        plan(Query::of(&scene).by(&*engine), &options, &()).expect("sound").result.cost
+                        plan(Query::of(&scene).by(&engine), &options, &()).expect("sound").result.cost
                     };
                     (0..SEEDS).map(ask).sum::<f64>()
                 });
@@ -65,7 +67,7 @@ fn refine(c: &mut Criterion) {
     for scene in [testing::hard1(), testing::hard3()] {
         let engine = compiled(&scene);
         let paper = |seed| {
-            plan(Query::of(&scene).by(&*engine), &PlanOptions { seed, ..PlanOptions::paper() }, &())
+            plan(Query::of(&scene).by(&engine), &PlanOptions { seed, ..PlanOptions::paper() }, &())
                 .expect("sound")
                 .result
                 .waypoints

@@ -1,5 +1,7 @@
 //! Clearances by kind and by pair, pairs that may touch, and exempt pairs: requirements, measurements and lists.
 
+use std::sync::Arc;
+
 use cdpr_core::collision::path_check::{Nearest, nearest};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, Reason, check_path};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
@@ -20,7 +22,7 @@ fn pillar() -> SceneSpec {
     paper_scene("pillar", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])])
 }
 
-fn both(spec: &SceneSpec) -> [Box<dyn Checker>; 2] {
+fn both(spec: &SceneSpec) -> [Arc<dyn Checker>; 2] {
     let scene = scene(spec.clone());
     [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap())
 }

@@ -1,5 +1,7 @@
 //! Lower bounds of the length of all paths, against paths and known answers.
 
+use std::sync::Arc;
+
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::lower_bound::{Bound, Forbidden};
@@ -16,7 +18,7 @@ use crate::anytime::{platform_only, random_scenes};
 /// Pairs of intervals that most tests may examine.
 const EFFORT: usize = 100_000;
 
-fn engine(scene: &Scene) -> Box<dyn Checker> {
+fn engine(scene: &Scene) -> Arc<dyn Checker> {
     engine_for(scene, Engine::default(), Interference::Exact).unwrap()
 }
 

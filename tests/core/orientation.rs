@@ -1,5 +1,7 @@
 //! Orientations: respected everywhere, named, chosen by planning, recorded in path files.
 
+use std::sync::Arc;
+
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
@@ -56,7 +58,7 @@ fn an_orientation_is_honoured_everywhere() {
 
 fn same_answers(name: &str, turned: &Scene, built: &Scene, rng: &mut ChaCha8Rng) {
     for kind in [Engine::Cspace, Engine::Gjk] {
-        let [one, other]: [Box<dyn Checker>; 2] =
+        let [one, other]: [Arc<dyn Checker>; 2] =
             [turned, built].map(|scene| engine_for(scene, kind, Interference::Exact).unwrap());
         let (min, max) = one.conditions().position_box();
         let place = |rng: &mut ChaCha8Rng| min + (max - min).map(|side| side.max(0.0) * rng.random::<f64>());

@@ -1,5 +1,7 @@
 //! Openings a little wider and a little narrower than a limit worked out by hand: a path, and a proof that there is none.
 
+use std::sync::Arc;
+
 use cdpr_certify::{Summary, check_certificate};
 use cdpr_core::Error;
 use cdpr_core::collision::{Checker, Interference};
@@ -43,7 +45,7 @@ fn between(wide: &Scene, narrow: &Scene) -> Proof {
     proof
 }
 
-fn engine_of(scene: &Scene) -> Box<dyn Checker> {
+fn engine_of(scene: &Scene) -> Arc<dyn Checker> {
     engine_for(scene, Default::default(), Interference::Exact).unwrap()
 }
 

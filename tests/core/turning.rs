@@ -3,14 +3,14 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use cdpr_core::collision::{Kind, Validity};
+use cdpr_core::collision::{Engine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{TurningAxis, TurningSpec};
 use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Planned, Query, plan, turning_engine};
+use cdpr_core::plan::{PlanOptions, Planned, Query, check, check_turning, engine_for, plan, turning_engine};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::{self, block};
-use cdpr_core::turning::{check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
+use cdpr_core::turning::{TurningEngine, check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Statics, tensions_along};
 use cdpr_tests::built_scene;
@@ -261,4 +261,27 @@ fn a_platform_that_must_not_tilt_still_turns_about_the_vertical() {
     assert!((0..50).all(|k| engine.motion_valid(&at(k), &at(k + 1))));
     let tilted = Pose::new(Point::new(1.0, 1.0, 1.3), Rotation::from_scaled_axis(Vector::y() * 1e-3));
     assert!(!engine.state_valid(&tilted));
+}
+
+#[test]
+fn a_query_with_turns_takes_the_engine_it_is_given() {
+    let scene = built_scene("turn");
+    let engine = engine_for(&scene, Engine::Gjk, Interference::Exact).unwrap();
+    let planned = plan(Query::of(&scene).by(&engine), &PlanOptions::default(), &()).unwrap();
+    assert_eq!(planned.result.status, Status::Solved);
+    assert!(std::ptr::addr_eq(planned.turning.unwrap().level(), &*engine));
+}
+
+/// Poses that all have the orientation of the scene are a path without a turn, and measured as one: exactly, not from samples.
+#[test]
+fn a_path_of_poses_without_a_turn_is_measured_as_one_of_positions() {
+    for name in ["hard3", "cogiro"] {
+        let scene = built_scene(name);
+        let planned = plan(&scene, &PlanOptions::default(), &()).unwrap();
+        let path = &planned.result.waypoints;
+        let poses: Vec<Pose> = path.iter().map(|place| Pose::new(*place, *scene.orientation())).collect();
+        let turning = TurningEngine::new(&scene, planned.engine.clone().unwrap()).unwrap();
+        let report = check_turning(&scene, &turning, &poses, &Watch::NONE).unwrap();
+        assert_eq!(report, check(&scene, planned.checker().unwrap(), path, &Watch::NONE).unwrap(), "{name}");
+    }
 }

@@ -29,7 +29,7 @@ fn measure(seed: u64, pairs: usize, seeds: u64) -> Result<(), Error> {
     println!("hall {seed}, {} parts", scene.spec().obstacles.len());
     let (mut worst, mut apart, mut times) = (1.0f64, 0, Vec::new());
     for (number, ends) in (1..=pairs).zip(station_pairs(&*engine, seed)) {
-        let query = Query::of(&scene).by(&*engine);
+        let query = Query::of(&scene).by(&engine);
         let plan_from = |[from, to]: [Point; 2], seed: u64| -> Result<_, Error> {
             let clock = Instant::now();
             let found = plan(query.from(from).to(to), &PlanOptions { seed, ..PlanOptions::default() }, &())?.result;

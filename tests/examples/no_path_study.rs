@@ -3,6 +3,8 @@
 //!
 //! `cargo run --release -p cdpr-tests --example no_path_study -- 100000 0` (scenes, first seed)
 
+use std::sync::Arc;
+
 use cdpr_core::Error;
 use cdpr_core::collision::{Checker, Interference};
 use cdpr_core::model::{ClearancesSpec, RobotSource, Scene};
@@ -56,7 +58,7 @@ fn found(seed: u64) -> Result<Option<Found>, Error> {
         Answer::Path(_) => Found::Path,
         Answer::OpeningBelow(_) => Found::Undecided,
         Answer::NoPath(_) => {
-            let solved = |planner: &Planner| solves(*planner, &scene, &*engine, seed);
+            let solved = |planner: &Planner| solves(*planner, &scene, &engine, seed);
             let solvers = PLANNERS.iter().map(solved).collect::<Result<Vec<bool>, Error>>()?;
             if solvers.contains(&true) { Found::Wrong } else { Found::NoPath }
         }
@@ -64,7 +66,7 @@ fn found(seed: u64) -> Result<Option<Found>, Error> {
 }
 
 /// Whether a planner finds a path, which is printed.
-fn solves(planner: Planner, scene: &Scene, engine: &dyn Checker, seed: u64) -> Result<bool, Error> {
+fn solves(planner: Planner, scene: &Scene, engine: &Arc<dyn Checker>, seed: u64) -> Result<bool, Error> {
     let mut planner = PlannerOptions::of(planner);
     planner.limits_mut().max_samples = 1000;
     let options = PlanOptions { planner, seed, proof: false, ..PlanOptions::default() };

@@ -22,7 +22,7 @@ fn main() -> Result<(), Error> {
             let milliseconds = |seed: u64, proof: bool| {
                 let options = PlanOptions { planner: PlannerOptions::of(planner), seed, proof, ..Default::default() };
                 let clock = Instant::now();
-                plan(Query::of(&scene).by(&*engine), &options, &())?;
+                plan(Query::of(&scene).by(&engine), &options, &())?;
                 Ok::<f64, Error>(1e3 * clock.elapsed().as_secs_f64())
             };
             let mut times = [Vec::new(), Vec::new()];

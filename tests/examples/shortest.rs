@@ -70,7 +70,7 @@ fn bounded(scene: &Scene, gap: f64) -> Result<Option<Found>, Error> {
     let mut cost = f64::INFINITY;
     for seed in 0..SEEDS {
         let options = PlanOptions { seed, planner: planner.clone(), ..PlanOptions::default() };
-        let found = plan(Query { engine: Some(&*engine), ..Query::of(scene) }, &options, &())?.result;
+        let found = plan(Query { engine: Some(&engine), ..Query::of(scene) }, &options, &())?.result;
         if found.status == Status::NoPath {
             return Ok(None);
         }

@@ -1,5 +1,7 @@
 //! What timed motions do at many instants, judged without the code that planned them.
 
+use std::sync::Arc;
+
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
@@ -114,7 +116,7 @@ const MOST_CHORDS: u32 = 100_000;
 const PARTS: u32 = 32;
 
 /// By how much a motion lacks a required gap by either engine, m; infinite if something else is wrong with it.
-fn depth(engines: &[Box<dyn Checker>; 2], from: &Point, to: &Point) -> f64 {
+fn depth(engines: &[Arc<dyn Checker>; 2], from: &Point, to: &Point) -> f64 {
     let depths = engines.iter().filter(|engine| !engine.motion_valid(from, to)).flat_map(|engine| {
         engine
             .violations(from, to)

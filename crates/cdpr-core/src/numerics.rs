@@ -512,9 +512,6 @@ pub const RECORDED_RESERVE: f64 = 1e-2;
 /// Instants between two samples at which a motion in exact form is checked.
 pub const INSTANTS_BETWEEN: usize = 10;
 
-/// Number of poses of a turning motion between which its nearest approach is measured, unless there are more samples.
-pub const MEASURED_SAMPLES: usize = 500;
-
 /// Travel of a turning platform between two samples, m, up to which one search for violations, at 33 poses, is enough.
 pub const SAMPLED_TRAVEL: f64 = 0.01;
 

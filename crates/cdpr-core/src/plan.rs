@@ -19,7 +19,7 @@ use web_time::Instant;
 
 use crate::collision::path_check::{first_invalid_segment, path_length};
 use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, nearest_valid};
-use crate::error::{Error, ErrorClass};
+use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::lower_bound::Forbidden;
 use crate::model::Scene;
@@ -48,7 +48,7 @@ const POST_GRACE: Duration = Duration::from_millis(8);
 ///
 /// # Errors
 /// As [`crate::collision::Conditions::new`] and [`WrenchConstraint::of`].
-pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Box<dyn Checker>, Error> {
+pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Arc<dyn Checker>, Error> {
     engine_within(scene, engine, interference, &Watch::NONE)
 }
 
@@ -61,14 +61,14 @@ pub fn engine_within(
     engine: Engine,
     interference: Interference,
     watch: &Watch,
-) -> Result<Box<dyn Checker>, Error> {
+) -> Result<Arc<dyn Checker>, Error> {
     let geometry: Box<dyn Checker> = match engine {
         Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
         Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
     };
     Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
-        Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
-        None => geometry,
+        Some(wrench) => Arc::new(WrenchChecker::new(geometry, wrench)),
+        None => geometry.into(),
     })
 }
 
@@ -114,7 +114,7 @@ fn with_place_near_invalid_end(mut planned: Planned, query: &Query, watch: &Watc
     };
     let scene = planned.turned.as_ref().unwrap_or(query.scene);
     let Pose { position, orientation } = Query { scene, ..*query }.poses()?[end];
-    let Some(checker) = planned.checker().or(query.engine) else { return Ok(planned) };
+    let Some(checker) = planned.checker() else { return Ok(planned) };
     let valid = |place: &Point| match &planned.turning {
         Some(engine) => engine.state_valid(&Pose::new(*place, orientation)),
         None => checker.state_valid(place),
@@ -129,16 +129,7 @@ fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &I
     if query.turns() {
         return with_turns::plan_turning(query, options, watch, improved);
     }
-    if let Some(engine) = query.engine {
-        let result = plan_by(engine, query, options, watch, improved)?;
-        return Ok(Planned::without_engine(result));
-    }
-    let engine = match engine_within(query.scene, options.engine, options.interference, watch) {
-        Err(error) if error.class() == ErrorClass::OutOfTime => {
-            return Ok(Planned::without_engine(PlanResult::out_of_time()));
-        }
-        engine => engine?,
-    };
+    let Some(engine) = query.compiled(options, watch)? else { return Ok(Planned::out_of_time()) };
     let result = plan_by(&*engine, query, options, watch, improved)?;
     Ok(Planned { engine: Some(engine), ..Planned::without_engine(result) })
 }

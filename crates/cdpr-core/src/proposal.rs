@@ -3,6 +3,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -136,7 +137,7 @@ pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Proposal, Error> 
     let mut blocked: Vec<&Pair> = pairs.iter().filter(|pair| !pair.free && (pair.joined || free.is_none())).collect();
     blocked.sort_by(|a, b| b.joined.cmp(&a.joined).then(b.length().total_cmp(&a.length())));
     blocked.truncate(TRIALS);
-    let detour = largest_detour(scene, &*engine, &blocked, interrupted)?;
+    let detour = largest_detour(scene, &engine, &blocked, interrupted)?;
     Ok(match detour.or(free.map(|pair| pair.ends)) {
         Some(ends) => Proposal::Query(ends),
         None if ends(scene).len() == 2 => {
@@ -220,7 +221,7 @@ fn pairs(
 /// Of the pairs between which a path is found, the one with the largest ratio of its length to the straight distance.
 fn largest_detour(
     scene: &Scene,
-    engine: &dyn Checker,
+    engine: &Arc<dyn Checker>,
     pairs: &[&Pair],
     interrupted: &Interrupt,
 ) -> Result<Option<[Point; 2]>, Error> {

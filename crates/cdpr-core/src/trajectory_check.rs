@@ -122,8 +122,8 @@ pub fn check_trajectory(
         (None, Some((smooth, away))) => (smooth, &away[..]),
         _ => (fine.as_ref().unwrap_or(motion), &[][..]),
     };
-    let (of_motion, samples) = (limits.scene(scene)?, motion.times.len());
-    let (nearest, of_bodies) = meetings::check(&of_motion, given, (shown, away, samples), &mut faults, watch)?;
+    let of_motion = limits.scene(scene)?;
+    let (nearest, of_bodies) = meetings::check(&of_motion, given, (shown, away), &mut faults, watch)?;
     notes.extend(of_bodies);
     let times = &motion.times;
     let faults = faults.sorted();

@@ -3,6 +3,7 @@
 mod allowed;
 mod check;
 mod engine;
+mod nearest;
 mod pose_curve;
 mod pose_rows;
 mod pose_space;
@@ -11,8 +12,9 @@ mod shorten;
 mod turning_wrench;
 
 pub use allowed::AllowedTurns;
-pub use check::{check_poses, nearest_of_poses, pose_path_length};
+pub use check::{check_poses, pose_path_length};
 pub use engine::TurningEngine;
+pub use nearest::nearest_of_poses;
 pub use pose_curve::{Derivatives, PoseCurve};
 pub use pose_rows::{lengths_along_poses, tensions_along_poses};
 pub use pose_space::{PoseSpace, turn_weight};

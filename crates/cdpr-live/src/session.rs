@@ -1,13 +1,13 @@
 //! Answers requests, and keeps the engine of the last scene.
 
+use std::sync::Arc;
+
 use cdpr_core::collision::{Checker, Engine, Interference, Validity, Violation, nearest_valid, worst_first};
 use cdpr_core::geometry::{Point, Pose, rotation_as_written};
 use cdpr_core::model::{QuerySpec, SceneSpec};
 use cdpr_core::numerics::PLACE_MARGIN;
 use cdpr_core::path_file::PathFile;
-use cdpr_core::plan::{
-    Appraisal, Observer, PlanOptions, PlanResult, Query, appraise, engine_for, plan, turning_engine,
-};
+use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Query, engine_for, plan};
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
@@ -38,8 +38,7 @@ pub struct Session {
 /// A scene with what was compiled for it.
 struct Known {
     scene: Scene,
-    engine: Option<((Engine, Interference), Box<dyn Checker>)>,
-    turning: Option<TurningEngine>,
+    engine: Option<((Engine, Interference), Arc<dyn Checker>)>,
 }
 
 impl Session {
@@ -72,7 +71,7 @@ impl Session {
             Some(known) if without_ends(known.scene.spec()) == without_ends(&spec) => {
                 Known { scene: known.scene.between(ends)?, ..known }
             }
-            _ => Known { scene: Scene::new(spec)?, engine: None, turning: None },
+            _ => Known { scene: Scene::new(spec)?, engine: None },
         };
         Ok(self.known.insert(known))
     }
@@ -113,25 +112,25 @@ impl Known {
         let clock = Instant::now();
         let milliseconds = || 1e3 * clock.elapsed().as_secs_f64();
         let watch = options.watch(&|| false);
-        if self.scene.orientation_is_open() || Query::of(&self.scene).turns() {
-            let planned = plan(&self.scene, options, observer)?;
-            let milliseconds = milliseconds();
-            let appraisal = planned.appraise(planned.turned.as_ref().unwrap_or(&self.scene), bounded, &watch)?;
-            return Ok((planned.turned, planned.result, appraisal, milliseconds));
-        }
-        self.compile((options.engine, options.interference))?;
-        let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
-        let result = plan(Query::of(&self.scene).by(engine), options, observer)?.result;
+        let engine = match self.scene.orientation_is_open() {
+            true => None,
+            false => Some(self.compiled((options.engine, options.interference))?),
+        };
+        let planned = plan(Query { engine: engine.as_ref(), ..Query::of(&self.scene) }, options, observer)?;
         let milliseconds = milliseconds();
-        let appraisal = appraise(&self.scene, engine, &result, bounded, &watch)?;
-        Ok((None, result, appraisal, milliseconds))
+        let appraisal = planned.appraise(planned.turned.as_ref().unwrap_or(&self.scene), bounded, &watch)?;
+        Ok((planned.turned, planned.result, appraisal, milliseconds))
     }
 
-    fn compile(&mut self, wanted: (Engine, Interference)) -> Result<(), Error> {
-        if self.engine.as_ref().is_none_or(|(known, _)| *known != wanted) {
-            self.engine = Some((wanted, engine_for(&self.scene, wanted.0, wanted.1)?));
+    /// The engine for motions without a turn.
+    fn compiled(&mut self, wanted: (Engine, Interference)) -> Result<Arc<dyn Checker>, Error> {
+        match &self.engine {
+            Some((known, engine)) if *known == wanted => Ok(engine.clone()),
+            _ => {
+                let engine = engine_for(&self.scene, wanted.0, wanted.1)?;
+                Ok(self.engine.insert((wanted, engine)).1.clone())
+            }
         }
-        Ok(())
     }
 
     /// What is wrong with a position, and a valid one nearby.
@@ -139,18 +138,15 @@ impl Known {
         if Query::of(&self.scene).turns() {
             return self.place_turned(at, orientation);
         }
-        self.compile(Default::default())?;
-        let engine = &*self.engine.as_ref().expect("it has just been compiled").1;
+        let engine = self.compiled(Default::default())?;
         let valid = |position: &Point| engine.state_valid(position);
         let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
         placed(engine.violations(&at, &at), nearest)
     }
 
     fn place_turned(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
-        if self.turning.is_none() {
-            self.turning = Some(turning_engine(&self.scene, &Watch::NONE)?);
-        }
-        let engine = self.turning.as_ref().expect("it has just been compiled");
+        let level = self.compiled(Default::default())?;
+        let engine = TurningEngine::new(&self.scene, level)?;
         let turn = orientation.map_or(*self.scene.orientation(), rotation_as_written);
         let pose = Pose::new(at, turn);
         let valid = |position: &Point| engine.state_valid(&Pose::new(*position, turn));

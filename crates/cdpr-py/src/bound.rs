@@ -59,7 +59,7 @@ fn bound_at(
     let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
     let mut best = lower_bound(&*engine, start, goal, &watch)?;
     if (wanted.gap.is_some() || wanted.budget.is_some()) && best.is_finite() {
-        let found = plan(query.by(&*engine), options, &|| stop())?.result;
+        let found = plan(query.by(&engine), options, &|| stop())?.result;
         let nothing = if found.status == Status::NoPath { f64::INFINITY } else { best };
         best = found.lower_bound.map_or(nothing, |bound| bound.max(best));
     }

@@ -7,16 +7,14 @@ use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path, nearest_valid};
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::MarginSpec;
-use cdpr_core::plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Query, appraise, check, check_turning, plan,
-};
+use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Query, check, check_turning, plan};
 use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, tensions_along_poses, turn_weight};
-use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
+use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::wrench as core_wrench;
-use cdpr_core::{Choice, Error, ErrorClass};
+use cdpr_core::{Choice, Error};
 use cdpr_files::{Loader, PathFile, text::Notation};
 use cdpr_view::{Contents, Form, Planning, page_within};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
@@ -392,22 +390,19 @@ impl Scene {
         let search = |observer: &dyn Observer| {
             let stop = || observer.interrupted();
             let watch = options.watch(&stop);
-            if self.0.orientation_is_open() || query.turns() {
-                let planned = plan(query, &options, observer)?;
-                let scene = planned.turned.clone().unwrap_or_else(|| self.0.clone());
-                let appraisal = planned.appraise(&scene, false, &watch)?;
-                return Ok((scene, planned.result, appraisal));
-            }
-            let engine = match self.1.compiled(&self.0, (options.engine, options.interference), &watch) {
-                Err(error) if error.class() == ErrorClass::OutOfTime => {
-                    return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default()));
-                }
-                engine => engine?,
+            let compiled = || self.1.compiled(&self.0, (options.engine, options.interference), &watch);
+            let engine = match self.0.orientation_is_open() {
+                true => None, // a scene for each of its orientations is compiled
+                false => match in_time(compiled())? {
+                    None => return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default())),
+                    engine => engine,
+                },
             };
             let options = PlanOptions { budget: watch.left(), ..options.clone() };
-            let found = plan(query.by(&*engine), &options, observer)?.result;
-            let appraisal = appraise(&self.0, &*engine, &found, false, &watch)?;
-            Ok((self.0.clone(), found, appraisal))
+            let planned = plan(Query { engine: engine.as_ref(), ..query }, &options, observer)?;
+            let scene = planned.turned.clone().unwrap_or_else(|| self.0.clone());
+            let appraisal = planned.appraise(&scene, false, &watch)?;
+            Ok((scene, planned.result, appraisal))
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;

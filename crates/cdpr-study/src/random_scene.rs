@@ -1,11 +1,13 @@
 //! Random scenes: upright prisms that leave start and goal free (the paper, section 5 and Table 1).
 
+use std::sync::Arc;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use cdpr_core::collision::{Checker, Engine, GjkEngine, Interference, Validity, Violation};
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, Violation};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
@@ -211,8 +213,7 @@ impl RandomScenes {
         let geometry = GjkEngine::new(scene, Interference::Exact)?;
         if query.turns() {
             let [start, goal] = query.poses()?;
-            let level: Box<dyn Checker> = Box::new(geometry);
-            return Ok(TurningEngine::new(scene, level)?.motion_valid(&start, &goal));
+            return Ok(TurningEngine::new(scene, Arc::new(geometry))?.motion_valid(&start, &goal));
         }
         let [start, goal] = query.ends()?;
         Ok(geometry.motion_valid(&start, &goal))

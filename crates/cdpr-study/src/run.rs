@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
-use std::sync::{Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -337,7 +337,7 @@ struct Engines {
 /// A scene compiled for an engine and an interference rule.
 struct Compiled {
     key: (Engine, Interference),
-    engine: Box<dyn Checker>,
+    engine: Arc<dyn Checker>,
     /// For each time limit of a method, the answer of the decision within it, so that no row depends on other methods.
     answers: Vec<(Option<Duration>, Option<Answer>)>,
 }
@@ -349,9 +349,9 @@ impl Compiled {
         scene: &Scene,
         options: &PlanOptions,
         watch: &Watch,
-    ) -> Result<(&dyn Checker, Option<&Answer>), Error> {
+    ) -> Result<(&Arc<dyn Checker>, Option<&Answer>), Error> {
         if !options.proof {
-            return Ok((&*self.engine, None));
+            return Ok((&self.engine, None));
         }
         let at = match self.answers.iter().position(|(budget, _)| *budget == options.budget) {
             Some(at) => at,
@@ -361,7 +361,7 @@ impl Compiled {
                 self.answers.len() - 1
             }
         };
-        Ok((&*self.engine, self.answers[at].1.as_ref()))
+        Ok((&self.engine, self.answers[at].1.as_ref()))
     }
 }
 
@@ -376,7 +376,7 @@ fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<
 }
 
 /// A trial's scene, its engine, and whether it has a path, if that was decided.
-type Prepared<'a> = (&'a Scene, &'a dyn Checker, Option<&'a Answer>);
+type Prepared<'a> = (&'a Scene, &'a Arc<dyn Checker>, Option<&'a Answer>);
 
 impl Engines {
     /// The scene of a trial, compiled and decided.
@@ -454,7 +454,7 @@ fn results(
         return Ok(vec![plan(query, &options, &|| interrupted())?.result]); // it has no variants
     }
     let raw = plan(query, &PlanOptions { post: Some(Post::None), ..options }, &|| interrupted())?.result;
-    variants.iter().map(|(_, how)| post_process(engine, &raw, how, &Watch::on(interrupted))).collect()
+    variants.iter().map(|(_, how)| post_process(&**engine, &raw, how, &Watch::on(interrupted))).collect()
 }
 
 fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {

@@ -32,7 +32,7 @@ pub struct Least {
 
 impl Least {
     /// The smaller of two values, the first if they are equal; NaN is larger than any number.
-    fn or(self, other: Least) -> Least {
+    pub fn or(self, other: Least) -> Least {
         if other.value < self.value || self.value.is_nan() { other } else { self }
     }
 }
@@ -50,7 +50,7 @@ pub fn least_between(low: f64, high: f64, intervals: usize, value: impl Fn(f64) 
 }
 
 /// Smallest value found in an interval by golden-section search; exact if there is one minimum.
-fn golden_sections([mut a, mut b]: [f64; 2], known: Least, value: &impl Fn(f64) -> f64) -> Least {
+pub fn golden_sections([mut a, mut b]: [f64; 2], known: Least, value: &impl Fn(f64) -> f64) -> Least {
     const SECTIONS: usize = 40;
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     (0..SECTIONS).fold(known, |least, _| {

@@ -28,7 +28,7 @@ pub fn clearance(conditions: &Conditions, from: &Point, to: &Point) -> Option<Cl
 }
 
 /// The first closest approach of a motion, given the smallest gap and the index of its condition.
-fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
+pub fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, to: &Point) -> Clearance {
     let nearest = &conditions.list[index];
     let until = |t: f64| gap(conditions, nearest, from, &at(from, to, t));
     let reached = |t: f64| until(t).is_some_and(|gap| gap <= value + TOUCH_DEPTH);
@@ -39,8 +39,7 @@ fn reached(conditions: &Conditions, (value, index): (f64, usize), from: &Point, 
 /// Conditions measured between two polls of the watch.
 const AT_A_TIME: usize = 256;
 
-/// The closest approach of a path, and its segment, for the conditions with these indices. A gap changes by at most the
-/// distance travelled, so a wide one is not measured again until the path could have used it up.
+/// The closest approach of a path, and its segment, for the conditions with these indices.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -50,13 +49,52 @@ pub fn path_clearance(
     waypoints: &[Point],
     watch: &Watch,
 ) -> Result<Option<(usize, Clearance)>, Error> {
+    let travels = waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+    let on = |segment: usize| (&waypoints[segment], &waypoints[segment + 1]);
+    let measured = |segment: usize, index: usize, least: f64| gap_below(conditions, index, on(segment), least);
+    Ok(nearest_segment(indices, travels, measured, watch)?.map(|(segment, value, index)| {
+        let (from, to) = on(segment);
+        (segment, reached(conditions, (value, index), from, to))
+    }))
+}
+
+/// What is known of a gap during a segment of a path.
+pub enum Gap {
+    /// The smallest gap, m.
+    Is(f64),
+    /// The gap is at least this large, m, which is not the smallest of the path.
+    AtLeast(f64),
+}
+
+/// The gap of a condition during a straight motion without a turn, as far as it may be less than `least`, m.
+pub fn gap_below(conditions: &Conditions, index: usize, (from, to): (&Point, &Point), least: f64) -> Gap {
+    let condition = &conditions.list[index];
+    let apart = condition.details().boxes_apart(&conditions.bodies, from, to);
+    if apart >= least {
+        return Gap::AtLeast(apart);
+    }
+    // A condition without a gap is not measured again.
+    gap(conditions, condition, from, to).map_or(Gap::AtLeast(f64::INFINITY), Gap::Is)
+}
+
+/// The segment of a path with the smallest gap, the gap, m, and the index of its condition. `measured` gives the gap of a condition
+/// during a segment as far as it may be smaller than the smallest so far. A gap changes by at most what is travelled, so a wide one
+/// is not measured again until the path could have used it up.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn nearest_segment(
+    indices: &[usize],
+    travels: impl Iterator<Item = f64>,
+    measured: impl Fn(usize, usize, f64) -> Gap,
+    watch: &Watch,
+) -> Result<Option<(usize, f64, usize)>, Error> {
     let mut best: Option<(usize, f64, usize)> = None;
     // For each condition: after s metres of path, its gap is at least this value minus s.
     let mut wide_until = vec![f64::NEG_INFINITY; indices.len()];
     let mut way = 0.0;
-    for (segment, pair) in waypoints.windows(2).enumerate() {
-        let (from, to) = (&pair[0], &pair[1]);
-        way += (to - from).norm();
+    for (segment, travel) in travels.enumerate() {
+        way += travel;
         for (block, ways) in wide_until.chunks_mut(AT_A_TIME).enumerate() {
             watch.check()?;
             for (k, wide_until) in ways.iter_mut().enumerate() {
@@ -65,20 +103,18 @@ pub fn path_clearance(
                     continue;
                 }
                 let index = indices[block * AT_A_TIME + k];
-                let condition = &conditions.list[index];
-                let apart = condition.details().boxes_apart(&conditions.bodies, from, to);
-                let gap = if apart >= least { None } else { gap(conditions, condition, from, to) };
-                if let Some(gap) = gap.filter(|gap| *gap < least) {
+                let gap = measured(segment, index, least);
+                if let Gap::Is(gap) = gap
+                    && gap < least
+                {
                     best = Some((segment, gap, index));
                 }
-                // A condition without a gap is not measured again.
-                *wide_until = way + if apart >= least { apart } else { gap.unwrap_or(f64::INFINITY) };
+                let (Gap::Is(wide) | Gap::AtLeast(wide)) = gap;
+                *wide_until = way + wide;
             }
         }
     }
-    Ok(best.map(|(segment, value, index)| {
-        (segment, reached(conditions, (value, index), &waypoints[segment], &waypoints[segment + 1]))
-    }))
+    Ok(best)
 }
 
 /// The pair with the least slack at a position.

@@ -36,6 +36,13 @@ pub struct PathClearance {
     pub required: f64,
 }
 
+impl PathClearance {
+    /// The closest approach of a path, which is on this segment.
+    pub fn on(segment: usize, Clearance { value, at, culprits, required }: Clearance) -> Self {
+        PathClearance { value, segment, at, culprits, required }
+    }
+}
+
 /// An exempt pair on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathExemption {
@@ -63,6 +70,28 @@ impl Nearest {
     pub fn unmeasured(conditions: &Conditions) -> Self {
         let exempt = conditions.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
         Nearest { exempt, ..Nearest::default() }
+    }
+
+    /// The closest approaches of a path, which `of` gives for the conditions with some indices.
+    ///
+    /// # Errors
+    /// Those of `of`.
+    pub fn by(
+        conditions: &Conditions,
+        of: impl Fn(&[usize]) -> Result<Option<PathClearance>, Error>,
+    ) -> Result<Self, Error> {
+        let all: Vec<usize> = (0..conditions.list.len()).collect();
+        let mut exempt = Vec::with_capacity(conditions.exempt.len());
+        for exemption in &conditions.exempt {
+            let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
+            exempt.push(PathExemption { exemption: exemption.clone(), gap });
+        }
+        let mut held = vec![true; all.len()];
+        conditions.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
+        let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
+        let min_clearance = of(&all)?;
+        let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
+        Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
     }
 }
 
@@ -109,19 +138,7 @@ pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> 
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn nearest(conditions: &Conditions, waypoints: &[Point], watch: &Watch) -> Result<Nearest, Error> {
-    let of = |indices: &[usize]| nearest_of(conditions, indices, waypoints, watch);
-    let all: Vec<usize> = (0..conditions.list.len()).collect();
-    let mut exempt = Vec::with_capacity(conditions.exempt.len());
-    for exemption in &conditions.exempt {
-        let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
-        exempt.push(PathExemption { exemption: exemption.clone(), gap });
-    }
-    let mut held = vec![true; all.len()];
-    conditions.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
-    let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
-    let min_clearance = of(&all)?;
-    let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
-    Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
+    Nearest::by(conditions, |indices| nearest_of(conditions, indices, waypoints, watch))
 }
 
 /// The closest approach of a path for the conditions with these indices.
@@ -135,13 +152,7 @@ pub fn nearest_of(
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
     let found = clearance::path_clearance(conditions, indices, waypoints, watch)?;
-    Ok(found.map(|(segment, Clearance { value, at, culprits, required })| PathClearance {
-        value,
-        segment,
-        at,
-        culprits,
-        required,
-    }))
+    Ok(found.map(|(segment, found)| PathClearance::on(segment, found)))
 }
 
 #[cfg(test)]

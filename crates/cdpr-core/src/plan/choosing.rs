@@ -1,7 +1,7 @@
 //! Planning for scenes that list several orientations and select none.
 
 use super::query::{Observer, Planned, Query};
-use super::{Improved, PlanOptions, PlanResult, Stats, engine_within, lower_bound, plan_by, plan_within};
+use super::{Improved, PlanOptions, PlanResult, Stats, lower_bound, plan_by, plan_within};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::planning::Status;
@@ -56,10 +56,7 @@ fn at_one(
     if query.turns() {
         return plan_within(query, options, watch, improved).map(Some);
     }
-    let engine = match engine_within(query.scene, options.engine, options.interference, watch) {
-        Err(error) if error.class() == ErrorClass::OutOfTime => return Ok(None),
-        engine => engine?,
-    };
+    let Some(engine) = query.compiled(options, watch)? else { return Ok(None) };
     let [start, goal] = query.ends()?;
     if lower_bound(&*engine, &start, &goal, watch)? >= shortest {
         return Ok(None);

@@ -1,6 +1,8 @@
 //! The planning query, its result, and the observer of a search.
 
-use super::{Appraisal, PlanResult, appraise, appraise_turning};
+use std::sync::Arc;
+
+use super::{Appraisal, PlanOptions, PlanResult, appraise, appraise_turning, engine_within};
 use crate::collision::Checker;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
@@ -35,7 +37,7 @@ pub struct Query<'a> {
     /// Orientations at start and goal instead of the scene's, for a platform that turns.
     pub orientations: [Option<Rotation>; 2],
     /// An engine compiled earlier from the scene; the options' engine and interference rule are then ignored.
-    pub engine: Option<&'a dyn Checker>,
+    pub engine: Option<&'a Arc<dyn Checker>>,
     /// Whether there is a path, if that was decided earlier with this engine; planning then does not decide it again.
     pub answer: Option<&'a Answer>,
 }
@@ -81,9 +83,17 @@ impl<'a> Query<'a> {
         Ok([Pose::new(start, at_start), Pose::new(goal, at_goal)])
     }
 
-    /// The same, using an engine compiled earlier from the scene.
-    pub fn by(self, engine: &'a dyn Checker) -> Self {
+    /// The query with an engine compiled earlier from the scene, also where the platform turns.
+    pub fn by(self, engine: &'a Arc<dyn Checker>) -> Self {
         Query { engine: Some(engine), ..self }
+    }
+
+    /// The engine of the query, or the one that is compiled as the options say; `None` if time runs out.
+    pub(super) fn compiled(&self, options: &PlanOptions, watch: &Watch) -> Result<Option<Arc<dyn Checker>>, Error> {
+        match self.engine {
+            Some(engine) => Ok(Some(engine.clone())),
+            None => in_time(engine_within(self.scene, options.engine, options.interference, watch)),
+        }
     }
 
     /// Start and goal.
@@ -135,9 +145,9 @@ impl<F: Fn() -> bool + Sync> Observer for F {
 pub struct Planned {
     /// The scene at the orientation with the shortest path, if the scene selected none.
     pub turned: Option<Scene>,
-    /// The engine that was compiled; `None` if the query provided one, the platform may turn, or time ran out first.
-    pub engine: Option<Box<dyn Checker>>,
-    /// The engine that was compiled if the platform may turn.
+    /// The engine of the query, or the one that was compiled; `None` if the platform may turn, or time ran out first.
+    pub engine: Option<Arc<dyn Checker>>,
+    /// The engine for motions from pose to pose if the platform may turn.
     pub turning: Option<TurningEngine>,
     /// The result; counts and times include all orientations.
     pub result: PlanResult,
@@ -147,6 +157,11 @@ impl Planned {
     /// A result without an engine.
     pub(super) fn without_engine(result: PlanResult) -> Self {
         Planned { turned: None, engine: None, turning: None, result }
+    }
+
+    /// The result if time ran out before there was an engine.
+    pub(super) fn out_of_time() -> Self {
+        Planned::without_engine(PlanResult::out_of_time())
     }
 
     /// A result for a platform that may turn.

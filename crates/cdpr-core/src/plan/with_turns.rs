@@ -9,7 +9,7 @@ use web_time::Instant;
 use super::query::{Planned, Query};
 use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, plan_by};
 use crate::collision::{Interference, Validity};
-use crate::error::{Error, ErrorClass};
+use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
 use crate::model::Scene;
 use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
@@ -33,12 +33,7 @@ pub fn plan_turning(
     improved: &Improved,
 ) -> Result<Planned, Error> {
     let scene = query.scene;
-    let level = match engine_within(scene, options.engine, options.interference, watch) {
-        Err(error) if error.class() == ErrorClass::OutOfTime => {
-            return Ok(Planned::without_engine(PlanResult::out_of_time()));
-        }
-        engine => engine?,
-    };
+    let Some(level) = query.compiled(options, watch)? else { return Ok(Planned::out_of_time()) };
     let engine = TurningEngine::new(scene, level)?;
     let [start, goal] = query.poses()?;
     let straight = match scene.keeps_orientation(&[start, goal]) {

@@ -8,7 +8,7 @@ use crate::collision::path_check::{self, PathClearance};
 use crate::conditions::Conditions;
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
-use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS, MEASURED_SAMPLES};
+use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS};
 use crate::turning::{TurningEngine, nearest_of_poses};
 use crate::watch::Watch;
 
@@ -83,7 +83,7 @@ pub fn instants(times: &[f64], duration: f64) -> impl Iterator<Item = (usize, f6
     })
 }
 
-/// The nearest approach on the straight lines between positions at some times.
+/// The nearest approach of motions without a turn between positions at some times.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -98,8 +98,7 @@ pub fn nearest_in_time(
     Ok(found.map(|found| in_time(times, found)))
 }
 
-/// The nearest approach of a platform that turns between poses at some times. It is measured between only about as many poses as
-/// there are `samples`, since that takes longer.
+/// The nearest approach of motions at constant rates between poses at some times.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -107,15 +106,9 @@ pub fn nearest_while_turning(
     engine: &TurningEngine,
     times: &[f64],
     poses: &[Pose],
-    samples: usize,
     watch: &Watch,
 ) -> Result<Option<NearestInTime>, Error> {
-    let (count, last) = (times.len(), times.len() - 1);
-    let every = count.div_ceil(samples.max(MEASURED_SAMPLES));
-    let kept: Vec<usize> = (0..count).filter(|k| k % every == 0 || *k == last).collect();
-    let times: Vec<f64> = kept.iter().map(|&k| times[k]).collect();
-    let poses: Vec<Pose> = kept.iter().map(|&k| poses[k]).collect();
-    Ok(nearest_of_poses(engine, &poses, watch)?.min_clearance.map(|found| in_time(&times, found)))
+    Ok(nearest_of_poses(engine, poses, watch)?.min_clearance.map(|found| in_time(times, found)))
 }
 
 fn in_time(times: &[f64], PathClearance { value, segment, at, culprits, .. }: PathClearance) -> NearestInTime {

@@ -5,6 +5,8 @@
 //! conditions are bounded for all motions that stay that close. A bend that is not proved is made smaller; in the end the platform
 //! stops there.
 
+use std::sync::Arc;
+
 use super::corners::{Corner, Part, PartCorner, Passing, SIZES};
 use super::curve::Piece;
 use super::turning_bend::TurningBend;
@@ -19,7 +21,7 @@ use crate::watch::Watch;
 
 /// The requirements on bends on which the platform turns: all conditions of a scene and its required wrenches, at any orientation.
 pub struct TurningSpace {
-    checker: Box<dyn Checker>,
+    checker: Arc<dyn Checker>,
     reference: Rotation,
     allowed: Vec<AllowedTurns>,
     wrench: Option<TurningWrench>,

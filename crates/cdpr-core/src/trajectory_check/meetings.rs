@@ -16,13 +16,12 @@ use crate::turning::TurningEngine;
 use crate::watch::Watch;
 use crate::words::small_length;
 
-/// Finds broken conditions between the samples of `shown`, and the nearest approach. If the platform turns, measuring the nearest
-/// approach takes longer, so it is measured on only about as many motions as there are `recorded` samples. `away` is how far the
-/// motion may be from `shown` after each sample, m; nothing if it is empty. Also returns notes on what could not be determined.
+/// Finds broken conditions between the samples of `shown`, and the nearest approach. `away` is how far the motion
+/// may be from `shown` after each sample, m; nothing if it is empty. Also returns notes on what could not be determined.
 pub fn check(
     scene: &Scene,
     given: &TrajectoryRules,
-    (shown, away, recorded): (&Recorded, &[f64], usize),
+    (shown, away): (&Recorded, &[f64]),
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<(Option<NearestInTime>, Vec<String>), Error> {
@@ -35,7 +34,7 @@ pub fn check(
             let engine = TurningEngine::new(scene, engine)?;
             let close = conditions(&engine, shown, (&poses, |a, b| divided(a, b, reach)), &deviation, faults, watch)?;
             notes.extend(close.map(|close| too_close(&close)));
-            nearest_while_turning(&engine, &shown.times, &poses, recorded, watch)?
+            nearest_while_turning(&engine, &shown.times, &poses, watch)?
         }
         _ => {
             conditions(&*engine, shown, (&shown.positions, |a, b| vec![*a, *b]), &deviation, faults, watch)?;

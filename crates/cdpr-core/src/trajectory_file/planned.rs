@@ -124,7 +124,7 @@ fn peaks(
     }
     let engine = engine_within(scene, Engine::Gjk, Interference::Exact, watch)?;
     let nearest = match turns {
-        true => nearest_while_turning(&TurningEngine::new(scene, engine)?, &instants_of, &poses, times.len(), watch)?,
+        true => nearest_while_turning(&TurningEngine::new(scene, engine)?, &instants_of, &poses, watch)?,
         false => {
             let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
             nearest_in_time(engine.conditions(), &instants_of, &positions, watch)?

@@ -8,14 +8,16 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::allowed::AllowedTurns;
+use super::nearest::path_clearance;
 use super::turning_wrench::TurningWrench;
 use crate::collision::along::{Least, least_between};
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
-use crate::conditions::{Bodies, Condition};
+use crate::conditions::Bodies;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
 use crate::model::Scene;
 use crate::numerics::{SAME_TURN, TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES, TURNING_PLACE};
+use crate::watch::Watch;
 
 /// An engine for motions from pose to pose.
 ///
@@ -61,8 +63,7 @@ impl TurningEngine {
     ///
     /// # Errors
     /// The interference rule `swept`; as [`TurningWrench::of`].
-    pub fn new(scene: &Scene, level: impl Into<Arc<dyn Checker>>) -> Result<Self, Error> {
-        let level = level.into();
+    pub fn new(scene: &Scene, level: Arc<dyn Checker>) -> Result<Self, Error> {
         if level.interference() == Interference::Swept {
             let problem =
                 "found \"swept\", which is for motions without a turn; expected \"exact\" if the platform turns";
@@ -93,7 +94,7 @@ impl TurningEngine {
     }
 
     /// Whether a pose has the orientation of the scene.
-    fn is_level(&self, pose: &Pose) -> bool {
+    pub(super) fn is_level(&self, pose: &Pose) -> bool {
         pose.orientation.angle_to(&self.reference) <= SAME_TURN
     }
 
@@ -215,34 +216,13 @@ impl Validity<Pose> for TurningEngine {
     }
 
     fn clearance(&self, from: &Pose, to: &Pose) -> Option<Clearance> {
-        if self.is_level(from) && self.is_level(to) {
-            return self.level.clearance(&from.position, &to.position);
-        }
-        self.clearance_of(&|_| true, from, to)
+        let all: Vec<usize> = (0..self.conditions().list.len()).collect();
+        let found = path_clearance(self, &all, &[*from, *to], &Watch::NONE);
+        found.expect("nothing interrupts it").map(|(_, clearance)| clearance)
     }
 }
 
 impl TurningEngine {
-    /// The closest approach of a motion over those conditions on gaps whose index `counts`, from samples.
-    pub fn clearance_of(&self, counts: &dyn Fn(usize) -> bool, from: &Pose, to: &Pose) -> Option<Clearance> {
-        let motion = from.toward(to).relative_to(&self.reference);
-        let Conditions { list, bodies, .. } = self.conditions();
-        let halfway = motion.at(0.5);
-        let about_gaps: Vec<(&Condition, f64)> = (list.iter().enumerate())
-            .filter(|(index, condition)| counts(*index) && condition.details().is_about_gap(bodies))
-            .map(|(_, condition)| (condition, gap_at(condition, bodies, &halfway)))
-            .collect();
-        // Either body of a pair moves by at most half of this before and after the middle of the motion.
-        let travel = motion.whole().travel(bodies.reach());
-        let least_halfway = about_gaps.iter().map(|(_, gap)| *gap).fold(f64::INFINITY, f64::min);
-        let near = about_gaps.iter().filter(|(_, gap)| !(gap - travel > least_halfway));
-        let (condition, Least { at, value }) = near
-            .map(|(condition, _)| (*condition, least_during(&motion, |at| gap_at(condition, bodies, at))))
-            .min_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
-        let required = condition.details().required(bodies).max(0.0);
-        Some(Clearance { value, at, culprits: self.conditions().culprits(condition), required })
-    }
-
     fn violation(&self, index: usize, motion: &Turning, verdict: Verdict) -> Violation {
         let Verdict::Refused { at, slack } = verdict else { unreachable!("only refusals are reported") };
         let conditions = self.conditions();
@@ -254,11 +234,6 @@ impl TurningEngine {
         let found = Violation::of_distance(at, members, worst + required, required);
         Violation { margin: Some(worst.min(0.0)), unproved: worst >= -TOUCH_DEPTH, ..found }
     }
-}
-
-/// The gap of a pair at a pose, m, required or not.
-fn gap_at(condition: &Condition, bodies: &Bodies, at: &Placed) -> f64 {
-    condition.details().slack_at(bodies, at) + condition.details().required(bodies)
 }
 
 /// The least value during a motion, from samples.

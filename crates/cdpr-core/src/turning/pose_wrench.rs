@@ -4,18 +4,22 @@ use super::pose_space::{pose_distance, turn_weight};
 use super::turning_wrench::TurningWrench;
 use crate::batch::each;
 use crate::error::Error;
-use crate::geometry::Pose;
+use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::watch::Watch;
 use crate::wrench::tensions::{MarginPlace, Mark, RANGE_STEPS, TensionRange, even_marks};
-use crate::wrench::{Loads, PathWrench, Statics, TensionQp};
+use crate::wrench::{Loads, PathWrench, Statics, TensionQp, measures, path_wrench};
 
-/// The wrenches of a path along which the platform turns; `None` if its scene requires none. Margins and tensions are those at a
+/// The wrenches of a path of poses; `None` if its scene requires none. If the platform turns, margins and tensions are those at a
 /// thousand equal steps and at the waypoints; between them a margin may be smaller.
 ///
 /// # Errors
 /// As [`TurningWrench::of`]; a solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn wrench_of_poses(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<PathWrench>, Error> {
+    if scene.keeps_orientation(poses) {
+        let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+        return path_wrench(&measures(scene)?, &positions, watch);
+    }
     let Some(wrench) = TurningWrench::of(scene)? else { return Ok(None) };
     let (loads, marks) = (Loads::of(scene), marks(scene, poses)?);
     let found = each(marks.len(), 0, &|solver: &mut TensionQp, k| {
