@@ -7,8 +7,10 @@ use cdpr_core::collision::{Engine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{TurningAxis, TurningSpec};
 use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Planned, Query, check, check_turning, engine_for, plan, turning_engine};
-use cdpr_core::planning::{Planner, PlannerOptions, Status};
+use cdpr_core::plan::{
+    PlanOptions, Planned, Query, check, check_turning, engine_for, plan, shorten_poses, turning_engine,
+};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{self, block};
 use cdpr_core::turning::{TurningEngine, check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
 use cdpr_core::watch::Watch;
@@ -120,10 +122,28 @@ fn a_question_that_no_fixed_orientation_answers_is_solved_by_turning() {
 
 #[test]
 fn sliding_along_a_contact_takes_few_waypoints() {
-    // With every cut that saves anything at all, these seeds end with 84 to 145 waypoints.
-    for seed in [4, 19, 21] {
-        let found = solved(&built_scene("turn"), Planner::Anytime, seed).result;
-        assert!(found.waypoints.len() < 30, "{seed}: {}", found.waypoints.len());
+    // Without joining waypoints, these seeds end with 7 to 13.
+    let scene = built_scene("turn");
+    for seed in [0, 1, 2, 3, 4, 19, 21] {
+        let found = solved(&scene, Planner::Anytime, seed).result;
+        assert!(found.waypoints.len() <= 7, "{seed}: {}", found.waypoints.len());
+        // A length that was asked for is not given up for fewer waypoints.
+        let settings = PlannerSettings { target_cost: Some(found.cost), ..PlannerSettings::default() };
+        let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
+        let again = plan(&scene, &PlanOptions { seed, planner, ..PlanOptions::default() }, &()).unwrap().result;
+        assert!(again.cost <= found.cost, "{seed}: {} instead of {}", again.cost, found.cost);
+    }
+}
+
+#[test]
+fn shortening_a_path_of_poses_never_makes_it_longer() {
+    let scene = built_scene("turn");
+    let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+    for (planner, seed) in [(Planner::Anytime, 1), (Planner::TwoTrees, 2), (Planner::Anytime, 3)] {
+        let poses = solved(&scene, planner, seed).result.poses(scene.orientation());
+        let shorter = shorten_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
+        let [before, after] = [&poses, &shorter].map(|path| pose_path_length(&scene, path));
+        assert!(after <= before && shorter.len() <= poses.len(), "{after} m instead of {before}");
     }
 }
 

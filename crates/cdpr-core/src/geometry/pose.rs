@@ -137,9 +137,11 @@ pub struct PoseMotion {
 impl PoseMotion {
     /// The pose at a fraction of the motion, 0 to 1.
     pub fn at(&self, t: f64) -> Pose {
-        if t >= 1.0 {
-            return self.to;
-        }
+        if t >= 1.0 { self.to } else { self.beyond(t) }
+    }
+
+    /// The pose at a share that may be larger than 1: beyond the end, at the same rates.
+    pub fn beyond(&self, t: f64) -> Pose {
         let turned = turn_about(&self.axis, self.angle * t);
         Pose::new(self.from.position + (self.to.position - self.from.position) * t, turned * self.from.orientation)
     }

@@ -6,7 +6,7 @@ use crate::collision::{Checker, Validity, Violation};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::model::Scene;
-use crate::planning::{PathOptimizer, TranslationSpace};
+use crate::planning::{StateSpace, TranslationSpace};
 use crate::postprocess::{Direction, Trace, rewind_traced};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::Watch;
@@ -39,7 +39,7 @@ pub fn shorten_poses(scene: &Scene, engine: &TurningEngine, poses: &[Pose], watc
         return Err(invalid_segment(segment, reason));
     }
     let space = PoseSpace::of(scene, [start, goal])?;
-    let shorter = PoseShortener::new(&space, engine).polished(poses, watch)?;
+    let shorter = PoseShortener::new(&space, engine).simplified(poses, space.length(poses), watch)?;
     match invalid(&shorter) {
         None => Ok(shorter),
         Some(segment) => {

@@ -1,6 +1,7 @@
 //! Planning for a platform that may turn on its way.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -12,7 +13,7 @@ use crate::collision::{Interference, Validity};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
 use crate::model::Scene;
-use crate::planning::{Outcome, PathOptimizer, Problem, SearchTree, StateSpace, Status};
+use crate::planning::{Outcome, Planner, PlannerSettings, Problem, SearchTree, StateSpace, Status};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::{Watch, unless_interrupted};
 
@@ -91,7 +92,21 @@ fn search(
         }
     };
     let problem = Problem { space: space.clone(), start, goal };
-    let outcome = options.planner.search(&problem, engine, &shortener, &better, &mut rng, watch)?;
+    let kept = kept_for_simplifying(watch);
+    let search = Watch { deadline: watch.deadline.map(|deadline| deadline - kept), ..*watch };
+    let mut outcome = options.planner.search(&problem, engine, &shortener, &better, &mut rng, &search)?;
+    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
+    // A caller who interrupts wants the path that was found.
+    let simplified = |path: &[Pose]| -> Result<Vec<Pose>, Error> {
+        let longest = match options.planner.settings() {
+            PlannerSettings { target_cost: None, gap: None, .. } => f64::INFINITY,
+            _ => 0.0, // a length that was asked for and reached must not be lost again
+        };
+        Ok(unless_interrupted(shortener.simplified(path, longest, &grace))?.unwrap_or_else(|| path.to_vec()))
+    };
+    if options.planner.planner() == Planner::Anytime {
+        outcome.waypoints = simplified(&outcome.waypoints)?; // it shortens its paths itself
+    }
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints, tree, motion_checks, samples, history, .. } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -101,13 +116,8 @@ fn search(
         return Ok(unsolved);
     }
     let clock = Instant::now();
-    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
     // The default written out, as path files and the page have it, must give the same path as the default left out.
-    let path = match options.post() {
-        Post::None => waypoints.clone(),
-        // A caller who interrupts wants the path that was found.
-        _ => unless_interrupted(shortener.polished(&waypoints, &grace))?.unwrap_or_else(|| waypoints.clone()),
-    };
+    let path = if options.post() == Post::None { waypoints.clone() } else { simplified(&waypoints)? };
     if let Some(segment) = path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1])) {
         return Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")));
     }
@@ -121,6 +131,13 @@ fn search(
         stats,
         ..unsolved
     })
+}
+
+/// The part of a budget that is kept for leaving out needless waypoints in the end.
+fn kept_for_simplifying(watch: &Watch) -> Duration {
+    const SHARE: u32 = 10;
+    const MOST: Duration = Duration::from_millis(100);
+    watch.left().map_or(Duration::ZERO, |left| (left / SHARE).min(MOST))
 }
 
 fn positions(path: &[Pose]) -> Vec<Point> {

@@ -7,7 +7,7 @@ use crate::collision::path_check::{Nearest, PathClearance};
 use crate::collision::{Clearance, Condition, Conditions};
 use crate::conditions::Bodies;
 use crate::error::Error;
-use crate::geometry::{Placed, Pose, PoseMotion, Turning};
+use crate::geometry::{Placed, Pose, Turning};
 use crate::watch::Watch;
 
 /// The closest approach of a path of poses: of all pairs, of those that are not exempt, and of each exempt pair.
@@ -71,14 +71,14 @@ pub fn path_clearance(
 enum Segment {
     /// Without a turn, at the orientation of the conditions.
     Level(Pose, Pose),
-    Turning(Turning),
+    Turning(Box<Turning>),
 }
 
 impl Segment {
     fn between(engine: &TurningEngine, from: &Pose, to: &Pose) -> Self {
         match engine.is_level(from) && engine.is_level(to) {
             true => Segment::Level(*from, *to),
-            false => Segment::Turning(PoseMotion::relative_to(&from.toward(to), engine.reference())),
+            false => Segment::Turning(Box::new(from.toward(to).relative_to(engine.reference()))),
         }
     }
 

@@ -1,5 +1,5 @@
 //! Shortens paths of poses: waypoints are left out, moved towards the straight motion between their neighbours, and corners cut
-//! off, as long as all motions stay valid.
+//! off, as long as all motions stay valid. In the end, waypoints that shorten the path by hardly anything are joined.
 
 use rand::Rng;
 
@@ -26,6 +26,12 @@ const ROUNDS: [usize; 2] = [6, 40];
 const CORNER_WORTH: f64 = 1e-5;
 /// Shares of the way to the straight motion that are tried for a waypoint, and of the sides of a corner that is cut off.
 const SHARES: [f64; 7] = [1.0, 0.75, 0.5, 0.25, 0.125, 0.03125, 0.0078125];
+
+/// A path may become longer by this share in exchange for fewer waypoints.
+const FEWER_WORTH: f64 = 1e-3;
+/// Where one waypoint is tried in place of two: beyond the first one or before the second one, as multiples of the distance between
+/// them.
+const BEYOND: [f64; 6] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0];
 
 impl<'a> PoseShortener<'a> {
     /// Shortens paths that are valid according to `validity`.
@@ -93,6 +99,61 @@ impl<'a> PoseShortener<'a> {
             path[k] = better.unwrap_or(here);
         }
         path
+    }
+
+    /// The path as short as it can be made, and then with fewer waypoints: two are replaced by one where that hardly makes it longer,
+    /// and not longer than `longest`.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] if the watch requests it; a deadline ends it early.
+    pub fn simplified(&self, path: &[Pose], longest: f64, watch: &Watch) -> Result<Vec<Pose>, Error> {
+        if path.len() < 3 {
+            return Ok(path.to_vec());
+        }
+        let mut path = self.rounds(path, ROUNDS[1], watch)?;
+        let shortest = self.space.length(&path);
+        let longest = longest.clamp(shortest, shortest * (1.0 + FEWER_WORTH));
+        loop {
+            let count = path.len();
+            let mut k = 1;
+            while k + 2 < path.len() {
+                if watch.expired()? {
+                    return Ok(path);
+                }
+                let longer = longest - self.space.length(&path);
+                match self.in_place_of_two(&path[k - 1..k + 3], longer) {
+                    Some(pose) => {
+                        path.splice(k..k + 2, [pose]);
+                        k = (k - 1).max(1);
+                    }
+                    None => k += 1,
+                }
+            }
+            path = self.drawn_in(path);
+            if path.len() == count {
+                return Ok(path);
+            }
+        }
+    }
+
+    /// The pose that takes the place of the two in the middle of four and makes the path longer by least, and at most by `longer`.
+    fn in_place_of_two(&self, four: &[Pose], longer: f64) -> Option<Pose> {
+        let [before, first, second, after] = four else { unreachable!("four poses") };
+        let (length, apart) = (self.space.length(four), self.space.distance(first, second));
+        let beyond = |start: &Pose, through: &Pose, share: f64| {
+            let side = self.space.distance(start, through);
+            start.toward(through).beyond(1.0 + share * apart / side.max(f64::MIN_POSITIVE))
+        };
+        let tries = BEYOND.iter().flat_map(|&share| {
+            let ends = [beyond(before, first, share), beyond(after, second, share)];
+            [ends[0], ends[1], ends[0].toward(&ends[1]).at(0.5)]
+        });
+        let longer_by = |pose: &Pose| self.space.distance(before, pose) + self.space.distance(pose, after) - length;
+        let mut fitting: Vec<(Pose, f64)> =
+            tries.map(|pose| (pose, longer_by(&pose))).filter(|(_, by)| *by <= longer).collect();
+        fitting.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        let valid = |pose: &Pose| self.valid(before, pose) && self.valid(pose, after);
+        fitting.into_iter().map(|(pose, _)| pose).find(valid)
     }
 
     /// Each corner replaced by two, as far from it as possible.
