@@ -1,7 +1,5 @@
 //! The cspace engine with degenerate planes, after changes of a scene, without SIMD, and its memory.
 
-use std::sync::Arc;
-
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::geometry::{Point, Vector};
@@ -369,7 +367,7 @@ fn a_motion_is_free_up_to_its_first_contact() {
         let kind = Kind { clearance, special: k % 2 == 0, ..Kind::default() };
         let scene = cdpr_tests::scenes::scene(&mut rng, kind);
         let rule = if k % 4 == 0 { Interference::Swept } else { Interference::Exact };
-        let engines: [Arc<dyn Checker>; 2] =
+        let engines: [Box<dyn Checker>; 2] =
             [Box::new(CspaceEngine::new(&scene, rule).unwrap()), Box::new(GjkEngine::new(&scene, rule).unwrap())];
         for _ in 0..4 {
             let p = Point::from(cdpr_tests::vector(&mut rng, 2.0));

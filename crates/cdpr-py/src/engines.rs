@@ -45,7 +45,7 @@ impl Engines {
     pub fn compiled(&self, scene: &Scene, kind: Kind, watch: &Watch) -> Result<Arc<dyn Checker>, Error> {
         match known(&self.level, kind) {
             Some(engine) => Ok(engine),
-            None => Ok(kept(&self.level, kind, engine_within(scene, kind.0, kind.1, watch)?.into())),
+            None => Ok(kept(&self.level, kind, engine_within(scene, kind.0, kind.1, watch)?)),
         }
     }
 }
