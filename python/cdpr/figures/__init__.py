@@ -10,7 +10,7 @@ readers can tell apart.
 try:
     import matplotlib as _  # noqa: F401
 except ImportError as problem:
-    raise ImportError("cdpr.figures needs matplotlib: pip install '.[figures]'") from problem
+    raise ImportError("cdpr.figures needs matplotlib: pip install 'cdpr[figures]'") from problem
 
 from ._along import along
 from ._charts import boxes, repeats, step_sweep
