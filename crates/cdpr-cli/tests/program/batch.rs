@@ -223,7 +223,8 @@ fn methods_that_solve_different_trials_are_compared_in_those_of_both() {
     let folder = folder();
     let experiment = serde_json::json!({
         "version": 1, "name": "pairs", "trials": 12, "scenarios": [{"name": "hard3", "scene": testdata("scenes/hard3.toml")}],
-        "methods": [{"name": "anytime", "planner": "anytime"}, {"name": "few", "options": {"max_samples": 1000}, "proof": false}],
+        "methods": [{"name": "anytime", "planner": "anytime"}, {"name": "few", "options": {"max_samples": 1000}, "proof": false},
+                    {"name": "two trees", "planner": "two-trees"}],
     });
     fs::write(folder.path().join("pairs.json"), experiment.to_string()).unwrap();
     let run = cdpr_in(folder.path(), &["batch", "pairs.json", "-o", "run"]);

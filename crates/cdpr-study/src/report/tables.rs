@@ -195,7 +195,9 @@ fn probability(p: Option<f64>) -> String {
 /// The lengths of each method beside those of the first one of its scenario, in the trials that both have solved.
 pub(super) fn pairs(study: &Study) -> String {
     let row = |PairSummary { scenario, a, b, cost }: &PairSummary| {
-        let mean = cost.mean_difference.map_or("–".to_string(), |mean| format!("{:.3}", 0.0 - 1e3 * mean));
+        // In mm, without the sign of a zero.
+        let longer = |mean: f64| (-1e6 * mean).round() / 1e3 + 0.0;
+        let mean = cost.mean_difference.map_or("–".to_string(), |mean| format!("{:.3}", longer(mean)));
         let [n, a_less, b_less, p] = in_pairs(Some(cost));
         vec![escaped(scenario), escaped(a), escaped(b), n, a_less, b_less, mean, p]
     };
