@@ -155,13 +155,20 @@ def test_charts_that_come_with_a_path_make_room_or_fold(open_page: Open, hard1: 
         assert turned or (320 < left < right < free)
 
 
-@pytest.mark.parametrize("timed", [True, False])
-def test_pages_that_only_show_say_why_on_key_e(open_page: Open, hard1: cdpr.Scene, timed: bool) -> None:
-    path = cdpr.plan(hard1)
-    page = open_page(hard1, cdpr.trajectory(hard1, path, speed=1, acceleration=2) if timed else path, live=False)
+@pytest.mark.parametrize("kind", ["timed motion", "forbidden regions", "--static"])
+def test_pages_that_only_show_say_why_on_key_e(open_page: Open, hard1: cdpr.Scene, tmp_path: Path, kind: str) -> None:
+    if kind == "forbidden regions":
+        made = tmp_path / "regions.html"
+        subprocess.run([program(), "shadows", SCENES / "hard1.toml", "-o", made], check=True, capture_output=True)
+        page = open_page(made)
+    else:
+        path = cdpr.plan(hard1)
+        timed = kind == "timed motion"
+        page = open_page(hard1, cdpr.trajectory(hard1, path, speed=1, acceleration=2) if timed else path, live=False)
+    assert page.locator("#edit-missing").count() == 0
     page.keyboard.press("e")
     said = page.locator("#edit-missing").inner_text()
-    assert ("timed motion" in said and "cdpr view" in said) if timed else "--static" in said
+    assert kind in said and ("cdpr view" in said) is (kind != "--static")
 
 
 def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Path) -> None:

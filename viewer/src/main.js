@@ -432,7 +432,7 @@ function start() {
   const app = createApp();
   app.show(readModel(page));
   if (live) createEdit(app, live, page, fill);
-  else explainNoEditing(Boolean(page.trajectory));
+  else explainNoEditing(readModel(page));
 }
 
 try {

@@ -413,11 +413,16 @@ function publish({ planning, history, apply, where }) {
   window.cdpr = { plan, move, where };
 }
 
-/** Says on key E why the page of a timed motion, or one without the planner, cannot be edited. */
-export function explainNoEditing(isTimed) {
-  const why = isTimed
-    ? 'The page of a timed motion only shows it. For editing, open the page of its path: cdpr view SCENE PATH -o view.html.'
-    : 'This page was written without the planner (--static, live=False), so it only shows its scene.';
+// Why a page without the planner cannot be edited.
+function reasonNotToEdit({ trajectory, regions }) {
+  if (trajectory) return 'The page of a timed motion only shows it. For editing, make the page of its path: cdpr view SCENE PATH -o view.html';
+  if (regions?.shown) return 'The page of forbidden regions only shows them. For editing, make the page of the scene: cdpr view SCENE -o view.html';
+  return 'This page was written without the planner (--static, live=False), so it only shows its scene.';
+}
+
+/** Says on key E why a page without the planner cannot be edited. */
+export function explainNoEditing(model) {
+  const why = reasonNotToEdit(model);
   const onKey = ({ key, target, ctrlKey, metaKey, altKey }) => {
     if (key.toLowerCase() !== 'e' || ctrlKey || metaKey || altKey || isTyping(target)) return;
     if (!document.getElementById('edit-missing')) showMissing(why);
