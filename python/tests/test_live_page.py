@@ -192,7 +192,7 @@ def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Pa
 def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
     before = (settled(live), live.evaluate("document.querySelector('#status').textContent"))
     drag_pillar(live, (0.1, 0.1))
-    wait_until(live, "document.querySelector('.edit-text').textContent.includes('longer than the straight line')")
+    wait_until(live, "document.querySelector('.edit-text').textContent.includes('above the shortest')")
     live.mouse.up()
     settled(live)
     moved = numbers(live)

@@ -138,7 +138,8 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     }
     shownRevision = asked;
     if (building <= LONGEST) put(answer.page, of, asked === revision);
-    say({ best: { cost: answer.cost, straight: straight(), of }, error: null });
+    const bound = answer.page.result?.lower_bound ?? null;
+    say({ best: { cost: answer.cost, bound, straight: straight(), of }, error: null });
   }
 
   // A better path while it is refined, drawn without what takes longer.
