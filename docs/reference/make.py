@@ -255,7 +255,14 @@ def rust() -> str:
     readme = (HERE / "../../crates/cdpr-files/README.md").read_text(encoding="utf-8")
     example = readme.partition("<!-- begin -->")[2].partition("Licence:")[0]
     return page("Rust", """
-        `cargo doc --open` in a clone opens the reference of all modules of the library, `cdpr-core`.
+        `cargo doc --open` in a clone opens the reference of all modules of the library, `cdpr-core`. A program beside a clone names
+        the crates in its `Cargo.toml`:
+
+        ```toml
+        [dependencies]
+        cdpr-core = { path = "../cdpr/crates/cdpr-core" }    # scenes, planners, checks
+        cdpr-files = { path = "../cdpr/crates/cdpr-files" }  # reads and writes files
+        ```
 
         <!-- site: <a href="../rust/cdpr_core/index.html">The same on this site.</a> -->
     """, example.strip())  # fmt: skip

@@ -91,7 +91,7 @@ fn scenes() -> Result<(), Box<dyn Error>> {
         let text =
             ["paper", "acrobot"].iter().fold(text, |text, robot| text.replace(&format!("../robots/{robot}"), "robot"));
         put(&format!("scene_toml/{seed}.toml"), text)?;
-        let scene = cdpr_files::load_scene(&testdata(&format!("{name}.toml")))?;
+        let scene = cdpr_files::load_scene(testdata(&format!("{name}.toml")))?;
         put(&format!("scene_json/{seed}.json"), serde_json::to_string(scene.spec())?)?;
     }
     Ok(put("experiment_toml/small.toml", EXPERIMENT)?)
@@ -128,7 +128,7 @@ fn paths() -> Result<(), Box<dyn Error>> {
     let file = PathFile::planned(&scene, &options, &result, &Appraisal::default());
     for name in ["path_json/hard1.json", "path_csv/hard1.csv"] {
         put(name, "")?;
-        cdpr_files::save_path(&inputs("seeds").join(name), &file)?;
+        cdpr_files::save_path(inputs("seeds").join(name), &file)?;
     }
     let motion = testing::moving(&scene, Point::new(0.3, 1.0, 0.3), Point::new(0.9, 1.0, 0.9), 4);
     put("trajectory_json/hard1.json", serde_json::json!(motion).to_string())?;
@@ -141,7 +141,7 @@ fn maps() -> Result<(), Box<dyn Error>> {
     let batch = BatchOptions { threads: None, interrupted: &|| false };
     let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.5, projected: true }, &batch)?;
     put("wrench_map_npz/map.npz", "")?;
-    Ok(cdpr_files::save_wrench_map(&inputs("seeds/wrench_map_npz/map.npz"), &map)?)
+    Ok(cdpr_files::save_wrench_map(inputs("seeds/wrench_map_npz/map.npz"), &map)?)
 }
 
 /// A run to report on, and a smaller one to be merged.

@@ -98,7 +98,7 @@ fn accepted<T>(result: Result<T, Error>) -> Option<T> {
 
 fn scene(name: &str, bytes: &[u8]) {
     let folder = Folder::new().with(name, bytes).with("robot.toml", &seed("robot_toml/paper.toml"));
-    accepted(cdpr_files::load_scene(&folder.path(name))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(folder.path(name))).iter().for_each(ask);
 }
 
 /// Checks the motion of a scene's query, or one across its workspace, with both engines, and the wrenches at the start.
@@ -124,7 +124,7 @@ fn checked(engine: &dyn Checker, waypoints: &[Point]) {
 
 fn robot(bytes: &[u8]) {
     let folder = Folder::new().with("robot.toml", bytes);
-    accepted(cdpr_files::load_robot(&folder.path("robot.toml")));
+    accepted(cdpr_files::load_robot(folder.path("robot.toml")));
 }
 
 static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
@@ -135,7 +135,7 @@ static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
 
 fn path(name: &str, bytes: &[u8]) {
     let folder = Folder::new().with(name, bytes);
-    if let Some(loaded) = accepted(cdpr_files::load_waypoints(&folder.path(name))) {
+    if let Some(loaded) = accepted(cdpr_files::load_waypoints(folder.path(name))) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
         checked(&HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
@@ -148,10 +148,10 @@ fn path(name: &str, bytes: &[u8]) {
 /// Checks the trajectory in a scene; JSON is shown, and written in all formats, as well.
 fn trajectory(name: &str, bytes: &[u8]) {
     let folder = Folder::new().with(name, bytes);
-    let Some(loaded) = accepted(cdpr_files::load_trajectory(&folder.path(name))) else { return };
+    let Some(loaded) = accepted(cdpr_files::load_trajectory(folder.path(name))) else { return };
     for name in ["again.json", "again.csv", "again.yaml"] {
         let Some(file) = &loaded.file else { break };
-        accepted(cdpr_files::save_trajectory(&folder.path(name), file, false));
+        accepted(cdpr_files::save_trajectory(folder.path(name), file, false));
     }
     if loaded.motion.times.len() > MOST_WAYPOINTS {
         return;
@@ -169,7 +169,7 @@ fn trajectory(name: &str, bytes: &[u8]) {
 
 fn experiment(bytes: &[u8]) {
     let folder = Folder::new().with("experiment.toml", bytes).with("scene.toml", &seed("scene_toml/hard1.toml"));
-    if let Some(experiment) = accepted(cdpr_study::load_experiment(&folder.path("experiment.toml"))) {
+    if let Some(experiment) = accepted(cdpr_study::load_experiment(folder.path("experiment.toml"))) {
         serde_json::to_string(&experiment.portable).expect("an experiment can be written");
     }
 }
@@ -184,7 +184,7 @@ fn gazebo(bytes: &[u8]) {
 
 /// An imported robot can be written and read again.
 fn imported(folder: &Folder, name: &str) {
-    if let Some(imported) = accepted(cdpr_files::import_robot(&folder.path(name), &ImportOptions::default())) {
+    if let Some(imported) = accepted(cdpr_files::import_robot(folder.path(name), &ImportOptions::default())) {
         let robot = folder.path("imported.toml");
         cdpr_files::save_imported(&robot, &imported).expect("a robot can be written");
         let again = cdpr_files::load_robot(&robot).expect("what was written");
@@ -206,14 +206,14 @@ fn around(name: &str, bytes: &[u8]) -> Folder {
 
 fn mesh(name: &str, bytes: &[u8]) {
     let folder = around(name, bytes);
-    accepted(cdpr_files::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(folder.path("scene.toml"))).iter().for_each(ask);
 }
 
 /// Parts cached beside a mesh, with the key and checksum by which they are found; without these, nothing is read.
 fn parts(bytes: &[u8]) {
     static KEY: LazyLock<String> = LazyLock::new(|| {
         let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"));
-        cdpr_files::load_scene(&folder.path("scene.toml")).expect("a sound scene");
+        cdpr_files::load_scene(folder.path("scene.toml")).expect("a sound scene");
         let mut names = std::fs::read_dir(folder.0.path()).expect("a folder").map(|e| e.expect("a file").file_name());
         let kept = names.find(|name| name.to_string_lossy().ends_with(".parts.json")).expect("kept parts");
         let text = std::fs::read_to_string(folder.0.path().join(kept)).expect("a file");
@@ -222,7 +222,7 @@ fn parts(bytes: &[u8]) {
     });
     let folder = around("mesh.obj", &seed("mesh_obj/angle.obj"))
         .with(&format!("mesh.obj.{}.parts.json", &KEY[..8]), &signed(bytes));
-    accepted(cdpr_files::load_scene(&folder.path("scene.toml"))).iter().for_each(ask);
+    accepted(cdpr_files::load_scene(folder.path("scene.toml"))).iter().for_each(ask);
 
     fn signed(bytes: &[u8]) -> Vec<u8> {
         #[derive(serde::Serialize, serde::Deserialize)]
@@ -239,10 +239,10 @@ fn parts(bytes: &[u8]) {
 
 fn wrench_map(bytes: &[u8]) {
     let folder = Folder::new().with("map.npz", bytes);
-    if let Some(map) = accepted(cdpr_files::load_wrench_map(&folder.path("map.npz"), None)) {
+    if let Some(map) = accepted(cdpr_files::load_wrench_map(folder.path("map.npz"), None)) {
         map.summary();
         for name in ["again.npz", "again.vti"] {
-            cdpr_files::save_wrench_map(&folder.path(name), &map).expect("a map can be written");
+            cdpr_files::save_wrench_map(folder.path(name), &map).expect("a map can be written");
         }
     }
 }
@@ -250,7 +250,7 @@ fn wrench_map(bytes: &[u8]) {
 /// The folder of a run to be merged.
 fn run(about: &[u8], rows: &[u8]) {
     let folder = Folder::new().with("run/run.json", about).with("run/rows/0000.csv", rows);
-    accepted(cdpr_study::merge(&[folder.path("run")], &folder.path("merged")));
+    accepted(cdpr_study::merge(&[folder.path("run")], folder.path("merged")));
 }
 
 /// The results of a run to report on.

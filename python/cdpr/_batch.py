@@ -60,7 +60,13 @@ class BatchResult:
         the mean); for swept methods also ``of``, the method's name, and the swept ones of ``step``, ``post``,
         ``repeats``. Without pandas, the dict of ``summary.json``.
     t_tests : list of dict
-        ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None if undefined.
+        ``group``, ``measure``, ``a``, ``b``, ``variances``, ``t``, ``df``, ``p``; None if undefined. These compare all solved
+        trials of a with all of b. If both are in one scenario, ``paired`` compares them in the trials that both solved, which
+        have the same scene: ``n`` pairs, in how many a or b is less (``a_less``, ``b_less``), ``mean_difference`` and the paired
+        ``t``, ``df``, ``p``.
+    pairs : list of dict
+        For each method but the first of its scenario: ``scenario``, ``a`` (that first method), ``b`` and ``cost``, the lengths
+        of both compared in pairs, as in ``paired``.
     trials_csv : bytes
         Contents of the trials.csv that ``cdpr batch`` writes, byte for byte.
 
@@ -78,6 +84,7 @@ class BatchResult:
     history: Any
     summary: Any
     t_tests: list[dict[str, Any]]
+    pairs: list[dict[str, Any]]
     trials_csv: bytes
     _json: str
     _range: tuple[int, int]
@@ -197,6 +204,7 @@ def run_batch(
         history=None if history_csv is None else _table(history_csv),
         summary=_summary(facts),
         t_tests=facts["t_tests"],
+        pairs=facts["pairs"],
         trials_csv=trials_csv,
         _json=checked.to_json(),
         _range=(first, end),

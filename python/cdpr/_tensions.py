@@ -26,8 +26,8 @@ class WrenchReport(ByValue):
     Attributes
     ----------
     feasible : bool
-        Whether planning with the same requirements accepts the position: full rank, and all required wrenches are
-        available.
+        Whether planning with the same requirements accepts the position under the rule "certified": all required wrenches are
+        available and, unless the margin is "projected", the rank is full.
     balanced : bool
         Whether tensions within the limits can balance weight and load alone.
     rank, full_rank : int

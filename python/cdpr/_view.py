@@ -19,12 +19,12 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import rows
 from ._given import file_name, flag, instance, text
-from ._planning import core_for
+from ._planning import core_for, turns_along, two_or_more
 from ._questions import Interference
-from ._results import Path, Result
+from ._results import Path, Result, turns_of
 from ._scene import Scene
 from ._trajectory import Trajectory
-from .exceptions import AnotherSceneWarning
+from .exceptions import AnotherSceneWarning, InputError
 
 _INLINE_HEIGHT = 640
 
@@ -90,17 +90,21 @@ class View:
 def view(
     scene: Scene,
     waypoints: ArrayLike | Path | Trajectory | None = None,
+    orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
 ) -> View:
     own = instance("scene", scene, Scene)._core
+    if orientations is not None and (waypoints is None or isinstance(waypoints, Trajectory)):
+        what = "no path" if waypoints is None else "a Trajectory, which has its own"
+        raise InputError(f"orientations: found some for {what}, expected none")
     if isinstance(waypoints, Trajectory):
         page, warning = waypoints._motion.page(own, text("interference", interference), flag("strict", strict))
         if warning is not None:
             warnings.warn(warning, AnotherSceneWarning, stacklevel=3)
         return View(page)
-    file = None if waypoints is None else json.dumps(_file(waypoints))
+    file = None if waypoints is None else json.dumps(_file(waypoints, orientations))
     tree, certificate = None, None
     if isinstance(waypoints, Result):
         tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
@@ -109,9 +113,13 @@ def view(
     return View(core.page(file, tree, certificate, text("interference", interference), flag("live", live)))
 
 
-def _file(waypoints: ArrayLike | Path) -> dict[str, Any]:
+def _file(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> dict[str, Any]:
     """The contents of a path file for these waypoints."""
-    return waypoints._said() if isinstance(waypoints, Path) else {"waypoints": rows("waypoints", waypoints).tolist()}
+    turns = turns_along(waypoints, orientations)
+    if orientations is None or turns is None:
+        return waypoints._said() if isinstance(waypoints, Path) else {"waypoints": rows("waypoints", waypoints).tolist()}
+    positions = two_or_more("waypoints", waypoints)
+    return {"waypoints": positions.tolist(), "orientations": turns_of(positions, turns).tolist()}
 
 
 def save_view(
@@ -119,6 +127,7 @@ def save_view(
     scene: Scene,
     waypoints: ArrayLike | Path | Trajectory | None = None,
     *,
+    orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
@@ -132,6 +141,9 @@ def save_view(
     scene : Scene
     waypoints : array_like (k, 3), Path, Result or Trajectory, optional
         As in :func:`show`.
+    orientations : array_like (k, 4) or (4,), optional
+        World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; default those of the path
+        or, if it has none, the scene's orientation.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
     strict : bool
@@ -153,13 +165,14 @@ def save_view(
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
     _core.check_target(file_name(path))
-    view(scene, waypoints, interference, strict, live).save(path)
+    view(scene, waypoints, orientations, interference, strict, live).save(path)
 
 
 def show(
     scene: Scene,
     waypoints: ArrayLike | Path | Trajectory | None = None,
     *,
+    orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
@@ -175,6 +188,9 @@ def show(
         Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
         or, if it has a proof that there is no path, with the reason. A ``Trajectory`` is played in real time, with
         its curves over time and their limits.
+    orientations : array_like (k, 4) or (4,), optional
+        World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; default those of the path
+        or, if it has none, the scene's orientation.
     interference : {"exact", "swept"}
         How the path is checked for what the page shows in red.
     strict : bool
@@ -194,7 +210,7 @@ def show(
     >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> page = cdpr.show(scene, cdpr.plan(scene))  # doctest: +SKIP
     """
-    shown = view(scene, waypoints, interference, strict, live)
+    shown = view(scene, waypoints, orientations, interference, strict, live)
     if not _in_notebook():
         shown.open()
     return shown

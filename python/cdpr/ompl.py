@@ -1,4 +1,4 @@
-"""Planners of OMPL with the collision checker of this package: ``pip install 'cdpr[ompl]'``.
+"""Planners of OMPL with the collision checker of this package: ``pip install '.[ompl]'``.
 
 OMPL (Şucan, Moll and Kavraki, *The Open Motion Planning Library*, IEEE Robotics & Automation Magazine, 2012,
 https://ompl.kavrakilab.org) provides the planners; the scene provides the space of positions and decides which states

@@ -207,6 +207,24 @@ def test_what_progress_raises_ends_the_run_and_ctrl_c_too():
     assert time.perf_counter() - began < 5.0  # of 21 s
 
 
+def test_methods_are_compared_in_the_trials_that_both_solved():
+    methods = [{"name": "all", "planner": "two-trees"}, {"name": "few", "options": {"max_samples": 60}}]
+    tests = [{"group": "A", "measure": "cost", "a": ["drawn", "all"], "b": ["drawn", "few"]}]
+    found = cdpr.run_batch({**EXPERIMENT, "scenarios": EXPERIMENT["scenarios"][1:], "methods": methods, "t_tests": tests, "trials": 40})
+    costs = {name: {} for name in ("all", "few")}
+    for row in found.trials.to_records() if hasattr(found.trials, "to_records") else found.trials:
+        if row["status"] == "solved":
+            costs[row["method"]][row["trial"]] = row["cost"]
+    both = sorted(costs["all"].keys() & costs["few"].keys())
+    assert 2 < len(both) < len(costs["all"])
+    a, b = (np.array([costs[name][trial] for trial in both]) for name in ("all", "few"))
+    (pair,) = found.pairs
+    assert (pair["scenario"], pair["a"], pair["b"], pair["cost"]) == ("drawn", "all", "few", found.t_tests[0]["paired"])
+    assert pair["cost"]["n"] == len(both) and pair["cost"]["mean_difference"] == pytest.approx((a - b).mean())
+    expected = scipy.stats.ttest_rel(a, b)
+    assert [pair["cost"][key] for key in ("t", "df", "p")] == pytest.approx([expected.statistic, expected.df, expected.pvalue])
+
+
 def test_importing_does_not_import_pandas():
     code = "import sys, cdpr; print('pandas' in sys.modules, 'distributed' in sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -90,7 +90,10 @@ class Page:
     def toml(self, example):
         text = str(example.parsed)
         data = tomllib.loads(text)
-        if named := re.match(r"# (\S+\.toml)\n", text):
+        if "dependencies" in data:
+            for name, source in data["dependencies"].items():
+                assert (ROOT / source["path"].removeprefix("../cdpr/") / "Cargo.toml").is_file(), name
+        elif named := re.match(r"# (\S+\.toml)\n", text):
             (self.folder / named[1]).write_text(text)
             self.good_file(named[1], data)
         else:

@@ -344,6 +344,20 @@ def test_the_same_picture_is_the_same_file(hard1, tmp_path):
     assert (tmp_path / "0.svg").read_bytes() == (tmp_path / "1.svg").read_bytes()
 
 
+def test_pdf_files_have_truetype_fonts_and_settings_stay(hard1, tmp_path):
+    before = dict(matplotlib.rcParams)
+    result = cdpr.plan(hard1)
+    for chart in (figures.scene(hard1, result), figures.boxes({"a": [1, 2]}), figures.along(hard1, result)[0]):
+        chart.figure.savefig(tmp_path / "figure.pdf")
+        assert b"/Type3" not in (tmp_path / "figure.pdf").read_bytes()
+        assert b"/FontFile2" in (tmp_path / "figure.pdf").read_bytes()
+    assert dict(matplotlib.rcParams) == before
+    ax = pyplot.figure().add_subplot()
+    with figures.style():
+        figures.boxes({"a": [1, 2]}, ax=ax).figure.savefig(tmp_path / "own.pdf")
+    assert b"/Type3" not in (tmp_path / "own.pdf").read_bytes()
+
+
 def test_colours_are_those_of_okabe_and_ito(hard1):
     ax = figures.scene(hard1, cdpr.plan(hard1))
     assert {to_hex(line.get_color()) for line in named(ax, "path")} == {"#009e73"}

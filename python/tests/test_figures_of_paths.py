@@ -127,6 +127,14 @@ def test_paths_are_compared_by_name_length_and_waypoints(hard1):
     assert len({named(ax, name)[0].get_color() for name in found}) == 2
 
 
+def test_charts_of_tensions_name_the_cables(hard1):
+    charts = figures.along(hard1, cdpr.plan(hard1))
+    (legend,) = charts[0].figure.legends
+    assert [text.get_text() for text in legend.get_texts()] == [f"cable {k}" for k in range(8)]
+    own = charts[0].figure.subplots(3, 1)
+    assert figures.along(hard1, cdpr.plan(hard1), ax=own)[1].get_legend_handles_labels()[1][0] == "cable 0"
+
+
 def test_the_clearance_that_is_drawn_is_that_of_the_pair_it_names():
     scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
     scene = scene.replace(clearance=0.001, clearances={("cable 1", "pillar"): 0.004})

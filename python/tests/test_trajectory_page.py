@@ -188,7 +188,7 @@ def test_a_collision_is_listed_once_with_its_time(show: Show) -> None:
     page.locator(".violation", has_text="platform meets").click()
     # Its side touches the pillar at x = 0.775.
     assert math.isclose(page.evaluate("cdprViewer.position()")[0], 0.775, abs_tol=1e-3)
-    assert page.locator("#nearest.bad").inner_text().startswith("in collision: ")
+    assert page.locator("#nearest.bad").inner_text().startswith("in collision here: ")
     crossed = picture(page)
     page.evaluate("cdprViewer.layers.violations.visible = false")
     assert picture(page) != crossed

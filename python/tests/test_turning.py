@@ -421,6 +421,23 @@ def test_what_an_experiment_cannot_do_where_the_platform_turns_is_refused(method
         cdpr.run_batch(study(str(TESTDATA / "scenes/turn.toml"), **method))
 
 
+def test_the_page_takes_positions_and_orientations_apart(tmp_path: Path) -> None:
+    bar = cdpr.Scene.load(TESTDATA / "scenes/turn.toml")
+    path = cdpr.plan(bar, "rrt-connect")
+    assert path.orientations is not None
+    files = [tmp_path / "path.html", tmp_path / "apart.html"]
+    cdpr.save_view(files[0], bar, cdpr.Path(path.waypoints, path.cost, orientations=path.orientations))
+    cdpr.save_view(files[1], bar, path.waypoints, orientations=path.orientations)
+    texts = [file.read_text().split('id="cdpr-data">')[1].split("</script>")[0] for file in files]
+    whole, apart = map(json.loads, texts)
+    assert whole["path"]["orientations"] == apart["path"]["orientations"] == path.orientations.tolist()
+    assert whole["motion"] == apart["motion"]
+    motion = cdpr.trajectory(bar, path, speed=1, acceleration=1, turn_speed=1, turn_acceleration=1)
+    for given, found in ((path, "a path"), (motion, "a Trajectory"), (None, "no path")):
+        with pytest.raises(cdpr.InputError, match=f"orientations: found some for {found}"):
+            cdpr.save_view(files[1], bar, given, orientations=path.orientations)
+
+
 def test_the_page_shows_what_a_turn_breaks(beside: cdpr.Scene) -> None:
     angle = touching(0.12)
     path = cdpr.Path([PLACE, PLACE], 0.0, LEVEL, orientations=yaw(np.array([0.0, 2 * angle])))

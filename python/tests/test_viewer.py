@@ -53,7 +53,7 @@ def test_page_shows_scene_path_and_plots(open_page: Open, cogiro: cdpr.Scene, pl
     captions = page.locator(".plot figcaption").all_inner_texts()
     assert [text.split("\n")[0] for text in captions] == plots
     assert page.locator("#cable-table tr").count() == 9
-    assert page.locator("#nearest").inner_text().startswith("nearest: ")
+    assert page.locator("#nearest").inner_text().startswith("nearest here: ")
     page.evaluate("cdprViewer.setDistance(cdprViewer.length)")
     demand = cogiro.to_dict()["wrench"]
     margin = cdpr.capacity_margin(cogiro.robot, [cogiro.goal], force=demand["force"], moment=demand["moment"])[0]
@@ -93,7 +93,7 @@ def test_every_switch_changes_the_picture(
     rows = page.locator(".legend-row")
     names = rows.locator(".legend-name").all_inner_texts()
     layers = {"platform", "obstacles", "names of obstacles", "cables", "names of cables", "outlets and frame"}
-    layers |= {"final path", "start and goal", "workspace", "tightest pair", "swept by cables"}
+    layers |= {"final path", "start and goal", "workspace", "least room here", "swept by cables"}
     layers |= {"shadows of obstacles", "cable 0", "column" if which == "planned" else "pillar"}
     tree = f"search tree ({np.sum(planned.tree.parents != np.arange(len(planned.tree.parents)))} edges)"
     layers |= {"wrench-feasible workspace", tree} if which == "planned" else {"violations"}
@@ -261,7 +261,7 @@ def test_a_collision_is_shown_and_jumped_to(open_page: Open, hard1: cdpr.Scene) 
     assert all(name in button.inner_text() for name in first.culprits)
     button.click()
     assert math.isclose(page.evaluate("cdprViewer.distance()"), first.at * report.length, rel_tol=1e-9)
-    assert page.locator("#nearest.bad").inner_text().startswith("in collision: ")
+    assert page.locator("#nearest.bad").inner_text().startswith("in collision here: ")
     assert page.locator(".fault").count() == page.locator(".plot").count() * len(report.violations)
     crossed = picture(page)
     page.evaluate("cdprViewer.layers.violations.visible = false")
@@ -317,7 +317,10 @@ def test_a_phone_has_one_sheet_with_tabs_and_targets_for_fingers(open_page: Open
     page = open_page(hard1, THROUGH_THE_PILLAR, size=PHONE)
     assert page.evaluate("document.documentElement.scrollWidth") <= PHONE[0]
     assert colors(page) > 100
+    row = page.locator("#tools").bounding_box()
+    assert row is not None and row["y"] + row["height"] < 60  # one row, which scrolls
     for part in ["#panel", "#bar", "#play", "#slider", "#speed", "#tabs", "#reset", "#keys"]:
+        page.locator(part).scroll_into_view_if_needed()
         box = page.locator(part).bounding_box()
         assert box is not None and box["x"] >= 0 and box["x"] + box["width"] <= PHONE[0], part
     targets = "#tools button, #tools select, #play, #slider, #speed, #tabs button, .tightest, .violation"

@@ -44,7 +44,7 @@ def test_the_clearance_chart_shows_what_is_required(open_page: Open, hard1: cdpr
     for share in np.linspace(0, 1, 60):
         page.evaluate("(share) => cdprViewer.setDistance(share * cdprViewer.length)", share)
         said.add(page.locator("#nearest").inner_text().replace("\xa0", " "))
-    assert all(re.fullmatch(r"tightest: .+, [\d.]+ m?m apart, (20|80) mm required", text) for text in said)
+    assert all(re.fullmatch(r"least room here: .+, [\d.]+ m?m apart, (20|80) mm required", text) for text in said)
     assert any("cable 3 and pillar" in text and "80 mm required" in text for text in said)
     assert any("20 mm required" in text for text in said)
 
@@ -55,7 +55,7 @@ def test_what_comes_too_near_is_red_and_listed_with_gap_and_demand(open_page: Op
     first = page.locator(".violation").first.inner_text().replace("\xa0", " ")
     assert re.fullmatch(r"\S+ \d comes too near pillar after .*, only [\d.]+ [µm]?m apart, 50 mm required", first), first
     page.locator(".violation").first.click()
-    assert re.match(r"(too near|in collision): ", page.locator("#nearest.bad").inner_text())
+    assert re.match(r"(too near|in collision) here: ", page.locator("#nearest.bad").inner_text())
 
 
 @pytest.mark.long
@@ -123,7 +123,7 @@ def test_an_invalid_start_says_its_reason_and_shows_the_culprit(open_page: Open,
     assert worst == "platform meets pillar, 225 mm deep" and len(others) == 5
     assert place == "a valid position near it: (1.328, 1, 0.5)"
     outlined = picture(page)
-    page.get_by_label("tightest pair").uncheck()
+    page.get_by_label("least room here").uncheck()
     assert picture(page) != outlined
 
 

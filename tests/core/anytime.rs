@@ -250,7 +250,7 @@ fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
 fn wrenches_are_respected_while_the_path_gets_shorter() {
     for name in ["ipanema2", "acrobot"] {
         let path = format!("{}/../testdata/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        let scene = cdpr_files::load_scene(path.as_ref()).unwrap();
+        let scene = cdpr_files::load_scene(path).unwrap();
         let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
         let paper = planned(&scene, &PlanOptions::paper());
         let refined = shorten_path(&*engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();

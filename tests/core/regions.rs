@@ -18,7 +18,7 @@ use cdpr_view::{Contents, Form, page_within};
 use rand::Rng;
 
 fn testdata(name: &str) -> Scene {
-    load_scene(&PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../testdata").join(name)).unwrap()
+    load_scene(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../testdata").join(name)).unwrap()
 }
 
 fn all() -> RegionOptions {

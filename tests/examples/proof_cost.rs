@@ -16,7 +16,7 @@ fn main() -> Result<(), Error> {
     let (seeds, scenes) = arguments.split_first().expect("the number of seeds, then scenes");
     let seeds: u64 = seeds.parse().expect("a number of seeds");
     for name in scenes {
-        let scene = cdpr_files::load_scene(&Path::new("testdata/scenes").join(name).with_extension("toml"))?;
+        let scene = cdpr_files::load_scene(Path::new("testdata/scenes").join(name).with_extension("toml"))?;
         let engine = engine_for(&scene, Default::default(), Default::default())?;
         for planner in PLANNERS {
             let milliseconds = |seed: u64, proof: bool| {

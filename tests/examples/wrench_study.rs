@@ -14,7 +14,7 @@ fn main() -> Result<(), cdpr_core::Error> {
     let mut arguments = std::env::args().skip(1);
     let seeds: u64 = arguments.next().and_then(|n| n.parse().ok()).expect("first argument: how many seeds");
     for file in arguments {
-        let scene = load_scene(file.as_ref())?;
+        let scene = load_scene(&file)?;
         let mut spec = scene.spec().clone();
         // The paths are judged by the capacity margin, whatever rule a scene uses for planning.
         spec.wrench.as_mut().expect("a scene with [wrench]").margin = Some(MarginSpec::Capacity);

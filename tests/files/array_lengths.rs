@@ -140,7 +140,7 @@ fn read_in_folder(name: &str, text: &str) -> Result<(), Error> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(name), text).unwrap();
     match name {
-        "run.json" => merge(&[folder.path().to_path_buf()], &folder.path().join("merged")),
+        "run.json" => merge(&[folder.path().to_path_buf()], folder.path().join("merged")),
         _ => load_study(folder.path()).map(drop),
     }
 }

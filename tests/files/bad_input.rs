@@ -163,7 +163,7 @@ fn a_robot_file_needs_its_version() {
 #[test]
 fn paths_that_make_no_sense_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = load_scene(&testdata("scenes/hard1.toml")).unwrap();
+    let scene = load_scene(testdata("scenes/hard1.toml")).unwrap();
     for (name, text, expected) in [
         ("a.json", "{\"waypoints\": []}", "found no waypoints"),
         ("a.json", "{\"waypoints\": [], \"status\": \"budget_spent\"}", "budget_spent"),
@@ -285,7 +285,7 @@ fn every_shipped_file_loads() {
 
 #[test]
 fn toml_and_json_say_the_same() {
-    let scene = load_scene(&testdata("scenes/concave.toml")).unwrap();
+    let scene = load_scene(testdata("scenes/concave.toml")).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("concave.json");
     fs::write(&path, serde_json::to_string(scene.spec()).unwrap()).unwrap();

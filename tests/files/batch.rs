@@ -1,5 +1,6 @@
 //! Experiments: the same rows for any threads and interruptions, reproducible rows, and bad input.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -122,7 +123,7 @@ fn a_history_tells_when_each_path_got_better() {
     }
     let parts = [(0..5, "part0"), (5..12, "part1")].map(|(trials, name)| {
         let options = RunOptions { threads: Some(2), interrupted: &|| false, progress: &mut |_| {} };
-        BatchFolder::open(&folder.path().join(name), &told, trials, false).unwrap().run(&told, options).unwrap();
+        BatchFolder::open(folder.path().join(name), &told, trials, false).unwrap().run(&told, options).unwrap();
         folder.path().join(name)
     });
     merge(&parts, &merged).unwrap();
@@ -248,6 +249,26 @@ fn the_summary_counts_and_compares() {
     let test = &summary["t_tests"][0];
     assert_eq!((&test["group"], &test["measure"], &test["b"][0]), (&"A".into(), &"cost".into(), &"hard1".into()));
     assert!(test["p"].as_f64().unwrap() <= 1.0 && test["df"].as_f64().unwrap() <= 22.0);
+    let costs = |name: &Value| -> BTreeMap<usize, f64> {
+        let of = |r: &&TrialRow| r.scenario == "hard1" && r.method == *name;
+        rows.iter().filter(of).filter_map(|r| Some((r.trial, r.cost?))).collect()
+    };
+    let (a, b) = (costs(&test["a"][1]), costs(&test["b"][1]));
+    let pairs: Vec<(f64, f64)> = a.iter().filter_map(|(trial, cost)| Some((*cost, *b.get(trial)?))).collect();
+    assert!(pairs.len() > 1 && pairs.len() < a.len().max(b.len()), "{} of {} and {}", pairs.len(), a.len(), b.len());
+    let paired = &test["paired"];
+    let mean = pairs.iter().map(|(a, b)| a - b).sum::<f64>() / pairs.len() as f64;
+    assert!((paired["mean_difference"].as_f64().unwrap() - mean).abs() < 1e-12);
+    let less = [pairs.iter().filter(|(a, b)| a < b).count(), pairs.iter().filter(|(a, b)| b < a).count()];
+    assert_eq!(
+        [&paired["n"], &paired["a_less"], &paired["b_less"]],
+        [pairs.len(), less[0], less[1]].map(Value::from).each_ref()
+    );
+    assert_eq!(paired["df"], pairs.len() as f64 - 1.0);
+    // Every method but the first of its scenario, against the first.
+    let compared = summary["pairs"].as_array().unwrap();
+    assert_eq!(compared.len(), 8);
+    assert!(compared.iter().all(|pair| pair["a"] == methods[0]["method"] && pair["b"] != pair["a"]), "{compared:?}");
 }
 
 #[test]
@@ -322,7 +343,7 @@ fn ranges_of_trials_merge_to_the_whole() {
     }
     merge(&[high.clone(), low.clone()], &merged).unwrap();
     assert_eq!(table(&whole), table(&merged));
-    let told = |folders: &[PathBuf]| merge(folders, &folder.path().join("no")).unwrap_err().to_string();
+    let told = |folders: &[PathBuf]| merge(folders, folder.path().join("no")).unwrap_err().to_string();
     assert!(told(&[whole.clone(), high.clone()]).contains("found trials from 5, expected trials from 12 on"));
     assert!(told(&[folder.path().join("nowhere")]).contains("found no run.json"));
     let other = self::experiment(folder.path(), &SMALL.replace("seed = 3", "seed = 4")).unwrap();
@@ -452,14 +473,14 @@ fn bad_experiments_name_key_finding_and_expectation() {
 
 #[test]
 fn the_experiments_of_the_repository_load() {
-    let planners = load_experiment(&repository().join("experiments/planners.toml")).unwrap();
+    let planners = load_experiment(repository().join("experiments/planners.toml")).unwrap();
     assert!(planners.layout.history);
     for (name, rows) in [("table2", 8), ("table2_ball", 4), ("fig7", 50), ("fig8", 20)] {
-        let experiment = load_experiment(&repository().join(format!("experiments/{name}.toml"))).unwrap();
+        let experiment = load_experiment(repository().join(format!("experiments/{name}.toml"))).unwrap();
         let groups = &experiment.layout.groups;
         assert_eq!((experiment.trials, groups.iter().map(|g| g.methods.len()).sum::<usize>()), (1000, rows));
     }
-    let turning = load_experiment(&repository().join("experiments/turning.toml")).unwrap();
+    let turning = load_experiment(repository().join("experiments/turning.toml")).unwrap();
     assert!(
         turning.layout.history && turning.layout.groups.len() == 9 && turning.layout.groups.iter().all(|g| g.turns)
     );

@@ -30,13 +30,13 @@ const READERS: [(&str, Reader); 14] = [
     ("mesh.stl", |path| load_mesh(path).map(drop)),
     ("mesh.obj", |path| load_mesh(path).map(drop)),
     ("map.npz", |path| load_wrench_map(path, None).map(drop)),
-    ("run.json", |path| merge(&[path.with_file_name("")], &path.with_file_name("merged")).map(drop)),
-    ("summary.json", |path| load_study(&path.with_file_name("")).map(drop)),
+    ("run.json", |path| merge(&[path.with_file_name("")], path.with_file_name("merged")).map(drop)),
+    ("summary.json", |path| load_study(path.with_file_name("")).map(drop)),
     ("trials.csv", |path| {
         let summary =
             "{\"experiment\": \"\", \"fingerprint\": \"\", \"confidence\": 0.9, \"methods\": [], \"t_tests\": []}";
         fs::write(path.with_file_name("summary.json"), summary).unwrap();
-        load_study(&path.with_file_name("")).map(drop)
+        load_study(path.with_file_name("")).map(drop)
     }),
 ];
 

@@ -36,7 +36,7 @@ const MODELS: [(&str, &str, [f64; 3], f64); 5] = [
 fn every_caspr_model_is_the_robot_it_is_known_to_be() {
     for (model, known, position, expected) in MODELS {
         let robot = Robot::try_from(imported(&caspr(model), None).robot).unwrap();
-        let known = load_robot(&testdata("robots").join(format!("{known}.toml"))).unwrap();
+        let known = load_robot(testdata("robots").join(format!("{known}.toml"))).unwrap();
         let at = Point::from(position);
         let [found, stored] = [&robot, &known].map(|robot| wrench_matrix(robot, &Rotation::identity(), &at).unwrap());
         assert!((&found - stored).amax() < 1e-12, "{model}");

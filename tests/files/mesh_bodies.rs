@@ -458,7 +458,7 @@ fn platforms_may_be_meshes_too() {
     robot.platform[0] = BodySpec { mesh: Some(MeshSource::File("plate.obj".into())), ..BodySpec::default() };
     robot.platform[0].units = Some(cdpr_core::model::Unit::Mm);
     fs::write(folder.path().join("scene.json"), serde_json::to_string(&spec).unwrap()).unwrap();
-    let scene = load_scene(&folder.path().join("scene.json")).unwrap();
+    let scene = load_scene(folder.path().join("scene.json")).unwrap();
     assert!((scene.robot().parts()[0].volume() / (0.15 * 0.15 * 0.05) - 1.0).abs() < 1e-9);
 }
 

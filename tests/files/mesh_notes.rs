@@ -119,7 +119,7 @@ fn a_cache_that_is_no_regular_file_is_neither_read_nor_written() {
     load(&read_only, &meshes);
     fs::remove_file(cache_of(&read_only)).unwrap();
     mode(&read_only, 0o555);
-    assert_eq!(load_scene(&read_only.join("scene.toml")).unwrap(), scene);
+    assert_eq!(load_scene(read_only.join("scene.toml")).unwrap(), scene);
     assert_eq!(fs::read_dir(&read_only).unwrap().count(), 2, "nothing can be kept");
     mode(&read_only, 0o755);
 }

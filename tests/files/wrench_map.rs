@@ -214,7 +214,7 @@ fn a_file_cut_short_or_altered_anywhere_is_refused() {
         let mut altered = whole.clone();
         altered[at] ^= 0x10;
         std::fs::write(folder.path().join("altered.npz"), &altered).unwrap();
-        let read = load_wrench_map(&folder.path().join("altered.npz"), None);
+        let read = load_wrench_map(folder.path().join("altered.npz"), None);
         tried += 1;
         refused += usize::from(read.is_err());
         if let Ok(read) = read {

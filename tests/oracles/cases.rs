@@ -67,7 +67,7 @@ fn wrenches() {
 }
 
 fn scene(name: &str) -> Scene {
-    load_scene(&scene_file(name)).unwrap()
+    load_scene(scene_file(name)).unwrap()
 }
 
 /// The value with this name, or the default.

@@ -1,7 +1,7 @@
 // The result card: the verdict, how good the path is, where it is tightest, and how it was found.
 
 import { html } from './charts.js';
-import { describeBound, describeDirectness, describeOutcome, describePeaks, describeReason } from './wording.js';
+import { describeOutcome, describePeaks, describeQuality, describeReason } from './wording.js';
 import { formatApproach, formatGap, formatLength, formatSeconds, isEdited, statedLength } from './wording.js';
 
 // Reasons beyond these would fill the card.
@@ -22,10 +22,9 @@ function showVerdict({ verdict, tone, headline }) {
 
 // What is known about how short the path is.
 function quality({ path, result, trajectory }, length) {
-  if (!path || path.waypoints.length < 2 || trajectory) return null;
-  if (result?.lowerBound > 0) return describeBound(length, result.lowerBound);
-  const straight = distance(path.waypoints[0], path.waypoints.at(-1));
-  return path.turns || straight === 0 ? null : describeDirectness(length, straight);
+  if (!path || path.waypoints.length < 2 || trajectory) return '';
+  const straight = path.turns ? 0 : distance(path.waypoints[0], path.waypoints.at(-1));
+  return describeQuality(length, { bound: result?.lowerBound, straight });
 }
 
 function remarks(model, length) {
@@ -85,6 +84,7 @@ export function showCard(model, length, jump) {
   byId('remarks').replaceChildren(...remarks(model, length).map((text) => html('p', '', text)));
   const { motion } = model;
   const buttons = (motion?.approaches ?? []).map((approach) => tightestButton(approach, motion.s, jump));
-  byId('tightest').replaceChildren(...buttons);
+  const title = html('p', 'more', `tightest on the whole ${model.trajectory ? 'motion' : 'path'}`);
+  byId('tightest').replaceChildren(...(buttons.length > 0 ? [title, ...buttons] : []));
   byId('planner').textContent = provenance(model, length);
 }

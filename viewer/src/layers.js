@@ -17,7 +17,7 @@ const NAMES = {
   rawPath: { name: 'raw path', swatch: 'dashed', group: 'path' },
   detours: { name: 'path without an obstacle', swatch: 'thick', group: 'path' },
   searchTree: { name: 'search tree', swatch: 'hair', group: 'path' },
-  nearest: { name: 'tightest pair', swatch: 'gap', group: 'analysis' },
+  nearest: { name: 'least room here', swatch: 'gap', group: 'analysis' },
   violations: { name: 'violations', swatch: 'cross', group: 'analysis' },
   reachable: { name: 'can be reached from the start', swatch: 'ghost', group: 'analysis' },
   walls: { name: 'wall that closes the way', swatch: 'solid', group: 'analysis' },

@@ -3,7 +3,7 @@
 import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
 import { showCard } from './card.js';
-import { createEdit } from './edit/edit.js';
+import { createEdit, explainNoEditing } from './edit/edit.js';
 import { rememberPage } from './edit/save.js';
 import { createFrame } from './frame.js';
 import { createGizmo } from './gizmo.js';
@@ -432,6 +432,7 @@ function start() {
   const app = createApp();
   app.show(readModel(page));
   if (live) createEdit(app, live, page, fill);
+  else explainNoEditing(readModel(page));
 }
 
 try {

@@ -83,6 +83,14 @@ export function foldWhereNarrow() {
   unfold();
 }
 
+/** Whether there are charts. */
+export const hasCharts = () => !byId('plots').hidden;
+
+/** Folds the charts, where they lie beside the picture. */
+export function foldCharts() {
+  if (!window.matchMedia(NARROW).matches) byId('plots').open = false;
+}
+
 /** Empties the legend, and returns a function that unfolds and scrolls what comes next as it was. */
 export function clearLegend() {
   const folds = () => [...byId('legend').querySelectorAll('details')];

@@ -46,15 +46,36 @@ export function createRawPath(path, frame, theme) {
   return [line];
 }
 
-/** The path after post-processing: thick, with a dot at each waypoint, or at the places in `marked`. */
+const DOT = 10;
+// Little wider than the path.
+const SMALL_DOT = 6.5;
+// Large dots nearer to each other than this share of the picture would be one lump.
+const APART = 0.025;
+
+// Which of the places get a large dot: the ends, and those between that are apart.
+function apart(places, size) {
+  const [end] = places.slice(-1);
+  let last = places[0];
+  return places.map((place, i) => {
+    if (i === 0 || i === places.length - 1) return true;
+    const free = Math.min(place.distanceTo(last), place.distanceTo(end)) >= APART * size;
+    if (free) last = place;
+    return free;
+  });
+}
+
+/** The path after post-processing: thick, with a dot at each waypoint, or at the places in `marked`; small ones in a crowd. */
 export function createFinalPath(path, frame, theme, marked = path?.waypoints) {
   if (!path || path.waypoints.length === 0) return [];
   const points = path.waypoints.map((p) => frame.point(p));
   const line = wideLines(chain(points), { linewidth: 5, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 });
-  const marks = dots(marked.map((p) => frame.point(p)), 10);
+  const places = marked.map((p) => frame.point(p));
+  const isLarge = apart(places, frame.box.getSize(new Vector3()).length());
+  const marks = dots(places.filter((_, i) => isLarge[i]), DOT);
+  const crowd = isLarge.every(Boolean) ? [] : [dots(places.filter((_, i) => !isLarge[i]), SMALL_DOT)];
   theme.paint(line.material, 'finalPath');
-  theme.paint(marks.material, 'waypoint');
-  return [line, marks];
+  for (const { material } of [marks, ...crowd]) theme.paint(material, 'waypoint');
+  return [line, marks, ...crowd];
 }
 
 // Pieces of the path where something comes too near or a wrench margin is missing.

@@ -2,7 +2,7 @@
 
 import { cableSwatch, connectRow, createChart, html, largest, stepsAt, valueAt } from './charts.js';
 import { createLimiting, trajectoryPlots } from './trajectory.js';
-import { describeTightest, describeWrench, forceAxis, formatApproach, lengthAxis, numberAxis, TOUCHING } from './wording.js';
+import { describeLeastRoom, describeWrench, forceAxis, formatApproach, lengthAxis, numberAxis, TOUCHING } from './wording.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -115,11 +115,13 @@ function createNearest(motion) {
       return { ...gapAt(approach, motion.s, steps, at), tight };
     });
     const tightest = gaps.find(({ culprits }) => culprits === motion.culprits[shown]);
-    byId('nearest').textContent = describeTightest(tightest);
+    byId('nearest').textContent = describeLeastRoom(tightest);
     byId('nearest').classList.toggle('bad', bad);
     return { ...tightest, bad, gaps };
   };
 }
+
+const NO_CHARTS = { motion: null, trajectory: null };
 
 const boxes = (charts) => charts.map(({ box }) => box);
 
@@ -128,7 +130,8 @@ const boxes = (charts) => charts.map(({ box }) => box);
  * and says who comes nearest there.
  */
 export function createPlots(model, route, pick) {
-  const { motion, trajectory } = model;
+  // A path without length has no axis for charts.
+  const { motion, trajectory } = route.length > 0 ? model : NO_CHARTS;
   byId('plots').hidden = !motion && !trajectory;
   if (!motion && !trajectory) return () => null;
   const { axis, length, corners } = route;

@@ -66,11 +66,12 @@ export function buildShapes(parts, place) {
   return out;
 }
 
-/** Several shapes as one. */
+/** Several shapes as one, each in its shade of the colour: a factor. */
 export function mergeShapes(all) {
   const merged = (key) => all.flatMap((shapes) => shapes[key]);
   const [positions, normals, edges] = ['positions', 'normals', 'edges'].map(merged);
-  return { positions, normals, edges, segments: merged('segments'), dots: merged('dots') };
+  const shades = all.flatMap(({ positions: own, shade = 1 }) => own.map(() => shade));
+  return { positions, normals, edges, shades, segments: merged('segments'), dots: merged('dots') };
 }
 
 /** Triangles of shapes as one geometry. */
@@ -78,5 +79,6 @@ export function solidGeometry(shapes) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(shapes.positions, 3));
   geometry.setAttribute('normal', new Float32BufferAttribute(shapes.normals, 3));
+  if (shapes.shades) geometry.setAttribute('color', new Float32BufferAttribute(shapes.shades, 3));
   return geometry;
 }

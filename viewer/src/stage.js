@@ -307,7 +307,8 @@ export function createStage(container, firstBox, { margins, onDraw }) {
   resize();
   const canvas = renderer.domElement;
   const isCut = (point) => planes.some((plane) => plane.distanceToPoint(point) < 0);
-  const own = { scene, controls, canvas, invalidate, setMoving, beforeNext, afterNext, setBox, look, cut, isCut, picture, resize, statistics };
+  const isTouched = () => touched;
+  const own = { scene, controls, canvas, invalidate, setMoving, beforeNext, afterNext, setBox, look, cut, isCut, isTouched, picture, resize, statistics };
   // Which camera it is depends on the view.
   return Object.defineProperty(own, 'camera', { get: () => camera });
 }

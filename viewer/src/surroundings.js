@@ -6,6 +6,8 @@ import { dots, hairlines, pointGeometry, wideGeometry, wideLines } from './marks
 import { buildShapes, mergeShapes, solidGeometry } from './shapes.js';
 
 const OBSTACLE_OPACITY = 0.78;
+// Neighbours differ in lightness.
+const SHADES = [1, 0.8, 0.92, 0.7];
 
 // Corners of a box in the order of three bits x, y, z.
 function boxCorners({ min, max }) {
@@ -46,6 +48,7 @@ function obstacleMaterial(theme, options) {
   const material = new MeshLambertMaterial({
     transparent: true,
     opacity: OBSTACLE_OPACITY,
+    vertexColors: true,
     // Seen from inside where the section plane cuts it.
     side: DoubleSide,
     forceSinglePass: true,
@@ -76,7 +79,7 @@ function replaceGeometry(geometry, ...objects) {
  * shifts one from where it was drawn.
  */
 export function createObstacles(model, frame, theme) {
-  const all = model.obstacles.map(({ parts }) => buildShapes(parts, (v) => frame.point(v)));
+  const all = model.obstacles.map(({ parts }, i) => ({ ...buildShapes(parts, (v) => frame.point(v)), shade: SHADES[i % SHADES.length] }));
   const [depth, color] = translucentSolid(theme);
   const edges = hairlines([], new LineBasicMaterial({ transparent: true }));
   const bars = wideLines([], { linewidth: 3 });
@@ -104,7 +107,7 @@ export function createObstacles(model, frame, theme) {
   // The objects of one obstacle, which moves by itself.
   function lift(index) {
     const shapes = all[index];
-    const solid = solidGeometry(shapes);
+    const solid = solidGeometry(mergeShapes([shapes]));
     const group = new Group();
     const pieces = [solid, solid, pointGeometry(shapes.edges), wideGeometry(shapes.segments), pointGeometry(shapes.dots)];
     merged.forEach((object, i) => {

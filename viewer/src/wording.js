@@ -158,13 +158,13 @@ export function formatApproach(gap) {
   return gap < 0 ? `${formatGap(-gap)} deep` : formatGap(gap);
 }
 
-/** How the tightest pair keeps its distance: "tightest: cable 3 and pillar, 62 mm apart, 50 mm required". */
-export function describeTightest({ culprits, gap, required }) {
+/** Who has the least room where the platform is: "least room here: cable 3 and pillar, 62 mm apart, 50 mm required". */
+export function describeLeastRoom({ culprits, gap, required }) {
   const who = culprits.join(' and ');
-  if (gap < 0 && gap < required) return `in collision: ${who}, ${formatGap(-gap)} deep`;
-  if (required <= 0) return gap < TOUCHING ? `nearest: ${who} touch` : `nearest: ${who}, ${formatGap(gap)} apart`;
-  const which = gap < required ? 'too near' : 'tightest';
-  return `${which}: ${who}, ${formatGap(gap)} apart, ${formatGap(required)} required`;
+  if (gap < 0 && gap < required) return `in collision here: ${who}, ${formatGap(-gap)} deep`;
+  if (required <= 0) return gap < TOUCHING ? `nearest here: ${who} touch` : `nearest here: ${who}, ${formatGap(gap)} apart`;
+  const which = gap < required ? 'too near' : 'least room';
+  return `${which} here: ${who}, ${formatGap(gap)} apart, ${formatGap(required)} required`;
 }
 
 /** A wrench margin or another number with its unit: "12.34 N". */
@@ -185,7 +185,7 @@ export function describeTree({ count, every }) {
 
 /** What the colours of the wrench-feasible workspace mean. */
 export function describeFeasible({ measure, unit, greatest }) {
-  return `${measure} margin beyond the demand, 0 to ${Number(greatest.toPrecision(3))} ${unit}`;
+  return `${measure} margin beyond the demand, 0 to ${Number(greatest.toPrecision(3))} ${unit}; forces only: obstacles do not count`;
 }
 
 /** Those who close the way together: "cable 1 and south". */
@@ -339,10 +339,11 @@ export function describeViolation(violation, distance) {
 /** What is wrong with a position, in one sentence: "platform meets pillar, 225 mm deep". */
 export const describeInvalid = (violation) => `${describeEvent(violation)}${describeGap(violation)}`;
 
-/** How much longer a path may be than the shortest: "at most 3.1 % above the shortest". */
-export function describeExcess(cost, bound) {
-  const share = (100 * (cost - bound)) / bound;
-  if (!(share >= 0) || !Number.isFinite(share)) return '';
-  if (share < 0.01) return 'the shortest there is';
-  return `at most ${Number(share.toPrecision(2))}\u00a0% above the shortest`;
+/**
+ * What is known about how short a path is: from a lower bound on the length of every path or, without one, from the straight
+ * line between its ends; empty where neither says anything.
+ */
+export function describeQuality(cost, { bound = null, straight = 0 }) {
+  if (bound > 0) return describeBound(cost, bound);
+  return straight > 0 ? describeDirectness(cost, straight) : '';
 }

@@ -1,5 +1,6 @@
 //! Checks certificates that a cable robot has no path, and that none is shorter than a length ([`check_bound`]). It shares no
-//! code with the program that writes them: what a scene forbids is derived again, and every decision is exact.
+//! code with the program that writes them: what a scene forbids is derived again, and every decision is exact, but
+//! for lengths along bends, which are compared in double precision with tolerances far above its errors.
 //!
 //! # What a certificate that there is no path proves
 //!

@@ -36,7 +36,8 @@ pub struct Imported {
 /// # Errors
 /// Unsupported or invalid contents; the error names the file, the element with its line, what was found and what was
 /// expected.
-pub fn import_robot(path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
+pub fn import_robot(path: impl AsRef<Path>, options: &ImportOptions) -> Result<Imported, Error> {
+    let path = path.as_ref();
     Loader::PATIENT.import(path, options)
 }
 
@@ -45,7 +46,8 @@ impl Loader<'_> {
     ///
     /// # Errors
     /// As [`import_robot`], and those of the watch.
-    pub fn import(&self, path: &Path, options: &ImportOptions) -> Result<Imported, Error> {
+    pub fn import(&self, path: impl AsRef<Path>, options: &ImportOptions) -> Result<Imported, Error> {
+        let path = path.as_ref();
         let Source { robot, origin, notes } = match extension(path).as_deref() {
             Some("yaml" | "yml") => gazebo::import(path)?,
             Some("xml") => caspr::import(path, options)?,
@@ -90,7 +92,8 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
 ///
 /// # Errors
 /// An unknown extension.
-pub fn check_robot_name(path: &Path) -> Result<(), Error> {
+pub fn check_robot_name(path: impl AsRef<Path>) -> Result<(), Error> {
+    let path = path.as_ref();
     Notation::of(path).map(drop)
 }
 
@@ -99,7 +102,8 @@ pub fn check_robot_name(path: &Path) -> Result<(), Error> {
 ///
 /// # Errors
 /// An unknown extension, or a file that cannot be written.
-pub fn save_imported(path: &Path, imported: &Imported) -> Result<(), Error> {
+pub fn save_imported(path: impl AsRef<Path>, imported: &Imported) -> Result<(), Error> {
+    let path = path.as_ref();
     let notation = Notation::of(path)?;
     let mut imported = imported.clone();
     for body in &mut imported.robot.platform {

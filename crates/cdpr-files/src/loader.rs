@@ -10,7 +10,7 @@ use cdpr_core::watch::Watch;
 /// use cdpr_files::Loader;
 /// use cdpr_core::watch::Watch;
 /// let loader = Loader::new(Watch::on(&|| false));
-/// assert!(loader.scene("testdata/no_such_scene.toml".as_ref()).is_err());
+/// assert!(loader.scene("testdata/no_such_scene.toml").is_err());
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Loader<'a> {

@@ -45,7 +45,8 @@ impl RegionFormat {
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
-pub fn save_regions(path: &Path, scene: &Scene, regions: &Regions) -> Result<(), Error> {
+pub fn save_regions(path: impl AsRef<Path>, scene: &Scene, regions: &Regions) -> Result<(), Error> {
+    let path = path.as_ref();
     let bytes = match RegionFormat::of(path)? {
         RegionFormat::Obj => obj(scene, regions).into_bytes(),
         RegionFormat::Ply => ply(scene, regions).into_bytes(),

@@ -38,7 +38,8 @@ pub struct MeshFile {
 /// assert_eq!((mesh.vertices.len(), mesh.triangles.len()), (4, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn load_mesh(path: &Path) -> Result<TriangleMesh, Error> {
+pub fn load_mesh(path: impl AsRef<Path>) -> Result<TriangleMesh, Error> {
+    let path = path.as_ref();
     load_mesh_file(path).map(|file| file.mesh)
 }
 
@@ -48,7 +49,8 @@ pub fn load_mesh(path: &Path) -> Result<TriangleMesh, Error> {
 /// An unknown extension, a file in a different format, or that ends early, statements that are unknown or of curved
 /// surfaces, no triangles or too many, coordinates that are not finite; with the line where there is one. Holes and similar
 /// defects are not errors; see [`cdpr_core::geometry::pieces`].
-pub fn load_mesh_file(path: &Path) -> Result<MeshFile, Error> {
+pub fn load_mesh_file(path: impl AsRef<Path>) -> Result<MeshFile, Error> {
+    let path = path.as_ref();
     mesh_from(path, &bytes_of(path)?)
 }
 

@@ -24,7 +24,8 @@ const MOST_LINKS: usize = 40;
 ///
 /// # Errors
 /// As [`check_target`], and failures while writing.
-pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
+pub fn write_atomically(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), Error> {
+    let path = path.as_ref();
     let mut file = Output::begin(path)?;
     file.write_all(contents).map_err(|e| unwritable(path, e.kind()))?;
     file.finish()
@@ -42,7 +43,8 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> Result<(), Error> {
 /// assert!(check_target(&folder.path().join("path.json")).is_ok());
 /// assert!(check_target(&folder.path().join("nowhere/path.json")).is_err());
 /// ```
-pub fn check_target(path: &Path) -> Result<(), Error> {
+pub fn check_target(path: impl AsRef<Path>) -> Result<(), Error> {
+    let path = path.as_ref();
     target(path).map(drop)
 }
 
@@ -50,7 +52,8 @@ pub fn check_target(path: &Path) -> Result<(), Error> {
 ///
 /// # Errors
 /// The path or one of its parents is not a folder or cannot be written.
-pub fn check_folder(path: &Path) -> Result<(), Error> {
+pub fn check_folder(path: impl AsRef<Path>) -> Result<(), Error> {
+    let path = path.as_ref();
     match path.ancestors().find(|above| above.as_os_str().is_empty() || above.exists()) {
         Some(above) => check_parent(path, &named_or_here(above)),
         None => Ok(()),
@@ -58,7 +61,8 @@ pub fn check_folder(path: &Path) -> Result<(), Error> {
 }
 
 /// Whether this is neither a file nor a folder but a pipe, a terminal or another device.
-pub fn is_stream(path: &Path) -> bool {
+pub fn is_stream(path: impl AsRef<Path>) -> bool {
+    let path = path.as_ref();
     fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
@@ -156,7 +160,8 @@ impl Output {
     ///
     /// # Errors
     /// No file can be written at this path.
-    pub fn begin(path: &Path) -> Result<Self, Error> {
+    pub fn begin(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
         let new = |file: &Path| temporary_beside(file).map_err(|e| unwritable(path, e.kind()));
         let to = match target(path)? {
             Target::New(file) => To::Beside(new(&file)?, file),

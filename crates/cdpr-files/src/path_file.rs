@@ -20,7 +20,8 @@ pub use cdpr_core::path_file::{PathFile, SceneId};
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
-pub fn save_path(path: &Path, file: &impl Serialize) -> Result<(), Error> {
+pub fn save_path(path: impl AsRef<Path>, file: &impl Serialize) -> Result<(), Error> {
+    let path = path.as_ref();
     let json = json!(file);
     let bytes = match PathFormat::of(path)? {
         PathFormat::Json => format!("{json:#}\n").into_bytes(),
@@ -33,7 +34,8 @@ pub fn save_path(path: &Path, file: &impl Serialize) -> Result<(), Error> {
 ///
 /// # Errors
 /// An extension that is neither .json nor .csv.
-pub fn check_path_name(path: &Path) -> Result<(), Error> {
+pub fn check_path_name(path: impl AsRef<Path>) -> Result<(), Error> {
+    let path = path.as_ref();
     PathFormat::of(path).map(drop)
 }
 
@@ -97,7 +99,8 @@ pub struct LoadedPath {
 ///
 /// # Errors
 /// Names the file, the key or line, what was found and what was expected.
-pub fn load_waypoints(path: &Path) -> Result<LoadedPath, Error> {
+pub fn load_waypoints(path: impl AsRef<Path>) -> Result<LoadedPath, Error> {
+    let path = path.as_ref();
     let format = PathFormat::of(path)?;
     waypoints_from_text(&text::read(path)?, format).map_err(|e| e.in_file(path))
 }

@@ -13,7 +13,8 @@ use cdpr_core::watch::Watch;
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
-pub fn load_scene(path: &Path) -> Result<Scene, Error> {
+pub fn load_scene(path: impl AsRef<Path>) -> Result<Scene, Error> {
+    let path = path.as_ref();
     Loader::PATIENT.scene(path)
 }
 
@@ -29,7 +30,8 @@ pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) ->
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
-pub fn load_robot(path: &Path) -> Result<Robot, Error> {
+pub fn load_robot(path: impl AsRef<Path>) -> Result<Robot, Error> {
+    let path = path.as_ref();
     Loader::PATIENT.robot(path)
 }
 
@@ -46,7 +48,8 @@ impl Loader<'_> {
     ///
     /// # Errors
     /// As [`load_scene`], and those of the watch.
-    pub fn scene(&self, path: &Path) -> Result<Scene, Error> {
+    pub fn scene(&self, path: impl AsRef<Path>) -> Result<Scene, Error> {
+        let path = path.as_ref();
         let notation = Notation::of(path)?;
         let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
         if spec.name.is_none() {
@@ -75,7 +78,8 @@ impl Loader<'_> {
     ///
     /// # Errors
     /// As [`load_robot`], and those of the watch.
-    pub fn robot(&self, path: &Path) -> Result<Robot, Error> {
+    pub fn robot(&self, path: impl AsRef<Path>) -> Result<Robot, Error> {
+        let path = path.as_ref();
         Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
     }
 

@@ -11,10 +11,11 @@ use super::text::{self, Notation};
 ///
 /// # Example
 /// ```
-/// let files = cdpr_files::sources("testdata/scenes/no_such_scene.toml".as_ref());
+/// let files = cdpr_files::sources("testdata/scenes/no_such_scene.toml");
 /// assert_eq!(files, ["testdata/scenes/no_such_scene.toml"].map(std::path::PathBuf::from));
 /// ```
-pub fn sources(path: &Path) -> Vec<PathBuf> {
+pub fn sources(path: impl AsRef<Path>) -> Vec<PathBuf> {
+    let path = path.as_ref();
     let mut files = vec![path.to_path_buf()];
     if path.is_file() && !is_stream(path) {
         files.extend(named_in(path).unwrap_or_default());
@@ -37,7 +38,7 @@ fn named_in(path: &Path) -> Option<Vec<PathBuf>> {
     };
     let mut files = meshes(&scene.obstacles);
     match &scene.robot {
-        RobotSource::File(name) => files.extend(sources(&beside(name))),
+        RobotSource::File(name) => files.extend(sources(beside(name))),
         RobotSource::Inline(robot) => files.extend(meshes(&robot.platform)),
     }
     Some(files)
@@ -59,7 +60,7 @@ mod tests {
             &format!("version = 1\nrobot = \"robot.toml\"\n{workspace}[[obstacles]]\nmesh = \"hall.obj\"\n"),
         );
         let names = |path: &str| {
-            let files = sources(&folder.path().join(path));
+            let files = sources(folder.path().join(path));
             files.iter().map(|file| file.file_name().unwrap().to_str().unwrap().to_string()).collect::<Vec<_>>()
         };
         assert_eq!(names("scene.toml"), ["scene.toml", "hall.obj", "robot.toml", "platform.stl"]);

@@ -47,7 +47,8 @@ pub struct NewScene {
 ///
 /// # Errors
 /// As [`super::load_scene`]; [`Error::interrupted`].
-pub fn starter_scene(starter: &Starter, output: &Path, interrupted: &Interrupt) -> Result<NewScene, Error> {
+pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &Interrupt) -> Result<NewScene, Error> {
+    let output = output.as_ref();
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
     let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;

@@ -70,7 +70,8 @@ fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String
 ///
 /// # Errors
 /// A name that does not end in .csv, a file that cannot be written.
-pub fn save_tensions(path: &Path, cables: &[&str], rows: &[TensionRow]) -> Result<(), Error> {
+pub fn save_tensions(path: impl AsRef<Path>, cables: &[&str], rows: &[TensionRow]) -> Result<(), Error> {
+    let path = path.as_ref();
     check_tensions_name(path)?;
     write_atomically(path, tensions_csv(cables, rows).as_bytes())
 }
@@ -79,7 +80,8 @@ pub fn save_tensions(path: &Path, cables: &[&str], rows: &[TensionRow]) -> Resul
 ///
 /// # Errors
 /// A name that does not end in .csv.
-pub fn check_tensions_name(path: &Path) -> Result<(), Error> {
+pub fn check_tensions_name(path: impl AsRef<Path>) -> Result<(), Error> {
+    let path = path.as_ref();
     match extension(path).as_deref() {
         Some("csv") => Ok(()),
         _ => Err(other_extension(path, ".csv")),

@@ -49,7 +49,8 @@ pub fn other_extension(path: &Path, expected: &str) -> Error {
 ///
 /// # Errors
 /// A file that cannot be read, is too large, is not a regular file, or is not text in UTF-8.
-pub fn read(path: &Path) -> Result<String, Error> {
+pub fn read(path: impl AsRef<Path>) -> Result<String, Error> {
+    let path = path.as_ref();
     read_at_most(path, MOST_TEXT_BYTES)
 }
 
@@ -57,7 +58,8 @@ pub fn read(path: &Path) -> Result<String, Error> {
 ///
 /// # Errors
 /// A certificate that cannot be read or is larger than [`MOST_CERTIFICATE_BYTES`].
-pub fn read_certificate(path: &Path) -> Result<Option<String>, Error> {
+pub fn read_certificate(path: impl AsRef<Path>) -> Result<Option<String>, Error> {
+    let path = path.as_ref();
     let mut beginning = String::new();
     if !path.is_file() {
         return Ok(None); // a pipe can be read only once
@@ -150,7 +152,8 @@ pub(super) fn open(path: &Path) -> Result<File, Error> {
 ///
 /// # Errors
 /// Not a regular file, a file that cannot be read, or one that is too large.
-pub fn open_table(path: &Path) -> Result<File, Error> {
+pub fn open_table(path: impl AsRef<Path>) -> Result<File, Error> {
+    let path = path.as_ref();
     let file = open(path)?;
     if file.metadata().map_err(|e| unreadable(path, e))?.len() > MOST_TABLE_BYTES {
         return Err(too_large(path, MOST_TABLE_BYTES));
@@ -284,7 +287,8 @@ pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
 /// assert_eq!(load_scene(&path)?.spec(), scene.spec());
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn save_table(path: &Path, table: &impl Serialize) -> Result<(), Error> {
+pub fn save_table(path: impl AsRef<Path>, table: &impl Serialize) -> Result<(), Error> {
+    let path = path.as_ref();
     let text = match Notation::of(path)? {
         Notation::Toml => toml::to_string(table).expect("tables are finite"),
         Notation::Json => format!("{:#}\n", serde_json::json!(table)),

@@ -24,7 +24,8 @@ use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 ///
 /// # Errors
 /// A file that cannot be read or is larger than [`MOST_TRAJECTORY_BYTES`].
-pub fn read_trajectory(path: &Path) -> Result<Option<String>, Error> {
+pub fn read_trajectory(path: impl AsRef<Path>) -> Result<Option<String>, Error> {
+    let path = path.as_ref();
     if text::extension(path).as_deref() != Some("json") {
         return Ok(None);
     }
@@ -93,7 +94,8 @@ fn format_of(path: &Path) -> Result<Written, Error> {
 ///
 /// # Errors
 /// An extension that is none of .json, .csv, .yaml and .yml; `effort` with another one than the last two.
-pub fn check_trajectory_name(path: &Path, effort: bool) -> Result<(), Error> {
+pub fn check_trajectory_name(path: impl AsRef<Path>, effort: bool) -> Result<(), Error> {
+    let path = path.as_ref();
     let format = format_of(path)?;
     if effort && format != Written::Yaml {
         return Err(Error::file(path, "cannot hold the field effort, which only a ROS 2 message (.yaml) has"));
@@ -120,7 +122,8 @@ pub fn check_trajectory_name(path: &Path, effort: bool) -> Result<(), Error> {
 /// assert_eq!(load_trajectory(&path)?.motion.times, motion.times);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn save_trajectory(path: &Path, file: &TrajectoryFile, effort: bool) -> Result<(), Error> {
+pub fn save_trajectory(path: impl AsRef<Path>, file: &TrajectoryFile, effort: bool) -> Result<(), Error> {
+    let path = path.as_ref();
     check_trajectory_name(path, effort)?;
     let text = match format_of(path)? {
         Written::Json => trajectory_json(file),
@@ -153,7 +156,8 @@ pub struct LoadedTrajectory {
 ///
 /// # Errors
 /// Names the file, the key or the line and column, what was found and what was expected.
-pub fn load_trajectory(path: &Path) -> Result<LoadedTrajectory, Error> {
+pub fn load_trajectory(path: impl AsRef<Path>) -> Result<LoadedTrajectory, Error> {
+    let path = path.as_ref();
     let expected = match extension(path).as_deref() {
         Some(extension @ ("json" | "csv")) => extension == "json",
         _ => return Err(other_extension(path, ".json or .csv")),
@@ -166,7 +170,8 @@ pub fn load_trajectory(path: &Path) -> Result<LoadedTrajectory, Error> {
 ///
 /// # Errors
 /// As [`load_trajectory`].
-pub fn load_if_trajectory(path: &Path) -> Result<Option<LoadedTrajectory>, Error> {
+pub fn load_if_trajectory(path: impl AsRef<Path>) -> Result<Option<LoadedTrajectory>, Error> {
+    let path = path.as_ref();
     if !matches!(extension(path).as_deref(), Some("json" | "csv")) {
         return Ok(None);
     }
@@ -316,14 +321,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
         for name in ["a.json", "a.csv", "a.yaml", "a.YML"] {
-            save_trajectory(&folder.path().join(name), &file, false).unwrap();
+            save_trajectory(folder.path().join(name), &file, false).unwrap();
         }
-        let load = |name: &str| load_trajectory(&folder.path().join(name));
+        let load = |name: &str| load_trajectory(folder.path().join(name));
         assert_eq!(load("a.json").unwrap().file.unwrap(), file);
         assert_eq!(load("a.json").unwrap().motion, load("a.csv").unwrap().motion);
         let refused = load("a.yaml").unwrap_err().to_string();
         assert!(refused.ends_with("a.yaml: found the extension .yaml, expected .json or .csv"), "{refused}");
-        let refused = save_trajectory(&folder.path().join("a.txt"), &file, false).unwrap_err().to_string();
+        let refused = save_trajectory(folder.path().join("a.txt"), &file, false).unwrap_err().to_string();
         assert!(refused.ends_with("a.txt: found the extension .txt, expected .json, .csv or .yaml"), "{refused}");
         assert!(!folder.path().join("a.txt").exists());
         assert_eq!(loaded_if_trajectory("x,y,z\n1,2,3\n").unwrap(), None);

@@ -62,7 +62,8 @@ struct Metadata {
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
-pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
+pub fn save_wrench_map(path: impl AsRef<Path>, map: &WrenchMap) -> Result<(), Error> {
+    let path = path.as_ref();
     let bytes = match MapFormat::of(path)? {
         MapFormat::Npz => npz(map).map_err(|e| Error::file(path, format!("cannot be written: {e}")))?,
         MapFormat::Vti => vti(map),
@@ -91,7 +92,8 @@ pub fn save_wrench_map(path: &Path, map: &WrenchMap) -> Result<(), Error> {
 /// assert_eq!(io::load_wrench_map(&path, Some(&MapIdentity::of(&statics, &required)))?, map);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn load_wrench_map(path: &Path, expected: Option<&MapIdentity>) -> Result<WrenchMap, Error> {
+pub fn load_wrench_map(path: impl AsRef<Path>, expected: Option<&MapIdentity>) -> Result<WrenchMap, Error> {
+    let path = path.as_ref();
     if MapFormat::of(path)? == MapFormat::Vti {
         return Err(Error::file(path, "found a .vti file, which is for ParaView only; expected an .npz file"));
     }

@@ -44,7 +44,13 @@ impl BatchFolder {
     /// # Errors
     /// Without `resume`, a folder that is not empty; with `resume`, a folder without a run, or with a run of another
     /// experiment or another first trial; a folder that cannot be written; no trials.
-    pub fn open(path: &Path, experiment: &Experiment, trials: Range<usize>, resume: bool) -> Result<Self, Error> {
+    pub fn open(
+        path: impl AsRef<Path>,
+        experiment: &Experiment,
+        trials: Range<usize>,
+        resume: bool,
+    ) -> Result<Self, Error> {
+        let path = path.as_ref();
         BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
 
@@ -71,7 +77,7 @@ impl BatchFolder {
 
     fn write_run_file(&self) -> Result<(), Error> {
         let json = serde_json::to_string_pretty(&self.run).expect("names and numbers");
-        write_atomically(&self.path.join(RUN_FILE), format!("{json}\n").as_bytes())
+        write_atomically(self.path.join(RUN_FILE), format!("{json}\n").as_bytes())
     }
 
     /// Runs the missing trials, then writes the tables; if interrupted, the tables of the rows so far.
@@ -155,7 +161,7 @@ impl BatchFolder {
         trials_file.finish()?;
         timings_file.finish()?;
         history_file.map_or(Ok(()), Output::finish)?;
-        write_atomically(&self.path.join("summary.json"), format!("{:#}\n", serde_json::json!(summary)).as_bytes())
+        write_atomically(self.path.join("summary.json"), format!("{:#}\n", serde_json::json!(summary)).as_bytes())
     }
 }
 
@@ -163,7 +169,8 @@ impl BatchFolder {
 ///
 /// # Errors
 /// A folder that does not fit (the error names it and the reason); an output folder that is not empty.
-pub fn merge(folders: &[PathBuf], output: &Path) -> Result<(), Error> {
+pub fn merge(folders: &[PathBuf], output: impl AsRef<Path>) -> Result<(), Error> {
+    let output = output.as_ref();
     let mut runs = folders.iter().map(|path| Ok((run_file(path)?, path))).collect::<Result<Vec<_>, Error>>()?;
     runs.sort_by_key(|(run, _)| run.first_trial);
     let Some((first, _)) = runs.first().cloned() else {

@@ -104,7 +104,8 @@ impl BatchRows {
     ///
     /// # Errors
     /// A folder that is not empty or cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), Error> {
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        let path = path.as_ref();
         BatchFolder::with(path, self.run.clone(), false)?.fill(&self.groups)
     }
 }

@@ -11,7 +11,8 @@ use cdpr_files::text::{self, Notation};
 ///
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
-pub fn load_experiment(path: &Path) -> Result<Experiment, Error> {
+pub fn load_experiment(path: impl AsRef<Path>) -> Result<Experiment, Error> {
+    let path = path.as_ref();
     load_experiment_by(&Loader::PATIENT, path)
 }
 
@@ -27,7 +28,8 @@ pub fn experiment_from_text(text: &str, notation: Notation, folder: Option<&Path
 ///
 /// # Errors
 /// As [`load_experiment`], and those of the watch.
-pub fn load_experiment_by(loader: &Loader, path: &Path) -> Result<Experiment, Error> {
+pub fn load_experiment_by(loader: &Loader, path: impl AsRef<Path>) -> Result<Experiment, Error> {
+    let path = path.as_ref();
     let notation = Notation::of(path)?;
     let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
     if spec.name.is_none() {
@@ -52,7 +54,7 @@ pub fn experiment_from_text_by(
 fn checked(spec: ExperimentSpec, folder: Option<&Path>, loader: &Loader) -> Result<Experiment, Error> {
     let folder = folder.unwrap_or(Path::new(""));
     Experiment::new(spec, |scene| match scene {
-        SceneSource::File(path) => loader.scene(&folder.join(path)),
+        SceneSource::File(path) => loader.scene(folder.join(path)),
         SceneSource::Inline(spec) => loader.scene_from_spec((**spec).clone(), Some(folder)),
     })
 }

@@ -27,8 +27,8 @@ pub use random_scene::{RandomScenes, RandomScenesSpec};
 pub use report_file::{load_study, save_plots};
 pub use run::{Progress, Row, RunOptions, TrialRow, TrialStatus, run, threads_of};
 pub use schema::schema;
-pub use statistics::{Comparison, Moments, TTest, t_test};
-pub use summary::{Described, MethodSummary, Summary, SummaryFile, TestSummary};
+pub use statistics::{Comparison, Moments, TTest, paired_t_test, t_test};
+pub use summary::{Described, MethodSummary, PairSummary, Paired, Summary, SummaryFile, TestSummary};
 
 use hmac_sha256::Hash;
 

@@ -55,9 +55,10 @@ pub fn page(study: &Study) -> String {
     let title = escaped(&summary.experiment);
     let paper = paper::printed(&summary.experiment);
     let printed = paper.map(|(_, printed)| printed);
-    let mut body = format!("<h1>{title}</h1>\n<p>Fingerprint {}.", escaped(&summary.fingerprint));
     let unsolved: usize = summary.methods.iter().map(|m| m.n - m.solved.min(m.n)).sum();
-    body += &format!(" Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n");
+    let mut body = format!(
+        "<h1>{title}</h1>\n<p>Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n"
+    );
     body += &turns(&summary.turning);
     body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
     for plot in plots(study) {
@@ -77,10 +78,17 @@ pub fn page(study: &Study) -> String {
     if !summary.t_tests.is_empty() {
         body += &format!("<h2>Two-sample t-tests</h2>\n{}", tables::t_tests(study, printed));
     }
+    if !summary.pairs.is_empty() {
+        body += "<h2>Lengths in the same scenes</h2>\n<p>Means of methods that solved different trials are those of different scenes. \
+                 Here each method is compared with the first one of its scenario, in the trials that both solved.</p>\n";
+        body += &tables::pairs(study);
+    }
     body += &format!("<h2>Statistics</h2>\n{}", tables::statistics(study));
     body += &format!("<h2>How it was run</h2>\n{}{}", tables::origins(study), tables::rules(study));
+    body += &format!("<p>Fingerprint {}.</p>\n", escaped(&summary.fingerprint));
     format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title} – cdpr</title>\
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>{title} – cdpr</title>\
          <style>{STYLE}</style></head>\n<body>\n{body}</body></html>\n"
     )
 }

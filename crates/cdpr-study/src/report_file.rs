@@ -16,7 +16,8 @@ use cdpr_files::text::{self, Notation};
 ///
 /// # Errors
 /// A missing or invalid file; the error names it.
-pub fn load_study(folder: &Path) -> Result<Study, Error> {
+pub fn load_study(folder: impl AsRef<Path>) -> Result<Study, Error> {
+    let folder = folder.as_ref();
     let path = folder.join("summary.json");
     if !path.is_file() {
         let problem = "found no summary.json, expected the folder of a run that has ended or was interrupted";
@@ -44,12 +45,13 @@ fn costs(path: &Path) -> Result<Costs, Error> {
 ///
 /// # Errors
 /// A folder or file that cannot be written.
-pub fn save_plots(folder: &Path, plots: &[Plot]) -> Result<(), Error> {
+pub fn save_plots(folder: impl AsRef<Path>, plots: &[Plot]) -> Result<(), Error> {
+    let folder = folder.as_ref();
     fs::create_dir_all(folder).map_err(|e| Error::system(folder, "cannot be created", e))?;
     for (k, plot) in plots.iter().enumerate() {
         let path = folder.join(format!("{:02}-{}", k + 1, slug(&plot.title)));
-        write_atomically(&path.with_extension("svg"), plot.svg().as_bytes())?;
-        write_atomically(&path.with_extension("png"), &png(plot))?;
+        write_atomically(path.with_extension("svg"), plot.svg().as_bytes())?;
+        write_atomically(path.with_extension("png"), &png(plot))?;
     }
     Ok(())
 }

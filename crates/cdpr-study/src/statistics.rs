@@ -104,12 +104,28 @@ pub fn t_test(a: &Moments, b: &Moments, comparison: Comparison) -> TTest {
             ((pooled * (1.0 / na + 1.0 / nb)).sqrt(), df)
         }
     };
-    let t = (a.mean - b.mean) / error;
-    let p = match student(df) {
-        Some(student) if t.is_finite() => (2.0 * student.sf(t.abs())).min(1.0),
-        _ => return TTest { t: f64::NAN, df: f64::NAN, p: f64::NAN },
-    };
-    TTest { t, df, p }
+    two_sided((a.mean - b.mean) / error, df)
+}
+
+/// Compares values that belong together in pairs, by the summary of their differences; all results are NaN for fewer than two
+/// pairs or differences without any variance.
+///
+/// # Example
+/// ```
+/// use cdpr_study::{Moments, paired_t_test};
+/// let test = paired_t_test(&Moments::of(&[-1.0, -2.0, -4.0])); // as scipy.stats.ttest_rel(a, b)
+/// assert!((test.t + 2.645751311).abs() < 1e-8 && test.df == 2.0, "{test:?}");
+/// ```
+pub fn paired_t_test(differences: &Moments) -> TTest {
+    let df = differences.n as f64 - 1.0;
+    two_sided(differences.mean / (differences.variance / differences.n as f64).sqrt(), df)
+}
+
+fn two_sided(t: f64, df: f64) -> TTest {
+    match student(df) {
+        Some(student) if t.is_finite() => TTest { t, df, p: (2.0 * student.sf(t.abs())).min(1.0) },
+        _ => TTest { t: f64::NAN, df: f64::NAN, p: f64::NAN },
+    }
 }
 
 #[cfg(test)]
@@ -158,6 +174,19 @@ mod tests {
                 let near = |(found, known): (f64, f64)| (found / known - 1.0).abs() < 1e-9;
                 assert!([t, df, p].into_iter().zip(expected).all(near), "{comparison:?}: {t} {df} {p}");
             }
+        }
+    }
+
+    #[test]
+    fn paired_tests_are_those_of_scipy() {
+        // scipy.stats.ttest_rel of Student's sleep data (1908).
+        let first = [0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0];
+        let second = [1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4];
+        let differences: Vec<f64> = first.iter().zip(second).map(|(a, b)| a - b).collect();
+        let TTest { t, df, p } = paired_t_test(&Moments::of(&differences));
+        assert!((t + 4.062127683382037).abs() < 1e-9 && df == 9.0 && (p - 0.00283289019738427).abs() < 1e-9, "{t} {p}");
+        for few in [&[][..], &[1.0], &[2.0, 2.0]] {
+            assert!(paired_t_test(&Moments::of(few)).p.is_nan(), "{few:?}");
         }
     }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::experiment::{Layout, Rules, Swept};
 use super::origin::Origin;
 use super::run::{Row, TrialRow, TrialStatus};
-use super::statistics::{Comparison, Moments, quantile, t_test};
+use super::statistics::{Comparison, Moments, paired_t_test, quantile, t_test};
 use crate::experiment_spec::{Measure, TTestSpec};
 use cdpr_core::Choice;
 use cdpr_core::model::spec::FORMAT_VERSION;
@@ -29,6 +29,9 @@ pub struct SummaryFile {
     pub methods: Vec<MethodSummary>,
     /// Comparisons.
     pub t_tests: Vec<TestSummary>,
+    /// The lengths of each method beside those of the first one of its scenario.
+    #[serde(default)]
+    pub pairs: Vec<PairSummary>,
     /// How the methods plan; empty in files from before 0.2.
     #[serde(default)]
     pub rules: Vec<Rules>,
@@ -119,13 +122,51 @@ pub struct TestSummary {
     pub df: Option<f64>,
     /// Probability.
     pub p: Option<f64>,
+    /// The same measure in pairs of trials, if both are in one scenario.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paired: Option<Paired>,
 }
+
+/// Two methods in the trials of a scenario that both have solved: trials of the same number have the same scene.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Paired {
+    /// Trials that both have solved.
+    pub n: usize,
+    /// In so many of them, the number of a is smaller.
+    pub a_less: usize,
+    /// In so many of them, the number of b is smaller.
+    pub b_less: usize,
+    /// Mean of the number of a minus that of b.
+    pub mean_difference: Option<f64>,
+    /// The statistic of the paired t-test.
+    pub t: Option<f64>,
+    /// Degrees of freedom.
+    pub df: Option<f64>,
+    /// Probability.
+    pub p: Option<f64>,
+}
+
+/// The lengths of two methods in a scenario, trial by trial.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PairSummary {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// The first method.
+    pub a: String,
+    /// The other method.
+    pub b: String,
+    /// The comparison.
+    pub cost: Paired,
+}
+
+/// The numbers of solved trials, with the numbers of the trials, in increasing order.
+type Sample = Vec<(usize, f64)>;
 
 /// Gathers rows, one method of one scenario after another.
 #[derive(Debug, Default)]
 pub struct Summary {
     methods: Vec<MethodSummary>,
-    moments: BTreeMap<(String, String, Measure), Moments>,
+    samples: BTreeMap<(String, String, Measure), Sample>,
 }
 
 impl Summary {
@@ -138,17 +179,21 @@ impl Summary {
         confidence: f64,
     ) {
         let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
-        let mut samples: [Vec<f64>; 6] = Default::default();
+        let mut gathered: [Sample; 6] = Default::default();
         for row in rows {
             *statuses.entry(row.result.status.name().to_string()).or_default() += 1;
             if row.result.status == TrialStatus::Ended(Status::Solved) {
-                samples.iter_mut().zip(numbers(&row)).for_each(|(sample, number)| sample.extend(number));
+                let trial = row.result.trial;
+                let known = numbers(&row).map(|number| number.map(|number| (trial, number)));
+                gathered.iter_mut().zip(known).for_each(|(sample, number)| sample.extend(number));
             }
         }
+        gathered.iter_mut().for_each(|sample| sample.sort_unstable_by_key(|(trial, _)| *trial));
+        let mut samples = gathered.each_ref().map(values);
         let moments = samples.each_ref().map(|sample| Moments::of(sample));
         let tested = [Measure::PlanningSeconds, Measure::PostSeconds, Measure::RawCost, Measure::Cost];
-        for (measure, moments) in tested.into_iter().zip(moments) {
-            self.moments.insert((scenario.into(), method.into(), measure), moments);
+        for (measure, sample) in tested.into_iter().zip(gathered) {
+            self.samples.insert((scenario.into(), method.into(), measure), sample);
         }
         let described = |k: usize| Described::of(&mut samples[k], &moments[k], confidence);
         let [planning_seconds, post_seconds, raw_cost, cost, reduction, waypoints] = std::array::from_fn(described);
@@ -178,6 +223,7 @@ impl Summary {
             fingerprint: fingerprint.to_string(),
             confidence: layout.confidence,
             t_tests: layout.t_tests.iter().map(|test| self.tested(test)).collect(),
+            pairs: self.pairs(),
             methods: self.methods,
             rules: Vec::new(),
             origins: Vec::new(),
@@ -186,14 +232,68 @@ impl Summary {
     }
 
     fn tested(&self, spec: &TTestSpec) -> TestSummary {
-        let none = Moments { n: 0, mean: f64::NAN, variance: f64::NAN };
-        let of = |[scenario, method]: &[String; 2]| {
-            let key = (scenario.clone(), method.clone(), spec.measure);
-            self.moments.get(&key).copied().unwrap_or(none)
-        };
-        let test = t_test(&of(&spec.a), &of(&spec.b), spec.variances);
+        let of = |side: &[String; 2]| self.sample(side, spec.measure);
+        let moments = |side| Moments::of(&values(of(side)));
+        let test = t_test(&moments(&spec.a), &moments(&spec.b), spec.variances);
         let TTestSpec { group, measure, a, b, variances } = spec.clone();
-        TestSummary { group, measure, a, b, variances, t: finite(test.t), df: finite(test.df), p: finite(test.p) }
+        let paired = (a[0] == b[0]).then(|| Paired::of(of(&a), of(&b)));
+        TestSummary {
+            group,
+            measure,
+            a,
+            b,
+            variances,
+            t: finite(test.t),
+            df: finite(test.df),
+            p: finite(test.p),
+            paired,
+        }
+    }
+
+    fn sample(&self, [scenario, method]: &[String; 2], measure: Measure) -> &[(usize, f64)] {
+        self.samples.get(&(scenario.clone(), method.clone(), measure)).map_or(&[], Vec::as_slice)
+    }
+
+    fn pairs(&self) -> Vec<PairSummary> {
+        let mut first: BTreeMap<&str, &str> = BTreeMap::new();
+        let mut pairs = Vec::new();
+        for MethodSummary { scenario, method, .. } in &self.methods {
+            let a = *first.entry(scenario).or_insert(method);
+            if a != method {
+                let of = |name: &str| self.sample(&[scenario.clone(), name.to_string()], Measure::Cost);
+                let cost = Paired::of(of(a), of(method));
+                pairs.push(PairSummary { scenario: scenario.clone(), a: a.into(), b: method.clone(), cost });
+            }
+        }
+        pairs
+    }
+}
+
+fn values(sample: impl AsRef<[(usize, f64)]>) -> Vec<f64> {
+    sample.as_ref().iter().map(|(_, value)| *value).collect()
+}
+
+/// Numbers that differ by less than this share are equal up to rounding.
+const SAME: f64 = 1e-9;
+
+impl Paired {
+    /// Compares the trials that are in both samples.
+    fn of(a: &[(usize, f64)], b: &[(usize, f64)]) -> Self {
+        let other = |trial: &usize| b.binary_search_by_key(trial, |(trial, _)| *trial).ok().map(|k| b[k].1);
+        let pairs: Vec<(f64, f64)> = a.iter().filter_map(|(trial, value)| Some((*value, other(trial)?))).collect();
+        let less = |(x, y): (f64, f64)| x < y - SAME * y.abs();
+        let differences: Vec<f64> = pairs.iter().map(|(a, b)| a - b).collect();
+        let moments = Moments::of(&differences);
+        let test = paired_t_test(&moments);
+        Paired {
+            n: pairs.len(),
+            a_less: pairs.iter().filter(|(a, b)| less((*a, *b))).count(),
+            b_less: pairs.iter().filter(|(a, b)| less((*b, *a))).count(),
+            mean_difference: finite(moments.mean),
+            t: finite(test.t),
+            df: finite(test.df),
+            p: finite(test.p),
+        }
     }
 }
 

@@ -1,7 +1,9 @@
-"""Figures for print, with matplotlib: ``pip install 'cdpr[figures]'``.
+"""Figures for print, with matplotlib: ``pip install '.[figures]'``.
 
-Each function draws one kind of figure into the axes that it is given, or into a new figure of the width of a column,
-and returns the axes; ``ax.figure.savefig("figure.svg")`` writes it. Colours are those of Okabe and Ito, which colour-blind
+Each function draws one kind of figure into the axes that it is given, or into a new figure of the width of a column, and
+returns its ``Axes``; `along`, `convergence` and `trajectory` draw several charts and return a tuple of them.
+``ax.figure.savefig("figure.svg")`` writes it. PDF files of new figures have TrueType fonts; draw and save on axes of your own
+within ``with cdpr.figures.style():``, and theirs have them too. Colours are those of Okabe and Ito, which colour-blind
 readers can tell apart.
 """
 

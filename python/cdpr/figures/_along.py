@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -16,9 +17,9 @@ from .._planning import check, scene_for
 from .._results import Path
 from .._scene import Scene
 from .._tensions import Tensions, tensions_along
-from ._motion import framed, given_axes, look
+from ._motion import framed, given_axes, look, named_cables
 from ._poses import Way, way_of
-from ._style import BLACK, COLUMN, LIGHT, VERMILION, styled
+from ._style import BLACK, COLUMN, LIGHT, VERMILION, Printed, styled
 
 _CHART, _REST = 1.1, 0.9  # heights of a chart and of the rest, inches
 _STEPS = 400  # steps of a curve
@@ -72,8 +73,11 @@ def along(scene: Scene, path: ArrayLike | Path, *, ax: Sequence[Axes] | None = N
     if way.turns:
         _turned(next(charts), way, ends)
     if loads is not None:
-        _tensions(next(charts), scene, loads)
+        forces = next(charts)
+        _tensions(forces, scene, loads)
         _margin(next(charts), loads)
+        if ax is None:
+            named_cables(forces)
     for chart in axes:
         for end in ends[1:-1]:
             chart.axvline(end, color=LIGHT, linewidth=0.6 if len(ends) < _MANY else 0.3, zorder=1, gid="waypoint")
@@ -93,7 +97,8 @@ def _loads(scene: Scene, way: Way, length: float) -> Tensions | None:
 
 def _panels(count: int) -> tuple[Axes, ...]:
     size = (COLUMN, count * _CHART + _REST)
-    found = pyplot.subplots(count, 1, figsize=size, sharex=True, squeeze=False, layout="constrained")[1]
+    figure: dict[str, Any] = {"figsize": size, "layout": "constrained", "FigureClass": Printed}
+    found = pyplot.subplots(count, 1, sharex=True, squeeze=False, **figure)[1]
     return tuple(found[:, 0])
 
 

@@ -15,7 +15,7 @@ from .._arrays import Floats, as_numbers, shown
 from .._batch import BatchResult, summary_rows
 from .._given import instance, table, text, texts
 from ..exceptions import InputError
-from ._style import BLACK, COLUMN, CYCLE, GREY, styled
+from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, styled
 
 Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
 
@@ -202,7 +202,7 @@ def _axis(measure: str) -> tuple[str, float]:
 
 def _axes(ax: Axes | None) -> Axes:
     if ax is None:
-        return pyplot.subplots(figsize=(COLUMN, _HEIGHT), layout="constrained")[1]
+        return pyplot.subplots(figsize=(COLUMN, _HEIGHT), layout="constrained", FigureClass=Printed)[1]
     return instance("ax", ax, Axes)
 
 

@@ -15,7 +15,7 @@ from .._batch import BatchResult, summary_rows
 from .._given import instance, several, texts
 from ..exceptions import InputError
 from ._charts import known
-from ._style import COLUMN, CYCLE, styled
+from ._style import COLUMN, CYCLE, Printed, styled
 
 _HEIGHT = 3.6
 _INSTANTS = 500  # points of a curve
@@ -138,7 +138,7 @@ def _two_axes(ax: Any) -> tuple[Axes, Axes]:
 
 def _panels() -> tuple[Axes, Axes]:
     _, (lengths, shares) = pyplot.subplots(
-        2, 1, figsize=(COLUMN, _HEIGHT), height_ratios=[3, 1], sharex=True, layout="constrained"
+        2, 1, figsize=(COLUMN, _HEIGHT), height_ratios=[3, 1], sharex=True, layout="constrained", FigureClass=Printed
     )
     return lengths, shares
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -13,7 +14,7 @@ from .._arrays import Floats
 from .._given import instance, several
 from .._trajectory import Trajectory
 from ..exceptions import InputError
-from ._style import BLACK, COLUMN, CYCLE, GREY, LIGHT, styled
+from ._style import BLACK, COLUMN, CYCLE, GREY, LIGHT, Printed, styled
 
 _CHART, _ROW, _REST = 1.0, 0.17, 1.3  # heights of a chart, of a row of the strip, and of the rest, inches
 _SHOWN_TO = 2.0  # limits up to so many times the largest value are drawn
@@ -99,11 +100,7 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
         )  # fmt: skip
     strip.set_xlabel("time (s)")
     if ax is None:
-        handles, names = cables.get_legend_handles_labels()
-        columns = min(4, len(names))
-        speed.figure.legend(
-            handles, names, loc="outside upper center", ncols=columns, handlelength=1.4, columnspacing=1.2
-        )
+        named_cables(cables)
     return axes
 
 
@@ -128,7 +125,17 @@ def _panels(motion: Trajectory) -> tuple[Axes, ...]:
     charts, rows = _count(motion) - 1, max(1, len(_kinds(motion)))
     heights = [_CHART] * charts + [_ROW * (rows + 0.5)]
     size = (COLUMN, sum(heights) + _REST)
-    return tuple(pyplot.subplots(charts + 1, 1, figsize=size, height_ratios=heights, sharex=True, layout="constrained")[1])
+    found = pyplot.subplots(
+        charts + 1, 1, figsize=size, height_ratios=heights, sharex=True, layout="constrained", FigureClass=Printed
+    )[1]
+    return tuple(found)
+
+
+def named_cables(chart: Axes) -> None:
+    """Name the curves of a chart of cables above the whole figure."""
+    handles, names = chart.get_legend_handles_labels()
+    look: dict[str, Any] = {"ncols": min(4, len(names)), "handlelength": 1.4, "columnspacing": 1.2}
+    chart.figure.legend(handles, names, loc="outside upper center", **look)
 
 
 def look(cable: int) -> dict[str, object]:

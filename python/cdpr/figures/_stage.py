@@ -21,7 +21,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from .._arrays import Floats, numbers
 from ..exceptions import InputError
 from ._polyhedra import Solid, back_to_front, hidden, normal, overlap, visible
-from ._style import COLUMN, LIGHT
+from ._style import COLUMN, LIGHT, Printed
 
 View: TypeAlias = tuple[float, float]
 
@@ -167,7 +167,7 @@ def _hiding(solids: list[Solid], style: dict[str, Any]) -> list[Solid]:
 
 def new_axes(width: float = COLUMN, height: float = COLUMN) -> Axes3D:
     """Axes3D on a figure of its own."""
-    figure = pyplot.figure(figsize=(width, height))
+    figure = pyplot.figure(figsize=(width, height), FigureClass=Printed)
     return figure.add_subplot(projection="3d")
 
 

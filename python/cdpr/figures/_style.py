@@ -9,6 +9,7 @@ from typing import Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
 from cycler import cycler
+from matplotlib.figure import Figure
 
 # Okabe and Ito, "Color Universal Design", 2008; yellow is left out, it is too light for lines on white.
 BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
@@ -19,6 +20,9 @@ GREY, LIGHT, PALE = "#6e6e6e", "#c4c4c4", "#cfe3f3"
 
 # Width of a column and of a page of a journal, inches.
 COLUMN, PAGE = 3.5, 7.2
+
+# TrueType: journals refuse matplotlib's default, Type 3.
+_FONTS: Any = {"pdf.fonttype": 42, "ps.fonttype": 42}
 
 _PARAMETERS: Any = {
     "font.family": "DejaVu Sans",  # comes with matplotlib, so pictures are the same everywhere
@@ -40,6 +44,7 @@ _PARAMETERS: Any = {
     "ytick.major.width": 0.6,
     "svg.hashsalt": "cdpr",  # the same file for the same picture
     "savefig.dpi": 200,
+    **_FONTS,
 }
 
 P = ParamSpec("P")
@@ -61,6 +66,15 @@ def style() -> AbstractContextManager[None]:
     8.0
     """
     return mpl.rc_context(_PARAMETERS)
+
+
+class Printed(Figure):
+    """A figure whose PDF and PS files have TrueType fonts, whatever the settings are when it is saved."""
+
+    def savefig(self, *args: Any, **kwargs: Any) -> None:
+        """Save the figure as matplotlib does."""
+        with mpl.rc_context(_FONTS):
+            super().savefig(*args, **kwargs)
 
 
 def styled(function: Callable[P, R]) -> Callable[P, R]:

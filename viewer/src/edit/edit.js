@@ -4,6 +4,7 @@ import { readModel } from '../data.js';
 import * as edited from './document.js';
 import { createHandles } from './handles.js';
 import { createHistory } from './history.js';
+import { foldCharts, hasCharts } from '../panel.js';
 import { markOutdated, moveDrawn } from './picture.js';
 import { createPlanner, missing } from './planner.js';
 import { createPlanning, SUPERSEDED } from './planning.js';
@@ -72,6 +73,7 @@ export function createEdit(app, live, page, fill) {
     setCoordinate,
     setSide,
     moveToNearest,
+    planAnew: () => quietly(apply(planning.scene, { again: true })),
     stop: planning.stop,
     save,
   }, { planner: options.planner ?? 'anytime', orientations: edited.orientationNames(first), isDrawn: Boolean(setting.stage) });
@@ -103,10 +105,13 @@ export function createEdit(app, live, page, fill) {
   // Shows a page that belongs to a scene; `fresh` if that is the scene as it is, "path" if only its path is.
   function draw(newPage, scene, fresh) {
     const { path } = newPage;
-    const hadPath = Boolean(app.current().model.path);
+    const hadCharts = hasCharts();
     app.show(readModel(newPage));
-    // The charts come and go with the path.
-    if (hadPath !== Boolean(path)) setting.stage?.resize();
+    if (hasCharts() !== hadCharts) {
+      // A view that the reader has turned stays as it is, and nothing covers it.
+      if (!hadCharts && setting.stage?.isTouched()) foldCharts();
+      setting.stage?.resize();
+    }
     mark({ outdated: fresh !== true, dimmed: !fresh && Boolean(path) });
     adjust();
     handles?.refresh();
@@ -406,6 +411,23 @@ function publish({ planning, history, apply, where }) {
     return step(edited.moveThing(scene, { kind: 'obstacle', id: obstacle }, readPosition('position', position)));
   };
   window.cdpr = { plan, move, where };
+}
+
+// Why a page without the planner cannot be edited.
+function reasonNotToEdit({ trajectory, regions }) {
+  if (trajectory) return 'The page of a timed motion only shows it. For editing, make the page of its path: cdpr view SCENE PATH -o view.html';
+  if (regions?.shown) return 'The page of forbidden regions only shows them. For editing, make the page of the scene: cdpr view SCENE -o view.html';
+  return 'This page was written without the planner (--static, live=False), so it only shows its scene.';
+}
+
+/** Says on key E why a page without the planner cannot be edited. */
+export function explainNoEditing(model) {
+  const why = reasonNotToEdit(model);
+  const onKey = ({ key, target, ctrlKey, metaKey, altKey }) => {
+    if (key.toLowerCase() !== 'e' || ctrlKey || metaKey || altKey || isTyping(target)) return;
+    if (!document.getElementById('edit-missing')) showMissing(why);
+  };
+  window.addEventListener('keydown', onKey);
 }
 
 function publishLack(sentence) {

@@ -28,8 +28,13 @@ function pathFile(path) {
 // What is known about a path at first.
 function firstAnswer({ path, ...rest }) {
   if (!path) return null;
-  const { status, cost = null, waypoints = [] } = path;
-  return { status, cost, waypoints, milliseconds: 0, path: pathFile(path), page: { ...rest, path } };
+  const { cost = null, waypoints = [] } = path;
+  const violations = (rest.violations ?? []).length;
+  // A file may call a path solved that is not valid in this scene.
+  const isGiven = path.status === undefined || path.status === null || (waypoints.length > 0 && violations > 0);
+  const status = isGiven ? 'given' : path.status;
+  const bound = rest.result?.lower_bound ?? null;
+  return { status, cost, waypoints, bound, violations, milliseconds: 0, path: pathFile(path), page: { ...rest, path } };
 }
 
 /**
@@ -56,7 +61,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
   function say(news) {
     Object.assign(state, news, { missing: missingEnds(scene) });
     // A path is the better witness.
-    tell(state.answer?.status === 'solved' ? { ...state, invalid: [] } : state);
+    tell(['solved', 'given'].includes(state.answer?.status) ? { ...state, invalid: [] } : state);
   }
 
   // The oldest are forgotten, except the page's own.
@@ -74,8 +79,8 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     building = performance.now() - begin;
   }
 
-  // A bound that holds for every path of the scene: the straight line.
-  const straight = () => ENDS.every((end) => scene.query?.[end]) ? distance(scene.query.start, scene.query.goal) : 0;
+  // The straight line, which says nothing about lengths that count turns.
+  const straight = () => !scene.turning && ENDS.every((end) => scene.query?.[end]) ? distance(scene.query.start, scene.query.goal) : 0;
 
   async function check() {
     if (checking) return;
@@ -133,14 +138,15 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     }
     shownRevision = asked;
     if (building <= LONGEST) put(answer.page, of, asked === revision);
-    say({ best: { cost: answer.cost, bound: straight(), of }, error: null });
+    const bound = answer.page.result?.lower_bound ?? null;
+    say({ best: { cost: answer.cost, bound, straight: straight(), of }, error: null });
   }
 
   // A better path while it is refined, drawn without what takes longer.
   function improve({ cost, waypoints }) {
     const known = state.best?.cost ?? Infinity;
     if (!(cost < known)) return;
-    say({ best: { cost, bound: straight(), waypoints, of: scene } });
+    say({ best: { cost, straight: straight(), waypoints, of: scene } });
     if (building > LONGEST) return;
     const { path: before, motion } = shown.page;
     const path = { ...before, status: 'solved', orientations: undefined, waypoints, raw_waypoints: [], cost, raw_cost: null, tree: null };

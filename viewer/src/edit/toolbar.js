@@ -1,7 +1,7 @@
 // The bar above the picture: the Edit button and, while editing, its tools, the selected thing and the state.
 
 import { ENDS, isSame } from './document.js';
-import { describeCulprits, describeExcess, describeInvalid, formatLength } from '../wording.js';
+import { describeCulprits, describeInvalid, describeQuality, describeViolations, formatLength } from '../wording.js';
 
 /** Lengths beyond this, m, are typing errors. */
 export const MOST = 1e6;
@@ -180,7 +180,7 @@ function createThing(on, { isDrawn }) {
   return { box, show };
 }
 
-const lengthWith = (cost, bound) => [formatLength(cost), describeExcess(cost, bound)].filter(Boolean).join(' · ');
+const lengthWith = (cost, known) => [formatLength(cost), describeQuality(cost, known)].filter(Boolean).join(' · ');
 
 function describeNoPath({ page }) {
   const culprits = page?.no_path?.culprits ?? [];
@@ -188,8 +188,17 @@ function describeNoPath({ page }) {
   return who ? `no path (proved): closed by ${who}` : 'no path (proved)';
 }
 
+// A path that came with the page, and that no planner of the page has found.
+function describeGiven({ waypoints, violations }) {
+  if (waypoints.length === 0) return 'no path';
+  const state = violations > 0 ? `this path is not valid (${describeViolations(violations, violations)}); it` : 'this path';
+  return `${state} stays until something changes`;
+}
+
 const OUTCOMES = {
-  solved: ({ cost, path, waypoints }) => lengthWith(cost, path?.lower_bound ?? distanceOf(waypoints)),
+  given: describeGiven,
+  solved: ({ cost, bound, path, waypoints }) =>
+    lengthWith(cost, { bound: bound ?? path?.lower_bound, straight: path?.orientations ? 0 : distanceOf(waypoints) }),
   no_path: describeNoPath,
   budget_spent: () => 'no path found in time; this is no proof that there is none',
   start_invalid: () => 'the start is not valid',
@@ -209,11 +218,11 @@ export function describeState({ missing, invalid, busy, dragging, answer, best, 
   }
   if (answer) {
     const text = OUTCOMES[answer.status]?.(answer) ?? answer.status;
-    const good = answer.status === 'solved';
-    return { kind: good ? 'good' : 'bad', text: stopped ? `${text} (stopped)` : text };
+    const kind = { solved: 'good', given: answer.violations > 0 ? 'bad' : '' }[answer.status] ?? 'bad';
+    return { kind, text: stopped ? `${text} (stopped)` : text };
   }
   if (missing.length > 0) return { kind: '', text: `add a ${missing.join(' and a ')} to plan a path` };
-  const length = best ? lengthWith(best.cost, best.bound) : '';
+  const length = best ? lengthWith(best.cost, best) : '';
   if (stopped) return { kind: '', text: 'stopped before a path was found' };
   if (busy) return { kind: 'busy', text: length ? `shorter? ${length}` : 'planning' };
   return { kind: dragging ? 'busy' : '', text: length };
@@ -224,17 +233,19 @@ function createStatus(on) {
   text.setAttribute('role', 'status');
   let invalid = [];
   const nearest = button('move to the nearest valid place', '', () => on.moveToNearest(invalid));
+  const plan = button('plan a new path', 'from start to goal, with the planner chosen above', on.planAnew);
   const stop = button('stop', 'stop planning; the best path so far stays', on.stop);
   const bar = make('div', { className: 'edit-bar' });
   bar.setAttribute('aria-hidden', 'true');
   stop.classList.add('edit-stop');
-  const box = make('div', { className: 'edit-status' }, text, nearest, stop, bar);
+  const box = make('div', { className: 'edit-status' }, text, nearest, plan, stop, bar);
   const show = (state) => {
     const { kind, text: line } = describeState(state);
     invalid = state.invalid;
     box.dataset.kind = kind;
     text.textContent = line;
     nearest.hidden = state.dragging || !state.invalid.some((one) => one.nearest);
+    plan.hidden = state.answer?.status !== 'given' || state.missing.length > 0;
     box.classList.toggle('busy', state.busy);
   };
   return { box, show };

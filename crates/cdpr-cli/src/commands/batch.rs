@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cdpr_core::{Error, ErrorClass};
-use cdpr_study::{BatchFolder, Described, MethodSummary, Progress, RunOptions, SummaryFile, TestSummary};
+use cdpr_study::{BatchFolder, Described, MethodSummary, PairSummary, Progress, RunOptions, SummaryFile, TestSummary};
 
 use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
@@ -48,7 +48,7 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
 
 /// Prints the contents of `summary.json`.
 pub fn print_summary(folder: &Path, format: Format, out: &Console) -> Result<(), Error> {
-    let text = cdpr_files::text::read(&folder.join("summary.json"))?;
+    let text = cdpr_files::text::read(folder.join("summary.json"))?;
     if format == Format::Json {
         out.result(text.trim_end());
         return Ok(());
@@ -87,5 +87,27 @@ fn lines(summary: &SummaryFile) -> Vec<String> {
     if !letters.is_empty() {
         lines.push(format!("p of the t-tests: {}", letters.join(", ")));
     }
+    lines.extend(compared_in_pairs(summary).iter().map(paired_line));
     lines
+}
+
+/// Pairs of methods that have not solved the same trials, so that their means are not those of the same scenes.
+fn compared_in_pairs(summary: &SummaryFile) -> Vec<&PairSummary> {
+    let solved = |scenario: &str, name: &str| {
+        let of = |m: &&MethodSummary| m.scenario == scenario && m.method == name;
+        summary.methods.iter().find(of).map_or(0, |m| m.solved)
+    };
+    let differ = |pair: &&PairSummary| {
+        pair.cost.n > 0 && [&pair.a, &pair.b].iter().any(|name| solved(&pair.scenario, name) != pair.cost.n)
+    };
+    summary.pairs.iter().filter(differ).collect()
+}
+
+/// "hard1: 9 trials solved by both; anytime shorter in 9, two trees in 0; two trees 0.0310 m longer than anytime on average"
+fn paired_line(PairSummary { scenario, a, b, cost }: &&PairSummary) -> String {
+    let mean = cost.mean_difference.unwrap_or(f64::NAN);
+    let (longer, shorter) = if mean >= 0.0 { (a, b) } else { (b, a) };
+    let by = format!("{longer} {:.4} m longer than {shorter} on average", mean.abs());
+    let both = count(cost.n, "trial");
+    format!("{scenario}: {both} solved by both; {a} shorter in {}, {b} in {}; {by}", cost.a_less, cost.b_less)
 }

@@ -21,7 +21,7 @@ pub fn run(args: &ManArgs, out: &Console) -> Result<Answer, Error> {
     let commands: Vec<&Command> = std::iter::once(&program).chain(program.get_subcommands().filter(shown)).collect();
     for command in &commands {
         let man = Man::new((*command).clone());
-        cdpr_files::write_atomically(&folder.join(man.get_filename()), &page(command))?;
+        cdpr_files::write_atomically(folder.join(man.get_filename()), &page(command))?;
     }
     out.say(&format!("wrote {} to {}", count(commands.len(), "page"), folder.display()));
     Ok(Answer::Yes)

@@ -219,6 +219,34 @@ fn a_report_sets_the_paper_beside_a_run_and_writes_its_plots() {
 }
 
 #[test]
+fn methods_that_solve_different_trials_are_compared_in_those_of_both() {
+    let folder = folder();
+    let experiment = serde_json::json!({
+        "version": 1, "name": "pairs", "trials": 12, "scenarios": [{"name": "hard3", "scene": testdata("scenes/hard3.toml")}],
+        "methods": [{"name": "anytime", "planner": "anytime"}, {"name": "few", "options": {"max_samples": 1000}, "proof": false},
+                    {"name": "two trees", "planner": "two-trees"}],
+    });
+    fs::write(folder.path().join("pairs.json"), experiment.to_string()).unwrap();
+    let run = cdpr_in(folder.path(), &["batch", "pairs.json", "-o", "run"]);
+    assert_eq!(status(&run), 0, "{}", stderr(&run));
+    let said = stdout(&run);
+    let few = said.lines().find(|line| line.starts_with("hard3, few")).unwrap();
+    let solved: usize = few.split_whitespace().nth(2).unwrap().strip_suffix("/12").unwrap().parse().unwrap();
+    assert!(0 < solved && solved < 12, "{said}");
+    let trials = if solved == 1 { "trial" } else { "trials" };
+    let line = format!("hard3: {solved} {trials} solved by both; anytime shorter in {solved}, few in 0; few 0.");
+    assert!(said.contains(&line) && said.contains(" m longer than anytime on average"), "no \"{line}\" in {said}");
+    assert_eq!(status(&cdpr_in(folder.path(), &["report", "run", "-o", "page.html"])), 0);
+    let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(
+        page.contains("<h2>Lengths in the same scenes</h2>") && page.contains("<th class=\"n\">trials of both</th>"),
+        "{page}"
+    );
+    // Phones get the width of the screen, and the page begins with what it found.
+    assert!(page.contains("name=\"viewport\"") && page.find("Fingerprint") > page.find("How it was run"), "{page}");
+}
+
+#[test]
 fn names_add_no_markup_to_a_report_and_what_is_no_run_is_refused() {
     let folder = folder();
     let scene = testdata("scenes/hard1.toml");

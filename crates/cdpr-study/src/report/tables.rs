@@ -3,8 +3,7 @@
 use super::paper::{Claim, Printed};
 use super::study::{APART, Study};
 use crate::experiment_spec::Measure;
-use crate::{Described, MethodSummary, TestSummary};
-use crate::{Origin, Rules};
+use crate::{Described, MethodSummary, Origin, PairSummary, Paired, Rules, TestSummary};
 use cdpr_core::words::count;
 use cdpr_view::escaped;
 
@@ -166,25 +165,46 @@ pub(super) fn rules(study: &Study) -> String {
 pub(super) fn t_tests(study: &Study, printed: Option<&Printed>) -> String {
     let name = |pair: &[String; 2]| escaped(&pair.join(", "));
     let row = |test: &TestSummary| {
-        let p = test.p.map_or("–".to_string(), |p| if p < 1e-3 { "&lt; 0.001".into() } else { format!("{p:.4}") });
+        let p = probability(test.p);
         let theirs = printed.and_then(|printed| printed.p_values.get(&test.group));
         let theirs = theirs.map_or("–".to_string(), |p| escaped(p));
         let measure = measure_name(test.measure).to_string();
-        let numbers = [cell(test.t, 1.0), cell(test.df, 1.0), p, theirs];
-        [vec![escaped(&test.group), measure, name(&test.a), name(&test.b)], numbers.to_vec()].concat()
+        let mut cells = vec![escaped(&test.group), measure, name(&test.a), name(&test.b)];
+        cells.extend([cell(test.t, 1.0), cell(test.df, 1.0), p]);
+        cells.extend(printed.is_some().then_some(theirs));
+        cells.extend(in_pairs(test.paired.as_ref()));
+        cells
     };
     let rows: Vec<Vec<String>> = study.summary.t_tests.iter().map(row).collect();
-    let head = ["group", "measure", "a", "b", "t", "degrees of freedom", "p", "p in the paper"];
-    table(
-        &head[..if printed.is_some() { 8 } else { 7 }],
-        &rows
-            .into_iter()
-            .map(|mut row| {
-                row.truncate(if printed.is_some() { 8 } else { 7 });
-                row
-            })
-            .collect::<Vec<_>>(),
-    )
+    let mut head = vec!["group", "measure", "a", "b", "t", "degrees of freedom", "p"];
+    head.extend(printed.is_some().then_some("p in the paper"));
+    head.extend(["pairs", "a less", "b less", "p of the pairs"]);
+    table(&head, &rows)
+}
+
+/// Number of pairs, in how many each is less, and the probability of the paired test.
+fn in_pairs(paired: Option<&Paired>) -> [String; 4] {
+    let Some(Paired { n, a_less, b_less, p, .. }) = paired else { return ["–"; 4].map(str::to_string) };
+    [n.to_string(), a_less.to_string(), b_less.to_string(), probability(*p)]
+}
+
+fn probability(p: Option<f64>) -> String {
+    p.map_or("–".to_string(), |p| if p < 1e-3 { "&lt; 0.001".into() } else { format!("{p:.4}") })
+}
+
+/// The lengths of each method beside those of the first one of its scenario, in the trials that both have solved.
+pub(super) fn pairs(study: &Study) -> String {
+    let row = |PairSummary { scenario, a, b, cost }: &PairSummary| {
+        // In mm, without the sign of a zero.
+        let longer = |mean: f64| (-1e6 * mean).round() / 1e3 + 0.0;
+        let mean = cost.mean_difference.map_or("–".to_string(), |mean| format!("{:.3}", longer(mean)));
+        let [n, a_less, b_less, p] = in_pairs(Some(cost));
+        vec![escaped(scenario), escaped(a), escaped(b), n, a_less, b_less, mean, p]
+    };
+    let rows: Vec<Vec<String>> = study.summary.pairs.iter().map(row).collect();
+    let head =
+        ["scenario", "a", "b", "trials of both", "a shorter", "b shorter", "b longer by, mm (mean)", "p of the pairs"];
+    table(&head, &rows)
 }
 
 fn measure_name(measure: Measure) -> &'static str {
