@@ -150,6 +150,35 @@ def test_bad_contents_are_named_in_bounded_time():
         refused(scene, text[:end])
 
 
+@pytest.mark.parametrize(("slit", "finite"), [(2e-7, True), (2e-8, False)])
+def test_a_bound_is_infinite_only_beyond_its_own_margin(slit, finite):
+    """Planning proves that no path keeps 1e-6 m; a bound is about all that keep 1e-7 m."""
+    y, z = 0.08 + slit, 0.05 + slit
+    bars = [
+        ("left", 0.6, 4, -y - 0.3, 0),
+        ("right", 0.6, 4, y + 0.3, 0),
+        ("below", 2 * y, 0.6, 0, -z - 0.3),
+        ("above", 2 * y, 0.6, 0, z + 0.3),
+    ]
+    scene = cdpr.Scene.from_dict(
+        {
+            "version": 1,
+            "workspace": {"min": [-0.45] * 3, "max": [0.45] * 3},
+            "robot": {
+                "platform": [{"box": [0.2, 0.16, 0.1]}],
+                "cables": [{"name": "cable", "outlet": [0, 0, 5], "attachment": [0, 0, 0.05]}],
+            },
+            "obstacles": [
+                {"name": name, "box": [0.2, width, height], "position": [0, *at]} for name, width, height, *at in bars
+            ],
+            "ignore": [["cable", name] for name, *_ in bars],
+            "query": {"start": [-0.32, 0.01, 0.02], "goal": [0.32, -0.02, 0.01]},
+        }
+    )
+    assert cdpr.plan(scene).status == "no_path"
+    assert math.isfinite(cdpr.lower_bound(scene, budget=5)) == finite
+
+
 def test_lower_bound_writes_a_certificate(tmp_path):
     scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
     file = tmp_path / "bound.json"

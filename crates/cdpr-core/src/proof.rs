@@ -26,10 +26,10 @@ use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
-use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
+use crate::numerics::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
-use closing::Regions;
+use closing::{Beyond, Regions};
 use tiling::{around, tiling};
 
 /// The answer to whether there is a path.
@@ -123,7 +123,7 @@ pub fn decide_with(
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
     }
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
@@ -134,12 +134,25 @@ pub fn decide_with(
     })
 }
 
+/// Whether it is certain that no path to which lower bounds of the length apply leads from start to goal, both valid positions:
+/// they keep [`BOUND_MARGIN`](crate::numerics::BOUND_MARGIN) only, so that [`decide`] does not say so.
+///
+/// # Errors
+/// As [`decide`].
+pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<bool, Error> {
+    if checker.motion_valid(ends[0], ends[1]) {
+        return Ok(false);
+    }
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::BoundMargin);
+    Ok(search.run(BOUND_PROOF_EFFORT, watch)? == Way::None)
+}
+
 /// A path from start to goal, both valid positions, not shortened; `None` if there is none or it is not found.
 ///
 /// # Errors
 /// As [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(PROOF_EFFORT, watch)? {
         Way::Path(path) => Some(path),
         Way::None | Way::Undecided => None,
@@ -157,13 +170,13 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// A search that knows all pieces of an engine, and all its conditions.
-    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2]) -> Self {
+    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
         let (low, high) = checker.conditions().position_box();
         // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
         let contact = Vector::repeat(0.5 * TOUCH_DEPTH);
         let (low, high) = (low.inf(ends[0]).inf(ends[1]) - contact, high.sup(ends[0]).sup(ends[1]) + contact);
-        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces).between(&pieces, ends);
-        let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
+        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces, beyond).between(&pieces, ends);
+        let cells = Decomposition::new(pieces, low, high).down_to(beyond.margin());
         Search { checker, ends, regions, cells }
     }
 
