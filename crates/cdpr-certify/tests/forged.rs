@@ -34,6 +34,9 @@ impl Random {
     }
 }
 
+/// The name of an obstacle, and the box of positions that it forbids to the platform.
+type Wall = (String, [[f64; 3]; 2]);
+
 /// A scene with a path between two positions.
 struct Case {
     spec: Value,
@@ -41,8 +44,7 @@ struct Case {
     ends: [[f64; 3]; 2],
     /// The length of a path that keeps all gaps by more than any margin, m; it may touch what an end touches there.
     length: f64,
-    /// For each obstacle its name, and the box of positions that it forbids to the platform.
-    walls: Vec<(String, [[f64; 3]; 2])>,
+    walls: Vec<Wall>,
     /// The box of positions.
     bounds: [[f64; 3]; 2],
     /// True certificates of harder scenes with the same names.
@@ -56,7 +58,7 @@ fn build(spec: &Value) -> Option<Scene> {
 }
 
 /// A scene without start and goal, the boxes that its obstacles forbid, and its box of positions.
-fn draw(random: &mut Random) -> (Value, Vec<(String, [[f64; 3]; 2])>, [[f64; 3]; 2]) {
+fn draw(random: &mut Random) -> (Value, Vec<Wall>, [[f64; 3]; 2]) {
     let half: [f64; 3] = if random.one_in(2) { [0.0; 3] } else { std::array::from_fn(|_| random.of(&[0.0625, 0.125])) };
     let corner = |k: usize| -> [f64; 3] { std::array::from_fn(|i| half[i] * if k >> i & 1 == 1 { 1.0 } else { -1.0 }) };
     let body = if half == [0.0; 3] { vec![[0.0; 3]] } else { (0..8).map(corner).collect() };
@@ -184,7 +186,7 @@ impl Case {
             begin[0] = at;
             length += 2.0 * SPARE;
         }
-        let points = begin.map(|end| Point::from(end));
+        let points = begin.map(Point::from);
         if !points.iter().all(|point| engine.state_valid(point)) {
             return None;
         }

@@ -85,7 +85,8 @@ const TASTE: Taste = Taste { level: 2, haste: 1.0 };
 const REACH_LEVEL: u8 = 4;
 const REACH_CELLS: usize = 50_000;
 
-/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells.
+/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells, and as many for each
+/// obstacle that closes the way, to find out what is behind it.
 ///
 /// # Errors
 /// [`Error::interrupted`]; [`Error::out_of_time`] if time runs out before the scene's polyhedra are ready.
@@ -129,7 +130,7 @@ pub fn decide_with(
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
         Way::None => {
             on_no_path();
-            Answer::NoPath(Box::new(search.proof(watch)?))
+            Answer::NoPath(Box::new(search.proof(effort, watch)?))
         }
     })
 }
@@ -185,8 +186,8 @@ impl<'a> Search<'a> {
     }
 
     /// The proof of a search that found no way.
-    fn proof(self, watch: &Watch) -> Result<Proof, Error> {
-        let (smaller, reachable) = join(|| blocking::smallest(&self, watch), || self.clone().reachable());
+    fn proof(self, effort: usize, watch: &Watch) -> Result<Proof, Error> {
+        let (smaller, reachable) = join(|| blocking::smallest(&self, effort, watch), || self.clone().reachable());
         let Smaller { search, conditions, blocking, ways_without } = smaller?;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
