@@ -54,10 +54,10 @@ mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
 	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) --locked -p cdpr-tests --test files mesh_mutations
 
-# The same on the code that users run, release without debug assertions; with damaged certificates, and large meshes.
+# The same on the code that users run, release without debug assertions; with damaged and false certificates, and large meshes.
 release-test:
 	CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles --test files \
-		--test bounds -- --include-ignored
+		--test bounds --test forged -- --include-ignored
 
 # The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown

@@ -406,7 +406,8 @@ def lower_bound(
     -------
     float
         Infinite if it is certain that there is no path. With a gap, a budget or a certificate, the bound does not apply to
-        paths that come closer than 1e-7 m to something between their ends: they may be shorter.
+        paths that come closer than 1e-7 m to something between their ends: they may be shorter. It is infinite only if no
+        path keeps that much, also where :func:`plan` finds none that keeps 1e-6 m.
 
     Examples
     --------

@@ -5,6 +5,8 @@ import json
 import math
 import random
 import time
+from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,9 @@ import pytest
 
 import cdpr
 from cdpr._certify import check_certificate
+from cdpr._certify._bodies import rotated
+from cdpr._certify._hulls import Hull, _between_floats, are_near, nearest_points
+from cdpr._certify._vectors import exact, plus
 from conftest import TESTDATA
 
 DATA = Path(__file__).parent / "data"
@@ -91,11 +96,34 @@ def test_ends_are_in_the_box_and_in_no_region():
         box = [[-1, -1, floor], [3, 1, 1]]
         refused(scene, {**file, "start": start, "length": length, "box": box, "regions": [region]}, reason)
 
-    under = [[0, 0, 1, -1 + 0.9e-6], [0, 0, -1, 1.1]]
-    told([0, 0, -1], -1 + 0.99e-6, under, 999, r"start: found \[0.0, 0.0, -1.0\], expected it in the box")
-    told([0, 0, 0], -1 + 0.99e-6, under, 999, r"regions\[0\].half_spaces: found no position of the box in them")
+    # The box may lack rounding errors; no more, or a slit below the wall would lie outside.
+    under = [[0, 0, 1, -1 + 0.4e-12], [0, 0, -1, 1.1]]
+    told([0, 0, -1], -1 + 0.9e-12, under, 999, r"start: found \[0.0, 0.0, -1.0\], expected it in the box")
+    told([0, 0, 0], -1 + 0.9e-12, under, 999, r"regions\[0\].half_spaces: found no position of the box in them")
+    told([0, 0, 0], -1 + 0.9e-6, under, 999, "box: found -0.9999991 to 1.0 along z, expected at least -1.0 to 1.0")
     for x in (0.75, 0.5 + 1e-9):
         told([x, 0, 0], -1, within, 999, r"start: found it inside regions\[0\], expected it in no region")
+
+
+def test_distances_of_needles_and_thin_plates_are_proved():
+    """Rounding misleads the search for nearest points there. Where it does, an exact search decides."""
+    generator = random.Random(1)
+    stalled = 0
+    for _ in range(200):
+        half = [10 ** generator.uniform(-6, -3), 10 ** generator.uniform(-6, -3), 0.5]
+        turn = [generator.gauss(0, 1) for _ in range(4)]
+        corners = rotated([exact(corner) for corner in product(*((-x, x) for x in half))], tuple(turn)).points
+        center = exact([generator.uniform(0.3, 1.7) for _ in range(3)])
+        plate = Hull(tuple(exact([float(x) for x in plus(corner, center)]) for corner in corners))
+        end, share = plate.points[0], Fraction(generator.uniform(1, 2))
+        aim = plus(end, exact([generator.gauss(0, 1e-8) for _ in range(3)]))
+        needle = Hull((exact((0, 0, 0)), exact([float(x * share) for x in aim])))
+        distance = cdpr.distance([[float(x) for x in p] for p in needle.points], [[float(x) for x in p] for p in plate.points])
+        weights, found = nearest_points(needle, plate)
+        assert abs(found - max(distance, 0)) < 1e-12
+        assert are_near(needle, plate, Fraction(found + 1e-13)) and not are_near(needle, plate, Fraction(found - 1e-13))
+        stalled += math.hypot(*_between_floats(needle, plate, weights)) > found + 1e-12
+    assert stalled, "no case needs the exact search"
 
 
 def test_bad_contents_are_named_in_bounded_time():
@@ -120,6 +148,35 @@ def test_bad_contents_are_named_in_bounded_time():
     text = json.dumps(file)
     for end in range(0, len(text), 1999):
         refused(scene, text[:end])
+
+
+@pytest.mark.parametrize(("slit", "finite"), [(2e-7, True), (2e-8, False)])
+def test_a_bound_is_infinite_only_beyond_its_own_margin(slit, finite):
+    """Planning proves that no path keeps 1e-6 m; a bound is about all that keep 1e-7 m."""
+    y, z = 0.08 + slit, 0.05 + slit
+    bars = [
+        ("left", 0.6, 4, -y - 0.3, 0),
+        ("right", 0.6, 4, y + 0.3, 0),
+        ("below", 2 * y, 0.6, 0, -z - 0.3),
+        ("above", 2 * y, 0.6, 0, z + 0.3),
+    ]
+    scene = cdpr.Scene.from_dict(
+        {
+            "version": 1,
+            "workspace": {"min": [-0.45] * 3, "max": [0.45] * 3},
+            "robot": {
+                "platform": [{"box": [0.2, 0.16, 0.1]}],
+                "cables": [{"name": "cable", "outlet": [0, 0, 5], "attachment": [0, 0, 0.05]}],
+            },
+            "obstacles": [
+                {"name": name, "box": [0.2, width, height], "position": [0, *at]} for name, width, height, *at in bars
+            ],
+            "ignore": [["cable", name] for name, *_ in bars],
+            "query": {"start": [-0.32, 0.01, 0.02], "goal": [0.32, -0.02, 0.01]},
+        }
+    )
+    assert cdpr.plan(scene).status == "no_path"
+    assert math.isfinite(cdpr.lower_bound(scene, budget=5)) == finite
 
 
 def test_lower_bound_writes_a_certificate(tmp_path):

@@ -11,7 +11,9 @@ use cdpr_core::model::{
 };
 use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::engine_for;
-use cdpr_core::proof::{Answer, BOUND, BoxRow, Certificate, Content, OPEN, Proof, ProofBox, Reason, decide};
+use cdpr_core::proof::{
+    Answer, BOUND, BoxRow, Certificate, Content, OPEN, Proof, ProofBox, Reason, decide, no_bounded_path,
+};
 use cdpr_core::testing::{scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
@@ -53,6 +55,42 @@ fn answer(scene: &Scene, engine: &dyn Checker) -> Answer {
     let ends = [scene.start().unwrap(), scene.goal().unwrap()];
     assert!(ends.iter().all(|end| engine.state_valid(end)));
     decide(engine, ends.each_ref(), PROOF_EFFORT, &Watch::NONE).unwrap()
+}
+
+/// Bounds of the length promise a smaller margin than proofs that there is no path: between the two, a bound stays finite.
+#[test]
+fn slits_between_the_two_margins_have_no_path_but_bounds() {
+    // A frame around a window that is larger than the platform by a slit on every side.
+    let window = |slit: f64| {
+        let [y, z] = [0.08 + slit, 0.05 + slit];
+        let bar = |name: &str, [width, height]: [f64; 2], [y, z]: [f64; 2]| {
+            let size = [0.2, width, height];
+            json!({"name": name, "box": size, "position": [0.0, y, z]})
+        };
+        let spec = json!({
+            "version": 1, "workspace": {"min": [-0.45, -0.45, -0.45], "max": [0.45, 0.45, 0.45]},
+            "robot": {
+                "platform": [{"box": [0.2, 0.16, 0.1]}],
+                "cables": [{"name": "cable", "outlet": [0.0, 0.0, 5.0], "attachment": [0.0, 0.0, 0.05]}],
+            },
+            "obstacles": [
+                bar("left", [0.6, 4.0], [-y - 0.3, 0.0]), bar("right", [0.6, 4.0], [y + 0.3, 0.0]),
+                bar("below", [2.0 * y, 0.6], [0.0, -z - 0.3]), bar("above", [2.0 * y, 0.6], [0.0, z + 0.3]),
+            ],
+            "ignore": [["cable", "left"], ["cable", "right"], ["cable", "below"], ["cable", "above"]],
+            "query": {"start": [-0.32, 0.01, 0.02], "goal": [0.32, -0.02, 0.01]},
+        });
+        Scene::new(serde_json::from_value(spec).unwrap()).unwrap()
+    };
+    for (slit, bounded) in [(2e-7, true), (2e-8, false)] {
+        let scene = window(slit);
+        let engine = engine_of(&scene);
+        let [before, after] = [-0.32, 0.32].map(|x| Point::new(x, 0.0, 0.0));
+        assert!(engine.motion_valid(&before, &after), "{slit}");
+        assert!(matches!(answer(&scene, &*engine), Answer::NoPath(_)), "{slit}");
+        let ends = [scene.start().unwrap(), scene.goal().unwrap()];
+        assert_eq!(no_bounded_path(&*engine, ends.each_ref(), &Watch::NONE).unwrap(), !bounded, "{slit}");
+    }
 }
 
 fn check(scene: &Scene, certificate: &Certificate) -> Result<Summary, Error> {

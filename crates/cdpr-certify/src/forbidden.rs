@@ -4,8 +4,8 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, Polytope, Vector};
 use cdpr_core::model::{Member, Scene};
 
-use crate::exact::{Exact, Exact3, dot, exact, exact3, minus, plus, times};
-use crate::nearest::{distance, nearest};
+use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
+use crate::nearest::{between, distance, nearest, squared_distance};
 use crate::polyhedron::Place;
 
 /// A point this close to a body lies on its surface, and a body this thin is flat, m.
@@ -57,19 +57,35 @@ pub enum Forbidden {
 }
 
 impl Forbidden {
-    /// Whether at a position the gap is at most `margin` more than required: that is proved.
+    /// Whether at a position the gap is at most `margin` more than required. The answer is exact both ways: where contact at an
+    /// end is excused, a false no would prove too much.
     pub fn is_near(&self, place: &Place, margin: &Exact) -> bool {
         let position = place.to_f64();
         match self {
-            Self::Close { .. } => self.is_near_at(&self.nearest_at(&position), place, margin),
+            Self::Close { hulls, required } => {
+                let weights = self.nearest_at(&position);
+                let reach = (required + margin) * &place.scale;
+                if reach.sign().is_lt() {
+                    return false;
+                }
+                if self.is_near_at(&weights, place, margin) {
+                    return true;
+                }
+                let floats = hulls.each_ref().map(|hull| hull.iter().map(|s| s.at(&position)).collect::<Vec<_>>());
+                let across = between([&floats[0], &floats[1]], &weights);
+                let [a, b] = hulls.each_ref().map(|hull| hull.iter().map(|s| moved(s, place)).collect::<Vec<_>>());
+                if finite(&across).is_some_and(|across| are_apart(&across, [&a, &b], &reach)) {
+                    return false;
+                }
+                let (square, whole) = squared_distance(&a, &b);
+                let reach = reach * whole;
+                square <= &reach * &reach
+            }
             Self::Enters { end, tip, faces } => {
-                let found = below(&(tip.at(&position) - end.at(&position)), faces);
-                let Some(below) = finite(&found) else { return false };
-                let direction = minus(&moved(tip, place), &moved(end, place)); // as all that follows: times place.scale
-                let step = minus(&times(&place.scale, &below), &direction);
-                let reach = margin * &place.scale;
-                faces.iter().all(|face| dot(&exact3(face), &below).sign().is_le())
-                    && dot(&step, &step) <= &reach * &reach
+                let direction = minus(&moved(tip, place), &moved(end, place)); // times place.scale
+                let found = finite(&below(&(tip.at(&position) - end.at(&position)), faces));
+                let found = found.is_some_and(|found| is_foot((&found, &exact(1.0)), &direction, faces, place, margin));
+                found || has_foot(&direction, faces, place, margin)
             }
         }
     }
@@ -129,6 +145,53 @@ fn finite(v: &Vector) -> Option<Exact3> {
     v.iter().all(|x| x.is_finite()).then(|| exact3(v))
 }
 
+/// Whether two hulls are farther apart than a distance, since two planes across this direction are.
+fn are_apart(across: &Exact3, [a, b]: [&[Exact3]; 2], distance: &Exact) -> bool {
+    let least = |points: &[Exact3], sign: f64| {
+        let heights = points.iter().map(|p| dot(p, across) * exact(sign));
+        heights.reduce(|x, y| if y < x { y } else { x }).expect("a body has corners")
+    };
+    let apart = least(a, 1.0) + least(b, -1.0);
+    apart.sign().is_gt() && &apart * &apart > distance * distance * dot(across, across)
+}
+
+/// Whether a vector, given by its numerators and a positive denominator, is below all faces and at most `margin` from a direction,
+/// which is given times the place's scale.
+fn is_foot(
+    (foot, whole): (&Exact3, &Exact),
+    direction: &Exact3,
+    faces: &[Vector],
+    place: &Place,
+    margin: &Exact,
+) -> bool {
+    let step = minus(&times(&place.scale, foot), &times(whole, direction));
+    let reach = margin * &place.scale * whole;
+    dot(&step, &step) <= &reach * &reach && faces.iter().all(|face| dot(&exact3(face), foot).sign().is_le())
+}
+
+/// Whether the cone below all faces is at most `margin` from a direction, exactly: its nearest point is the direction itself, its
+/// foot on a face, its foot on the line where two faces meet, or zero.
+fn has_foot(direction: &Exact3, faces: &[Vector], place: &Place, margin: &Exact) -> bool {
+    let is_foot = |foot: &Exact3, whole: &Exact| {
+        let whole = whole * &place.scale; // the direction is times the scale
+        is_foot((foot, &whole), direction, faces, place, margin)
+    };
+    let normals: Vec<Exact3> = faces.iter().map(exact3).collect();
+    let on_face = |normal: &Exact3| {
+        let square = dot(normal, normal);
+        is_foot(&minus(&times(&square, direction), &times(&dot(normal, direction), normal)), &square)
+    };
+    let on_line = |a: &Exact3, b: &Exact3| {
+        let line = cross(a, b);
+        let square = dot(&line, &line);
+        square.sign().is_gt() && is_foot(&times(&dot(&line, direction), &line), &square)
+    };
+    is_foot(direction, &exact(1.0))
+        || is_foot(&exact3(&Vector::zeros()), &exact(1.0))
+        || normals.iter().any(on_face)
+        || normals.iter().enumerate().any(|(k, a)| normals[k + 1..].iter().any(|b| on_line(a, b)))
+}
+
 /// About the nearest vector that is below planes through zero, and a little below each (Hildreth's algorithm).
 fn below(v: &Vector, normals: &[Vector]) -> Vector {
     let little = 1e-15 * v.amax();
@@ -181,20 +244,17 @@ pub struct Bodies<'a> {
     pub platform: Vec<Vec<Vector>>,
     /// From the platform's origin to the attachment of each cable.
     pub arms: Vec<Vector>,
-    /// Two positions at which a free path would have to keep all distances: its start and goal.
-    ends: [Vector; 2],
 }
 
 impl<'a> Bodies<'a> {
-    /// The bodies of a scene, for paths between these ends.
-    pub fn of(scene: &'a Scene, ends: [Vector; 2]) -> Self {
+    /// The bodies of a scene.
+    pub fn of(scene: &'a Scene) -> Self {
         let turned = |p: &Point| scene.orientation() * p.coords;
         let corners = |part: &Polytope| part.vertices().iter().map(turned).collect();
         Bodies {
             scene,
             platform: scene.robot().parts().iter().map(corners).collect(),
             arms: scene.robot().cables().iter().map(|cable| turned(&cable.attachment)).collect(),
-            ends,
         }
     }
 
@@ -266,17 +326,15 @@ impl<'a> Bodies<'a> {
         self.platform.iter().filter_map(of_part).collect()
     }
 
-    /// Cables that share an end forbid nothing. Whether two others can keep a distance anywhere is not derived here: a
-    /// smaller distance is assumed unless they keep it at the start or the goal, where a free path has to keep it.
+    /// Cables that share an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so two
+    /// cables come as near as the segment between these is to zero, wherever the platform is.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<Forbidden> {
         let (one, other) = (self.cable(i), self.cable(j));
         if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
             return Vec::new();
         }
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));
-        let gap =
-            |position| distance(&one.each_ref().map(|s| s.at(position)), &other.each_ref().map(|s| s.at(position)));
-        let attainable = self.ends.iter().map(gap).fold(0.0, f64::max);
+        let attainable = distance(&[Vector::zeros()], &[0, 1].map(|end| other[end].at - one[end].at));
         let required = kept(clearance, &[self.radius(i), self.radius(j)], attainable);
         vec![Forbidden::Close { hulls: [one.to_vec(), other.to_vec()], required }]
     }

@@ -13,8 +13,8 @@
 //!
 //! A certificate lists boxes, open and closed. [`Certificate::check`] proves:
 //!
-//! 1. The boxes tile the box of positions (`tiling`), which is the scene's up to `margin` on each side. Within
-//!    `margin` of its sides, a position is within `margin` of leaving the workspace.
+//! 1. The boxes tile the box of positions (`tiling`), which is the scene's up to rounding errors on each side. What it lacks
+//!    is taken from the margin.
 //! 2. No chain of open boxes, each touching the next, leads from the start to the goal (`tiling`). So on every path
 //!    there is a position that lies in no open box of the start's chain, but arbitrarily close to that chain, and thus
 //!    in a closed box.
@@ -207,6 +207,10 @@ struct Proofs<'a> {
     scene: &'a Scene,
     bodies: Bodies<'a>,
     ends: [Place; 2],
+    /// Up to this gap beyond the required one, an end touches, m.
+    touch: Exact,
+    /// How far what is closed may reach beyond forbidden positions, m: less than the margin, so that positions beyond the sides
+    /// of the box, which may lack [`forbidden::ROUNDING`] along each axis, are within it too.
     margin: Exact,
     /// What each pair forbids, for the pairs examined so far.
     known: BTreeMap<[Member; 2], Vec<Forbidden>>,
@@ -219,10 +223,11 @@ struct Proofs<'a> {
 impl<'a> Proofs<'a> {
     fn of(scene: &'a Scene, ends: [&[f64; 3]; 2], margin: f64, at_one_end: bool) -> Self {
         Proofs {
-            bodies: Bodies::of(scene, ends.map(|end| (*end).into())),
+            bodies: Bodies::of(scene),
             scene,
             ends: ends.map(|end| Place::of(&(*end).into())),
-            margin: exact(margin),
+            touch: exact(margin),
+            margin: exact(margin) - exact(2.0 * forbidden::ROUNDING),
             known: BTreeMap::new(),
             at_one_end,
             at_limit: Vec::new(),
@@ -270,7 +275,7 @@ impl<'a> Proofs<'a> {
             };
             let at_limit = self.ends.each_ref().map(|end| {
                 let at: [f64; 3] = end.to_f64().into();
-                wrong(&[at, at], &self.margin)
+                wrong(&[at, at], &self.touch)
             });
             let proved = wrong(&cell.bounds, if at_limit == [true; 2] { &contact } else { &self.margin });
             self.at_limit.push(at_limit);
@@ -318,7 +323,7 @@ impl<'a> Proofs<'a> {
     /// Whether an end touches something that the other end does not.
     fn is_touched_only_at(&self, end: usize) -> bool {
         let sets = self.known.values().flatten();
-        let mut touched = sets.map(|set| self.ends.each_ref().map(|end| set.is_near(end, &self.margin)));
+        let mut touched = sets.map(|set| self.ends.each_ref().map(|end| set.is_near(end, &self.touch)));
         touched.any(|at| at[end] && !at[1 - end]) || self.at_limit.iter().any(|at| at[end] && !at[1 - end])
     }
 
@@ -336,7 +341,7 @@ impl<'a> Proofs<'a> {
 
     /// The margin by which a region may reach beyond a set.
     fn margin_for(&self, set: &Forbidden) -> Exact {
-        let mut near = self.ends.iter().map(|end| set.is_near(end, &self.margin));
+        let mut near = self.ends.iter().map(|end| set.is_near(end, &self.touch));
         let touched = if self.at_one_end { near.any(|near| near) } else { near.all(|near| near) };
         if touched { set.contact() } else { self.margin.clone() }
     }

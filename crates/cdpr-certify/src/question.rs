@@ -2,7 +2,7 @@
 
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Vector, wxyz};
+use cdpr_core::geometry::wxyz;
 
 use crate::certificate::Region;
 use crate::exact::exact;
@@ -83,6 +83,11 @@ impl Question<'_> {
             let problem = format!("found a proof for another scene, {}, expected one for {fingerprint}", self.scene);
             return Err(Error::invalid("scene", problem));
         }
+        let turns = scene.turning().is_some() || !scene.end_orientations().iter().all(|end| scene.has_orientation(end));
+        if turns {
+            let problem = "found a scene whose platform may turn; a proof holds for one orientation only";
+            return Err(Error::invalid("scene", problem));
+        }
         for (place, found, asked) in [("start", self.ends[0], scene.start()), ("goal", self.ends[1], scene.goal())] {
             if let Some(asked) = asked.map(|p| -> [f64; 3] { p.coords.into() }).filter(|asked| asked != found) {
                 let problem =
@@ -90,14 +95,14 @@ impl Question<'_> {
                 return Err(Error::invalid(place, problem));
             }
         }
-        let bodies = Bodies::of(scene, [Vector::zeros(); 2]);
+        let bodies = Bodies::of(scene);
         let platform = || bodies.platform.iter().flatten();
         for k in 0..3 {
             let reach = |pick: fn(f64, f64) -> f64, from: f64| exact(platform().map(|v| v[k]).fold(from, pick));
             let low = exact(scene.workspace().min[k]) - reach(f64::min, f64::INFINITY);
             let high = exact(scene.workspace().max[k]) - reach(f64::max, f64::NEG_INFINITY);
             let [from, to] = [0, 1].map(|side| exact(self.bounds[side][k]));
-            if from > &low + exact(self.margin) || to < &high - exact(self.margin) {
+            if from > &low + exact(ROUNDING) || to < &high - exact(ROUNDING) {
                 let (from, to, low, high) = (from.to_f64(), to.to_f64(), low.to_f64(), high.to_f64());
                 let problem = format!("found {from} to {to} along {}, expected at least {low} to {high}", AXES[k]);
                 return Err(Error::invalid("box", problem));

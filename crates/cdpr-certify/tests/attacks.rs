@@ -130,15 +130,42 @@ fn ends_are_in_the_box_and_in_no_region() {
         }
         check(&WALL, &found)
     };
-    // The box may be smaller than that of the scene by the margin: then the floor is outside of it, and so is this region.
+    // The box may lack rounding errors: then the floor is outside of it, and so is this region.
     let on_the_floor = [0.0, 0.0, -1.0];
-    let under = [[0.0, 0.0, 1.0, -1.0 + 0.9e-6], [0.0, 0.0, -1.0, 1.1]];
-    let refused = with(on_the_floor, -1.0 + 0.99e-6, Some(under)).unwrap_err();
-    assert!(refused.contains("start: found -1 along z, expected it in the box, -0.99999901 to 1"), "{refused}");
-    let refused = with([0.0; 3], -1.0 + 0.99e-6, Some(under)).unwrap_err();
+    let under = [[0.0, 0.0, 1.0, -1.0 + 0.4e-12], [0.0, 0.0, -1.0, 1.1]];
+    let refused = with(on_the_floor, -1.0 + 0.9e-12, Some(under)).unwrap_err();
+    assert!(refused.contains("start: found -1 along z, expected it in the box, -0.9999999999991 to 1"), "{refused}");
+    let refused = with([0.0; 3], -1.0 + 0.9e-12, Some(under)).unwrap_err();
     assert!(refused.contains("regions[0].half_spaces: found no position of the box in them"), "{refused}");
+    // No more: below the wall there may be a slit as wide as what the box lacks, out of which the region reaches into the box.
+    let refused = with([0.0; 3], -1.0 + 0.9e-6, Some(under)).unwrap_err();
+    assert!(refused.contains("box: found -0.9999991 to 1 along z, expected at least -1 to 1"), "{refused}");
     let refused = with([0.75, 0.0, 0.0], -1.0, None).unwrap_err();
     assert!(refused.contains("start: found it inside regions[0], expected it in no region"), "{refused}");
     let refused = with([0.5 + 1e-9, 0.0, 0.0], -1.0, None).unwrap_err();
     assert!(refused.contains("start: found it inside regions[0], expected it in no region"), "{refused}");
+}
+
+/// Below the wall there is a slit wider than the margin, and narrower than the margin and what the box may lack.
+#[test]
+fn a_path_below_the_box_of_a_certificate_counts() {
+    let slit = 1.8e-6;
+    let spec = json!({
+        "version": 1, "workspace": {"min": [-1.0, -1.0, -1.0], "max": [3.0, 1.0, 1.0]},
+        "robot": {"mass": 1.0, "platform": [{"vertices": [[0.0, 0.0, 0.0]]}], "cables": [
+            {"outlet": [0.0, 0.0, 2.0], "attachment": [0.0, 0.0, 0.0]},
+        ]},
+        "obstacles": [{"name": "wall 0", "box": [0.5, 4.0, 4.0], "position": [0.75, 0.0, 1.0 + slit]}],
+    });
+    let scene = Scene::new(serde_json::from_value(spec).unwrap()).unwrap();
+    let planes = [[-1.0, 0.0, 0.0, -0.5], [1.0, 0.0, 0.0, 1.0], [0.0, 0.0, -1.0, 1.0 - slit + 0.95e-6]];
+    let mut found = certificate(&WALL, START, 900.0, &[]);
+    found["scene"] = scene.fingerprint().into();
+    found["margin"] = 1e-6.into();
+    found["regions"][0]["half_spaces"] = json!(planes);
+    for (lacks, problem) in [(0.0, "an edge that is free"), (0.9e-6, "box: found")] {
+        found["box"][0][2] = (-1.0 + lacks).into();
+        let refused = check_bound(&scene, &found.to_string(), &Watch::NONE).unwrap_err().to_string();
+        assert!(refused.contains(problem), "{refused}");
+    }
 }

@@ -237,22 +237,40 @@ fn an_outlet_on_an_edge_forbids_the_cone_below_two_faces() {
 /// Two cables to the ends of a bar cross left of the left outlet.
 #[test]
 fn two_cables_keep_their_clearance() {
-    let bar = |clearance: f64, arm: f64| {
+    let until = |clearance: f64, arm: f64, most: f64| {
         scene(json!({
-            "clearance": clearance, "workspace": {"min": [-3.5, -0.05, 1.8], "max": [0.0, 0.05, 1.9]},
+            "clearance": clearance, "workspace": {"min": [-3.5, -0.05, 1.8], "max": [most, 0.05, 1.9]},
             "robot": {"cables": [
                 {"outlet": [-2.0, 0.0, 2.0], "attachment": [-arm, 0.0, 0.0]},
                 {"outlet": [2.0, 0.0, 2.0], "attachment": [arm, 0.0, 0.0]},
             ]},
         }))
     };
+    let bar = |clearance: f64, arm: f64| until(clearance, arm, 0.0);
     let (who, cuts) = (|| json!(["cable 1", "cable 0"]), [-3.0, -2.6]);
     assert_eq!(slab(&bar(0.3, 0.2), cuts, who()), Ok(()));
+    // What is attainable somewhere is required, even if neither start nor goal attains it.
+    assert_eq!(slab(&until(0.3, 0.2, -2.3), cuts, who()), Ok(()));
     assert!(slab(&bar(0.01, 0.2), cuts, who()).is_err());
     assert!(slab(&bar(0.3, 0.2), [-1.5, -1.0], who()).is_err());
     assert!(slab(&bar(0.5, 0.2), cuts, who()).is_err()); // nowhere attainable: 0 is required
     assert!(slab(&bar(0.3, 0.0), cuts, who()).unwrap_err().contains("no proof")); // they share an end
     assert!(region(&bar(0.3, 0.2), cuts, who()).unwrap_err().contains("found two cables"));
+}
+
+/// A proof is about paths at one orientation; whether there are paths with turns is another question.
+#[test]
+fn scenes_whose_platform_may_turn_are_refused() {
+    let held = |more: Value| {
+        let mut changes = json!({"obstacles": [wall(0.5, 1.0)]});
+        merge(&mut changes, more);
+        slab(&scene(changes), [0.5, 1.0], json!(["platform", "wall"]))
+    };
+    assert_eq!(held(json!({})), Ok(()));
+    assert_eq!(held(json!({"query": {"start_orientation": [1.0, 0.0, 0.0, 0.0]}})), Ok(()));
+    for more in [json!({"turning": {}}), json!({"query": {"goal_orientation": [0.0, 0.0, 0.0, 1.0]}})] {
+        assert!(held(more).unwrap_err().contains("scene: found a scene whose platform may turn"));
+    }
 }
 
 #[test]

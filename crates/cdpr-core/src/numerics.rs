@@ -425,6 +425,10 @@ pub const PROOF_EFFORT: usize = 3_000_000;
 /// Number of these cells for each sample that the planner may draw, so that the planner's limit applies to both.
 pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;
 
+/// Cells that are visited to find out whether a scene without a path has none with the margin of bounds either: most need hardly
+/// more than the first proof did, and the others, slits between the two margins, would use up any effort.
+pub const BOUND_PROOF_EFFORT: usize = PROOF_EFFORT / 10;
+
 /// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter of a turn is
 /// arbitrary, so this changes no motion.
 pub const LEAST_TURN_LENGTH: f64 = 1e-3;

@@ -26,10 +26,10 @@ use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
-use crate::numerics::{BISECTION_STEPS, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
+use crate::numerics::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
-use closing::Regions;
+use closing::{Beyond, Regions};
 use tiling::{around, tiling};
 
 /// The answer to whether there is a path.
@@ -85,7 +85,8 @@ const TASTE: Taste = Taste { level: 2, haste: 1.0 };
 const REACH_LEVEL: u8 = 4;
 const REACH_CELLS: usize = 50_000;
 
-/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells.
+/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells, and as many for each
+/// obstacle that closes the way, to find out what is behind it.
 ///
 /// # Errors
 /// [`Error::interrupted`]; [`Error::out_of_time`] if time runs out before the scene's polyhedra are ready.
@@ -123,15 +124,28 @@ pub fn decide_with(
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
     }
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
         Way::None => {
             on_no_path();
-            Answer::NoPath(Box::new(search.proof(watch)?))
+            Answer::NoPath(Box::new(search.proof(effort, watch)?))
         }
     })
+}
+
+/// Whether it is certain that no path to which lower bounds of the length apply leads from start to goal, both valid positions:
+/// they keep [`BOUND_MARGIN`](crate::numerics::BOUND_MARGIN) only, so that [`decide`] does not say so.
+///
+/// # Errors
+/// As [`decide`].
+pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<bool, Error> {
+    if checker.motion_valid(ends[0], ends[1]) {
+        return Ok(false);
+    }
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::BoundMargin);
+    Ok(search.run(BOUND_PROOF_EFFORT, watch)? == Way::None)
 }
 
 /// A path from start to goal, both valid positions, not shortened; `None` if there is none or it is not found.
@@ -139,7 +153,7 @@ pub fn decide_with(
 /// # Errors
 /// As [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends);
+    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(PROOF_EFFORT, watch)? {
         Way::Path(path) => Some(path),
         Way::None | Way::Undecided => None,
@@ -157,13 +171,13 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// A search that knows all pieces of an engine, and all its conditions.
-    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2]) -> Self {
+    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
         let (low, high) = checker.conditions().position_box();
         // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
         let contact = Vector::repeat(0.5 * TOUCH_DEPTH);
         let (low, high) = (low.inf(ends[0]).inf(ends[1]) - contact, high.sup(ends[0]).sup(ends[1]) + contact);
-        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces).between(&pieces, ends);
-        let cells = Decomposition::new(pieces, low, high).down_to(PROOF_MARGIN);
+        let regions = Regions::new(checker, Cuboid::new(low, high), &pieces, beyond).between(&pieces, ends);
+        let cells = Decomposition::new(pieces, low, high).down_to(beyond.margin());
         Search { checker, ends, regions, cells }
     }
 
@@ -172,8 +186,8 @@ impl<'a> Search<'a> {
     }
 
     /// The proof of a search that found no way.
-    fn proof(self, watch: &Watch) -> Result<Proof, Error> {
-        let (smaller, reachable) = join(|| blocking::smallest(&self, watch), || self.clone().reachable());
+    fn proof(self, effort: usize, watch: &Watch) -> Result<Proof, Error> {
+        let (smaller, reachable) = join(|| blocking::smallest(&self, effort, watch), || self.clone().reachable());
         let Smaller { search, conditions, blocking, ways_without } = smaller?;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);

@@ -8,8 +8,9 @@ use cdpr_core::lower_bound::{Certificate, Forbidden};
 use cdpr_core::numerics::BOUND_GAP;
 use cdpr_core::plan::{PlanOptions, Query, engine_within, lower_bound, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::proof::no_bounded_path;
 use cdpr_core::turning::pose_path_length;
-use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::watch::{Interrupt, Watch, in_time};
 use cdpr_core::{Error, Scene};
 
 use crate::convert::serialized;
@@ -60,8 +61,12 @@ fn bound_at(
     let mut best = lower_bound(&*engine, start, goal, &watch)?;
     if (wanted.gap.is_some() || wanted.budget.is_some()) && best.is_finite() {
         let found = plan(query.by(&engine), options, &|| stop())?.result;
-        let nothing = if found.status == Status::NoPath { f64::INFINITY } else { best };
-        best = found.lower_bound.map_or(nothing, |bound| bound.max(best));
+        // The proof that there is no path has a larger margin than bounds: a path may be left that keeps only the smaller one.
+        let limited = watch.with_budget(options.budget);
+        let none = found.status == Status::NoPath
+            && in_time(no_bounded_path(&*engine, [start, goal], &limited))?.unwrap_or(false);
+        let otherwise = if none { f64::INFINITY } else { best };
+        best = found.lower_bound.map_or(otherwise, |bound| bound.max(best));
     }
     if !wanted.certified || best.is_infinite() {
         return Ok((best, None));

@@ -75,18 +75,36 @@ def vertices_of(spec: Mapping[str, Any]) -> tuple[Exact, ...]:
 
 def orientation_of(scene: Mapping[str, Any], given: Quaternion) -> Quaternion:
     """The orientation of the scene, or one of those that it leaves open, that equals the given one."""
-    named = {spec["name"]: _quaternion(spec) for spec in scene.get("orientations") or []}
     chosen = (scene.get("query") or {}).get("orientation")
-    choices = list(named.values()) or [(1.0, 0.0, 0.0, 0.0)]
+    choices = list(_named(scene).values()) or [(1.0, 0.0, 0.0, 0.0)]
     if chosen is not None:
-        choices = [named[chosen] if isinstance(chosen, str) else tuple(chosen)]
+        choices = [_chosen(scene, chosen)]
     if abs(math.hypot(*given) - 1) > 1e-6:
         raise ValueError(f"orientation: found {list(given)}, expected a unit quaternion")
     for choice in choices:
-        sizes = math.hypot(*choice), math.hypot(*given)
-        if any(math.dist([x / sizes[0] for x in choice], [s * x / sizes[1] for x in given]) <= 5e-10 for s in (1, -1)):
+        if _same(choice, given):
             return choice
     raise ValueError(f"orientation: found {list(given)}, but the scene has another orientation: another question")
+
+
+def may_turn(scene: Mapping[str, Any], orientation: Quaternion) -> bool:
+    """Whether paths of a scene may turn, or have ends at other orientations than this one."""
+    query = scene.get("query") or {}
+    ends = [query[key] for key in ("start_orientation", "goal_orientation") if query.get(key) is not None]
+    return scene.get("turning") is not None or not all(_same(_chosen(scene, end), orientation) for end in ends)
+
+
+def _named(scene: Mapping[str, Any]) -> dict[str, Quaternion]:
+    return {spec["name"]: _quaternion(spec) for spec in scene.get("orientations") or []}
+
+
+def _chosen(scene: Mapping[str, Any], chosen: Any) -> Quaternion:
+    return _named(scene)[chosen] if isinstance(chosen, str) else tuple(chosen)
+
+
+def _same(a: Quaternion, b: Quaternion) -> bool:
+    sizes = math.hypot(*a), math.hypot(*b)
+    return any(math.dist([x / sizes[0] for x in a], [s * x / sizes[1] for x in b]) <= 5e-10 for s in (1, -1))
 
 
 def _quaternion(spec: Mapping[str, Any]) -> Quaternion:

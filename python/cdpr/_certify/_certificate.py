@@ -45,6 +45,8 @@ class Question:
         self.start, self.goal = (_point(key, file[key]) for key in ("start", "goal"))
         low, high = (_numbers("box", corner, 3) for corner in _items("box", file["box"], 2, 2))
         self.box = low + high
+        if not all(low[k] < high[k] for k in range(3)):
+            raise ValueError(f"box: found {list(low)} to {list(high)}, expected min < max along each axis")
         self.regions = [self._region(f"regions[{k}]", region) for k, region in enumerate(regions)]
 
     @staticmethod

@@ -10,7 +10,7 @@ from functools import cache
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
-from ._bodies import faces_at, is_flat, orientation_of, rotated, vertices_of
+from ._bodies import faces_at, is_flat, may_turn, orientation_of, rotated, vertices_of
 from ._certificate import Bound, Certificate
 from ._hulls import Hull, are_near, nearest_points
 from ._vectors import (
@@ -51,13 +51,17 @@ class Model:
 
     def __init__(self, scene: Mapping[str, Any], proof: Certificate | Bound, *, at_one_end: bool = False) -> None:
         self.at_one_end = at_one_end
-        self.scene, self.margin, self.ends = scene, Fraction(proof.margin), (proof.start, proof.goal)
+        self.scene, self.ends, self.touching = scene, (proof.start, proof.goal), Fraction(proof.margin)
+        # Positions beyond the sides of the box, which may lack rounding errors along each axis, are within the margin too.
+        self.margin = self.touching - 2 * ROUNDING
         self.touched: set[int] = set()  # ends (0: start, 1: goal) that touch something which the other does not
         robot, query = scene["robot"], scene.get("query") or {}
         for key, given in (("start", proof.start), ("goal", proof.goal)):
             if query.get(key) is not None and tuple(query[key]) != given:
                 raise ValueError(f"{key}: found {list(given)}, but the scene asks about {query[key]}: another question")
         self.turn = orientation_of(scene, proof.orientation)
+        if may_turn(scene, self.turn):
+            raise ValueError("scene: found one whose platform may turn; a certificate holds for one orientation only")
         self.platform = [rotated(body, self.turn) for body in map(vertices_of, robot["platform"])]
         self.obstacles: dict[str, list[Hull]] = {}
         for k, body in enumerate(scene.get("obstacles") or []):
@@ -72,7 +76,7 @@ class Model:
         for k in range(3):
             low = Fraction(scene["workspace"]["min"][k]) - min(v[k] for v in corners)
             high = Fraction(scene["workspace"]["max"][k]) - max(v[k] for v in corners)
-            if proof.box[k] > low + self.margin or proof.box[k + 3] < high - self.margin:
+            if proof.box[k] > low + ROUNDING or proof.box[k + 3] < high - ROUNDING:
                 found = f"{proof.box[k]} to {proof.box[k + 3]} along {'xyz'[k]}"
                 raise ValueError(f"box: found {found}, expected at least {float(low)} to {float(high)}")
         self.tests = cache(self._tests)
@@ -125,9 +129,9 @@ class Model:
         What the platform touches at both start and goal (or at one of them, if that is enough) it may touch everywhere,
         such as a floor that it slides on: the gap must then be smaller than required by more than contact.
         """
-        test = make(required + self.margin)
-        touched = self._touch([test(exact(end)) for end in self.ends])
-        return make(max(required - TOUCHING, ROUNDING)) if touched else test
+        touches = make(required + self.touching)
+        touched = self._touch([touches(exact(end)) for end in self.ends])
+        return make(_contact(required) if touched else required + self.margin)
 
     def _touch(self, at_ends: list[bool]) -> bool:
         """Whether both ends touch something, or one if that is enough; notes an end that alone touches it."""
@@ -142,9 +146,10 @@ class Model:
             return self._lacks_wrench(exact(reason[1:4]), exact(reason[4:]), corners)
         if not all(name in self.cables for name in reason):
             return self.forbids(reason, corners)
-        by = self._bad_length if len(reason) == 1 else self._too_near
-        touched = self._touch([by(reason, [exact(end)] * 8, self.margin) for end in self.ends])
-        return by(reason, corners, -TOUCHING if touched else self.margin)
+        if len(reason) == 2:
+            return self._too_near(reason, corners)
+        touched = self._touch([self._bad_length(reason, [exact(end)] * 8, self.touching) for end in self.ends])
+        return self._bad_length(reason, corners, -TOUCHING if touched else self.margin)
 
     def _bad_length(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
         cable = self.cables[names[0]]
@@ -155,7 +160,7 @@ class Model:
         too_short = farthest <= max(Fraction(least) + margin, Fraction(0)) ** 2
         return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
 
-    def _too_near(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
+    def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
         """Two cables: the vector between two fixed fractions of them is linear in the position."""
         i, j = (self.cables[name] for name in names)
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
@@ -163,14 +168,17 @@ class Model:
             return False  # they share an end, and forbid nothing
         most = nearest_points(Hull((exact((0, 0, 0)),)), Hull((outlets, arms)))[1]
         required = _kept(self._clearance("cable_cable", names), i.radius + j.radius, most)
-        center = interpolated(corners[0], corners[7], Fraction(1, 2))
-        a, b = (Hull((cable.outlet, plus(center, cable.arm))) for cable in (i, j))
-        weights = nearest_points(a, b)[0]
+
+        def axes(p: Exact) -> tuple[Hull, Hull]:
+            return Hull((i.outlet, plus(p, i.arm))), Hull((j.outlet, plus(p, j.arm)))
+
+        touched = self._touch([are_near(*axes(exact(end)), required + self.touching) for end in self.ends])
+        allowed = _contact(required) if touched else required + self.margin
+        weights = nearest_points(*axes(interpolated(corners[0], corners[7], Fraction(1, 2))))[0]
         s, r = (min(Fraction(sum(w for pair, w in weights.items() if pair[k] == 1)), Fraction(1)) for k in range(2))
         on_i = [interpolated(i.outlet, plus(p, i.arm), s) for p in corners]
         on_j = [interpolated(j.outlet, plus(p, j.arm), r) for p in corners]
-        allowed = max(required + margin, ROUNDING) ** 2
-        return all(squared(minus(x, y)) <= allowed for x, y in zip(on_i, on_j, strict=True))
+        return allowed >= 0 and all(squared(minus(x, y)) <= allowed**2 for x, y in zip(on_i, on_j, strict=True))
 
     def _lacks_wrench(self, force: Exact, moment: Exact, corners: list[Exact]) -> bool:
         """Whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
@@ -247,6 +255,11 @@ def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fra
         return bool(faces) and any(squared(minus(foot, end)) <= margin**2 for foot in inside)
 
     return lambda margin: cache(lambda p: near(p, margin))
+
+
+def _contact(required: Fraction) -> Fraction:
+    """The gap up to which something is forbidden that touches at the ends; it may be negative, which no gap is."""
+    return required - TOUCHING if required > 0 else ROUNDING
 
 
 def _kept(clearance: float, radii: float, attainable: float) -> Fraction:

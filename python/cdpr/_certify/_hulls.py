@@ -1,4 +1,4 @@
-"""Exact vertices of regions, and nearest points of convex hulls (found in floats, verified exactly)."""
+"""Exact vertices of regions, and distances of convex hulls (found in floats, verified exactly)."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ from functools import cached_property
 from itertools import product
 from typing import TypeAlias
 
-from ._vectors import Exact, Vector, cross, dot, exact, interpolated, minus, plus, scaled, squared
+from ._vectors import Exact, Vector, cross, dot, exact, interpolated, minus, plus, root_of, scaled, squared
 
 Pair: TypeAlias = tuple[int, int]
 
+DISTANCE_ROUNDING = 1e-14  # largest error of a distance, as a share of the largest coordinate
+
 
 def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> list[Exact]:
-    """The vertices of a box cut by half-spaces n·x <= d."""
+    """The vertices of a box cut by half-spaces n·x <= d; none if what remains has no volume."""
     return list(clipped_on_planes(box, half_spaces))
 
 
@@ -27,6 +29,8 @@ def clipped_on_planes(box: Sequence[float], half_spaces: Sequence[Sequence[float
     for k, plane in enumerate(half_spaces):
         n, d = exact(plane[:3]), Fraction(plane[3])
         above = {v: dot(n, v) - d for v in vertices}
+        if all(height >= 0 for height in above.values()):
+            return {}
         kept = {v: planes | ({k} if above[v] == 0 else set()) for v, planes in vertices.items() if above[v] <= 0}
         for v, w in product([v for v in kept if above[v] < 0], [w for w in vertices if above[w] > 0]):
             common = vertices[v] & vertices[w]
@@ -53,18 +57,90 @@ class Hull:
 
 
 def are_near(a: Hull, b: Hull, gap: Fraction) -> bool:
-    """Whether two points, one of each hull, are found at most `gap` apart; exact."""
-    weights, distance = nearest_points(a, b, 0.999 * float(gap))
-    if distance > 2 * float(gap):
+    """Whether two hulls are at most `gap` apart; exact both ways, since what touches at an end is excused elsewhere.
+
+    Two points prove that they are, two planes across the direction between these that they are not. If neither does, as
+    for needles and thin plates where rounding misleads the search, an exact search decides.
+    """
+    if gap < 0:
         return False
+    weights, distance = _guess(a, b, 0.999 * float(gap))
+    if distance <= 2 * float(gap):
+        between = _between(a, b, {pair: Fraction(w) for pair, w in weights.items()})
+        if squared(between) <= (gap * sum(map(Fraction, weights.values()))) ** 2:
+            return True
+    across = exact(_between_floats(a, b, weights))
+    apart = min(dot(across, p) for p in a.points) - max(dot(across, p) for p in b.points)
+    if apart > 0 and apart**2 > gap**2 * squared(across):
+        return False
+    return _squared_distance(a, b) <= gap**2
+
+
+def nearest_points(a: Hull, b: Hull) -> tuple[dict[Pair, float], float]:
+    """Nonnegative weights of point pairs that give about nearest points of two hulls, and the distance up to rounding errors."""
+    weights, distance = _guess(a, b, 0.0)
+    size = max(abs(x) for p in (*a.floats, *b.floats) for x in p)
+    across = _between_floats(a, b, weights)
+    apart = min(dot(across, p) for p in a.floats) - max(dot(across, p) for p in b.floats)
+    if distance > DISTANCE_ROUNDING * size and distance - apart / distance > DISTANCE_ROUNDING * size:
+        distance = float(root_of(_squared_distance(a, b), 0))
+    return weights, distance
+
+
+def _between_floats(a: Hull, b: Hull, weights: dict[Pair, float]) -> Vector:
+    points = [(w, minus(a.floats[i], b.floats[j])) for (i, j), w in weights.items()]
+    x, y, z = (sum(w * p[k] for w, p in points) for k in range(3))
+    return x, y, z
+
+
+def _between(a: Hull, b: Hull, weights: dict[Pair, Fraction]) -> Exact:
     between = exact((0, 0, 0))
     for (i, j), w in weights.items():
-        between = plus(between, scaled(minus(a.points[i], b.points[j]), Fraction(w)))
-    return squared(between) <= (gap * sum(map(Fraction, weights.values()))) ** 2
+        between = plus(between, scaled(minus(a.points[i], b.points[j]), w))
+    return between
 
 
-def nearest_points(a: Hull, b: Hull, enough: float = 0.0) -> tuple[dict[Pair, float], float]:
-    """Nonnegative weights of point pairs that give nearest points of two hulls, and their distance; approximate.
+def _squared_distance(a: Hull, b: Hull) -> Fraction:
+    """The square of the distance of two hulls: Wolfe's algorithm in rationals, in which every step comes nearer, so it ends."""
+    weights: dict[Pair, Fraction] = {(0, 0): Fraction(1)}
+    while True:
+        best = _between(a, b, weights)
+        towards_a = [dot(best, p) for p in a.points]
+        towards_b = [dot(best, p) for p in b.points]
+        new = towards_a.index(min(towards_a)), towards_b.index(max(towards_b))
+        square = squared(best)
+        if square <= min(towards_a) - max(towards_b):
+            return square
+        weights = _exactly_nearest({**weights, new: Fraction(0)}, a, b)
+
+
+def _exactly_nearest(weights: dict[Pair, Fraction], a: Hull, b: Hull) -> dict[Pair, Fraction]:
+    """Weights of the point nearest to the origin of some face of a simplex, nearer than the given point or the same."""
+    while True:
+        goal = dict(zip(weights, _foot([minus(a.points[i], b.points[j]) for i, j in weights]), strict=True))
+        steps = [weights[pair] / (weights[pair] - w) for pair, w in goal.items() if w < 0]
+        step = min(steps, default=Fraction(1))
+        moved = {pair: w + step * (goal[pair] - w) for pair, w in weights.items()}
+        weights = {pair: w for pair, w in moved.items() if w > 0}
+        if not steps:
+            return weights
+
+
+def _foot(points: list[Exact]) -> list[Fraction]:
+    """Weights (sum 1) of the point nearest to the origin on the line, plane or space through one to four independent points."""
+    edges, count = [minus(p, points[0]) for p in points[1:]], len(points) - 1
+    rows = [[*(dot(e, f) for f in edges), -dot(e, points[0])] for e in edges]
+    for k in range(count):
+        pivot = next(i for i in range(k, count) if rows[i][k])
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        rows = [row if i == k else [x - row[k] * y for x, y in zip(row, rows[k], strict=True)] for i, row in enumerate(rows)]
+    found = [row[-1] for row in rows]
+    return [1 - sum(found, Fraction(0)), *found]
+
+
+def _guess(a: Hull, b: Hull, enough: float) -> tuple[dict[Pair, float], float]:
+    """Like :func:`nearest_points`, without a proof.
 
     The point of the hull of the differences nearest to the origin, by Wolfe's algorithm: add the point farthest towards
     the origin, go to the point nearest to the origin of the simplex's plane, and drop points whose weights become 0 on

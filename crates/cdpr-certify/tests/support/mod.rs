@@ -3,6 +3,7 @@
 use cdpr_core::model::{Scene, SceneSpec};
 
 /// A scene from its file, and the same without start and goal.
+#[allow(dead_code, reason = "not all test programs read files")]
 pub fn scenes(text: &str) -> [Scene; 2] {
     let spec: SceneSpec = serde_json::from_str(text).unwrap();
     let unasked = SceneSpec { query: None, ..spec.clone() };

@@ -11,7 +11,6 @@ use crate::batch::each;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::numerics::PROOF_EFFORT;
 use crate::watch::Watch;
 
 /// A proof by fewer obstacles and conditions.
@@ -26,12 +25,12 @@ pub struct Smaller<'a> {
     pub ways_without: Vec<Option<Vec<Point>>>,
 }
 
-/// Leaves out obstacles, then conditions, of a search that found no way.
-pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Error> {
+/// Leaves out obstacles, then conditions, of a search that found no way; each further search visits about `effort` cells.
+pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Result<Smaller<'a>, Error> {
     let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
     let searches = each(blocking.len(), 2, &|(), k| {
         let mut others = whole.clone().knowing(&|other| other != blocking[k]);
-        let way = others.run(PROOF_EFFORT, watch)?;
+        let way = others.run(effort, watch)?;
         Ok((blocking[k], way, others))
     })?;
     let (mut fewest, mut ways) = (None, BTreeMap::new());
@@ -41,7 +40,7 @@ pub fn smallest<'a>(whole: &Search<'a>, watch: &Watch) -> Result<Smaller<'a>, Er
             continue;
         }
         let mut fewer = others.knowing(&|other| other != obstacle && blocking.contains(&other));
-        if fewer.run(PROOF_EFFORT, watch)? == Way::None {
+        if fewer.run(effort, watch)? == Way::None {
             blocking.retain(|&other| other != obstacle);
             fewest = Some(fewer);
         } else {

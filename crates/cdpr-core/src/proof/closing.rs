@@ -10,8 +10,31 @@ use crate::decomposition::Oracle;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
 use crate::numerics::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
 
-/// How far regions and bounds reach beyond what is forbidden, m.
-const REACH: f64 = PROOF_MARGIN * PROOF_MARGIN_USED;
+/// Which positions a proof calls forbidden, besides those that are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Beyond {
+    /// Those within [`PROOF_MARGIN`] of forbidden ones. What touches at both ends may touch everywhere, and what touches at one of
+    /// them may touch near it.
+    ProofMargin,
+    /// Those within [`BOUND_MARGIN`]. What touches at either end may touch everywhere.
+    BoundMargin,
+}
+
+impl Beyond {
+    /// The margin, m.
+    pub fn margin(self) -> f64 {
+        match self {
+            Beyond::ProofMargin => PROOF_MARGIN,
+            Beyond::BoundMargin => BOUND_MARGIN,
+        }
+    }
+
+    /// How far regions and bounds reach beyond what is forbidden, m.
+    fn reach(self) -> f64 {
+        self.margin() * PROOF_MARGIN_USED
+    }
+}
+
 /// Attempts to widen a polyhedron with sharp corners.
 const ATTEMPTS: usize = 4;
 
@@ -21,6 +44,7 @@ pub struct Regions<'a> {
     checker: &'a dyn Checker,
     /// Whether all conditions of the engine count, so that it can judge motions.
     complete: bool,
+    beyond: Beyond,
     bounds: Cuboid,
     /// Error of a height over a plane, m.
     rounding: f64,
@@ -36,7 +60,7 @@ pub struct Regions<'a> {
 
 impl<'a> Regions<'a> {
     /// The regions of the pieces of an engine, and of its conditions without pieces.
-    pub fn new(checker: &'a dyn Checker, bounds: Cuboid, pieces: &[Piece]) -> Self {
+    pub fn new(checker: &'a dyn Checker, bounds: Cuboid, pieces: &[Piece], beyond: Beyond) -> Self {
         let conditions = checker.conditions();
         let mut has_piece = vec![false; conditions.list.len()];
         pieces.iter().for_each(|piece| has_piece[piece.condition] = true);
@@ -48,9 +72,10 @@ impl<'a> Regions<'a> {
         Regions {
             checker,
             complete: true,
+            beyond,
             bounds,
             rounding: ROUNDING * (bounds.low.coords.abs().sup(&bounds.high.coords.abs()).norm() + 1.0) + 1e-12,
-            reach: vec![REACH; conditions.list.len()],
+            reach: vec![beyond.reach(); conditions.list.len()],
             regions: pieces.iter().map(|_| OnceLock::new()).collect(),
             without_piece: (1..conditions.list.len()).filter(loose).collect(),
             kept_open: Vec::new(),
@@ -62,7 +87,12 @@ impl<'a> Regions<'a> {
     /// at only one end is allowed near that end.
     pub fn between(mut self, pieces: &[Piece], ends: [&Point; 2]) -> Self {
         let touched = ends.map(|end| self.touched(pieces, end));
-        for &condition in touched[0].iter().filter(|condition| touched[1].contains(condition)) {
+        let everywhere = |condition: &usize| match self.beyond {
+            Beyond::ProofMargin => touched.iter().all(|touched| touched.contains(condition)),
+            Beyond::BoundMargin => true,
+        };
+        let allowed: Vec<usize> = touched.iter().flatten().copied().filter(everywhere).collect();
+        for condition in allowed {
             self.reach[condition] = -2.0 * TOUCH_DEPTH;
         }
         self.regions = pieces.iter().map(|_| OnceLock::new()).collect();
@@ -105,7 +135,7 @@ impl<'a> Regions<'a> {
     /// The region of a piece, if it holds a cell.
     pub fn holding(&self, index: u32, piece: &Piece, cell: &Cuboid) -> Option<&[HalfSpace]> {
         let inside = |planes: &[HalfSpace], by: f64| planes.iter().all(|plane| cell.highest(plane) < by);
-        piece.certain.as_ref().filter(|certain| inside(certain, REACH))?;
+        piece.certain.as_ref().filter(|certain| inside(certain, self.beyond.reach()))?;
         self.region(index, piece).filter(|planes| inside(planes, -self.rounding))
     }
 
