@@ -24,7 +24,7 @@ from ._questions import Interference
 from ._results import Path, Result
 from ._scene import Scene
 from ._trajectory import Trajectory
-from .exceptions import AnotherSceneWarning
+from .exceptions import AnotherSceneWarning, InputError
 
 _INLINE_HEIGHT = 640
 
@@ -100,6 +100,9 @@ def view(
         if warning is not None:
             warnings.warn(warning, AnotherSceneWarning, stacklevel=3)
         return View(page)
+    if waypoints is None and (flag("strict", strict) or text("interference", interference) != "exact"):
+        option = "strict" if strict else "interference"
+        raise InputError(f"{option}: found without a path, where it has no effect; expected a path or a trajectory")
     file = None if waypoints is None else json.dumps(_file(waypoints))
     tree, certificate = None, None
     if isinstance(waypoints, Result):

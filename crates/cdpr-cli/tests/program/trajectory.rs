@@ -246,7 +246,7 @@ fn plan_writes_a_trajectory_in_one_command() {
     assert!(found["trajectory"]["choice"]["tried"].as_u64().unwrap() > 2, "{found}");
     assert_eq!(json(&check(folder.path(), "path.json", &["--format", "json"]))["valid"], true);
     for (arguments, expected) in [
-        (&["plan", &hard1, "--speed", "1"][..], "--trajectory: found none, but limits of a motion"),
+        (&["plan", &hard1, "--speed", "1"][..], "--speed: found without --trajectory, where it has no effect"),
         (&["plan", &hard1, "--minimise", "time"], "--trajectory"),
         (
             &["plan", &hard1, "--trajectory", "t.toml"],
