@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, flat_points, flat_quaternions, number, point, quaternion, rows, shown, whole
+from ._arrays import Floats, finite, flat_points, flat_quaternions, in_order, number, point, quaternion, rows, shown, whole
 from ._given import file_name, flag, instance, text
 from ._questions import Engine, Interference, judges
 from ._proof import proof_from
@@ -260,7 +260,7 @@ def _turned(
 ) -> tuple[_core.Scene, str | None, bool]:
     """The scene at the orientation of the path, a warning if that was planned for another scene, and whether the platform turns."""
     instance("scene", scene, Scene)
-    along = None if turns is None else np.ascontiguousarray(turns)
+    along = None if turns is None else in_order(np.asarray(turns, dtype=np.float64))
     if not isinstance(waypoints, Path):
         turned, _, turning = scene._core.for_path(None, turns=along)
         return turned or scene._core, None, turning

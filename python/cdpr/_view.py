@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import rows
+from ._arrays import in_order, rows
 from ._given import file_name, flag, instance, text
 from ._planning import core_for
 from ._questions import Interference
@@ -106,7 +106,7 @@ def view(
     file = None if waypoints is None else json.dumps(_file(waypoints))
     tree, certificate = None, None
     if isinstance(waypoints, Result):
-        tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
+        tree = (in_order(waypoints.tree.states), in_order(waypoints.tree.parents))
         certificate = None if waypoints.proof is None else waypoints.proof._certificate
     core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
     return View(core.page(file, tree, certificate, text("interference", interference), flag("live", live)))

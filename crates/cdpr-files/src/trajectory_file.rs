@@ -6,6 +6,7 @@ mod sampled;
 mod table;
 
 pub use consistent::check_trajectory;
+pub use message::check_effort;
 
 use std::path::Path;
 

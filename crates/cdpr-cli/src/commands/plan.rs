@@ -63,6 +63,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     };
     let (planned, options, timed, appraisal, certificate) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), args.timing.effort))?;
     planned.checker().iter().for_each(|checker| out.notes(&scene, checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let here = if turned.is_some() { " at this orientation" } else { "" };

@@ -51,6 +51,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     Limits::of(&scene, &limits).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
     let timed = with_sign_of_life(out, "timing", timed).map_err(|e| named(e, args))?;
+    timed.fits(args.output.as_deref(), args.timing.effort)?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", timed.json())),
         Format::Text => {
@@ -151,6 +152,11 @@ impl Timed {
             duration_of_shortest,
         });
         Ok(Timed { choice, ..timed })
+    }
+
+    /// Checks that the file can hold the tensions, if they are asked for, before anything is printed.
+    pub fn fits(&self, output: Option<&Path>, effort: bool) -> Result<(), Error> {
+        output.filter(|_| effort).map_or(Ok(()), |output| cdpr_files::check_effort(output, &self.file))
     }
 
     /// Prints the summary.
