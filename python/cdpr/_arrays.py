@@ -179,6 +179,11 @@ def shown(value: Any) -> str:
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 
+def in_order(array: NDArray[_Entry]) -> NDArray[_Entry]:
+    """The same array C-contiguous and aligned, as the core takes it; unpickled arrays need not be."""
+    return np.require(array, requirements=["C", "A"])
+
+
 def as_numbers(name: str, values: Any) -> Floats:
     """An array of any shape, C-contiguous and aligned float64."""
     if (other := _no_number(values)) is not None:

@@ -89,7 +89,10 @@ class Scene:
         orientation_name: str | None = None,
         planned_for: tuple[str, str] | None = None,
         strict: bool = False,
-    ) -> tuple[Scene | None, str | None]: ...
+        turns: _Floats | None = None,
+    ) -> tuple[Scene | None, str | None, bool]: ...
+    def at(self, place: str, orientation: str | _Turn) -> Scene: ...
+    def orientation_is_open(self) -> bool: ...
     def position_box(self) -> tuple[list[float], list[float]]: ...
     def clearance(self, positions: _Floats, threads: int | None, orientations: _Floats | None = None) -> _Floats: ...
     def nearest_valid(
@@ -125,9 +128,9 @@ class Scene:
         goal: _Point | None,
         start_orientation: str | _Turn | None,
         goal_orientation: str | _Turn | None,
-        step: float,
+        step: float | None,
         post: str | None,
-        repeats: int,
+        repeats: int | None,
         budget: float | None,
         settings: str,
         proof: bool,

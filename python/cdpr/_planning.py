@@ -7,13 +7,13 @@ import os
 import warnings
 from collections.abc import Callable
 from dataclasses import fields
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, flat_points, number, point, quaternion, rows, shown, whole
+from ._arrays import Floats, finite, flat_points, flat_quaternions, in_order, number, point, quaternion, rows, shown, whole
 from ._given import file_name, flag, instance, text
 from ._questions import Engine, Interference, judges
 from ._proof import proof_from
@@ -25,6 +25,9 @@ from .exceptions import AnotherSceneWarning, CdprError, InputError
 Planner: TypeAlias = Literal["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward"]
 Post: TypeAlias = Literal["both", "backward", "forward", "taut", "none"]
+
+# Largest difference of unit quaternions that are the same orientation, as in the core.
+SAME_TURN = 1e-9
 
 
 def _array(waypoints: list[list[float]]) -> Floats:
@@ -42,10 +45,10 @@ def plan(
     seed: int = 0,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
-    step: float = 0.1,
+    step: float | None = None,
     post: Post | None = None,
     budget: float | None = None,
-    repeats: int = 1,
+    repeats: int | None = None,
     max_samples: int | None = None,
     max_nodes: int | None = None,
     keep_going: bool = False,
@@ -74,8 +77,8 @@ def plan(
         Seed of all random numbers: the same seed gives the same path.
     start, goal : array_like (3,), optional
         Positions to use instead of the scene's, m.
-    step : float
-        Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star".
+    step : float, optional
+        Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star". Default 0.1.
     post : {"both", "backward", "forward", "taut", "none"}, optional
         Post-processing of the planner's path. "backward" and "forward" rewind it (Algorithms 4 and 5), starting in that
         direction, and "both" keeps the shorter result of the two orders; "taut" is string pulling, as by
@@ -84,8 +87,8 @@ def plan(
     budget : float, optional
         Time limit of the call, s, including the time to compile the scene; "anytime" uses all of it, and without it
         stops by itself.
-    repeats : int
-        Number of times that rewinding runs.
+    repeats : int, optional
+        Number of times that rewinding runs; default 1.
     max_samples : int, optional
         Stop after this many random samples; default 20 000, for "rrt-star" and "rrt-connect" 500 000, for "anytime" no
         limit.
@@ -127,8 +130,8 @@ def plan(
     Raises
     ------
     InputError
-        No start or goal, neither in the scene nor as an argument; bad options, or options that the planner does not
-        have.
+        No start or goal, neither in the scene nor as an argument; bad options, or options that have no effect with this planner
+        and post-processing.
     KeyboardInterrupt
         On Ctrl-C, if there is no path yet; otherwise the best one is returned.
 
@@ -160,8 +163,9 @@ def plan(
     instance("scene", scene, Scene)
     if on_improvement is not None and not callable(on_improvement):
         raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
-    asked = scene if orientation is None else scene.replace(orientation=orientation)
-    written, tree, certificate = asked._core.plan(
+    turn = _turn("orientation", orientation)
+    core = scene._core if turn is None else scene._core.at("orientation", turn)
+    written, tree, certificate = core.plan(
         text("planner", planner),
         *judges(engine, interference),
         whole("seed", seed),
@@ -169,9 +173,9 @@ def plan(
         None if goal is None else point("goal", goal),
         _turn("start_orientation", start_orientation),
         _turn("goal_orientation", goal_orientation),
-        number("step", step),
+        None if step is None else number("step", step),
         None if post is None else text("post", post),
-        whole("repeats", repeats),
+        None if repeats is None else whole("repeats", repeats),
         None if budget is None else number("budget", budget),
         json.dumps(settings),
         flag("proof", proof),
@@ -209,9 +213,37 @@ def _result(written: str, tree: SearchTree, certificate: str | None) -> Result:
     return Result(**plain | converted, tree=tree, _json=written)
 
 
+class Way(NamedTuple):
+    """A path in a scene: the scene at its orientation, its positions, and the orientation at each if the platform turns."""
+
+    core: _core.Scene
+    positions: Floats
+    turns: Floats | None
+
+
+def way_of(
+    scene: Scene,
+    name: str,
+    waypoints: ArrayLike | Path,
+    orientations: ArrayLike | None = None,
+    *,
+    strict: bool = False,
+    level: int = 3,
+    place: bool = False,
+) -> Way:
+    """A path in a scene; it warns of a path that was planned for another scene, or refuses it. `place` allows a single position."""
+    positions = _path_or_position(name, waypoints) if place else two_or_more(name, waypoints)
+    given = turns_along(waypoints, orientations)
+    turns = None if given is None else turns_of(positions, given)
+    core, warning, turning = _turned(scene, waypoints, flag("strict", strict), turns)
+    if warning is not None:
+        warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
+    return Way(core, positions, turns if turning else None)
+
+
 def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:
-    """The scene at the orientation of the path; it warns of a path that was planned for another scene, or refuses it."""
-    core, warning = _turned(scene, waypoints, flag("strict", strict))
+    """The scene at the orientation of a path or result; it warns as `way_of` does."""
+    core, warning, _ = _turned(scene, waypoints, flag("strict", strict), turns_along(waypoints, None))
     if warning is not None:
         warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
     return core
@@ -219,21 +251,25 @@ def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False,
 
 def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
     """The scene at the orientation of the path, for pictures: they may compare paths of several scenes."""
-    same = _turned(scene, waypoints, False)[0] is scene._core
-    return scene if same or not isinstance(waypoints, Path) else scene.replace(orientation=waypoints.orientation)
+    core = _turned(scene, waypoints, False, turns_along(waypoints, None))[0]
+    return scene if core is scene._core else scene.replace(orientation=core.orientation())
 
 
-def _turned(scene: Scene, waypoints: ArrayLike | Path, strict: bool) -> tuple[_core.Scene, str | None]:
-    """The scene at the orientation of the path, and a warning if that was planned for another scene."""
+def _turned(
+    scene: Scene, waypoints: ArrayLike | Path, strict: bool, turns: ArrayLike | None
+) -> tuple[_core.Scene, str | None, bool]:
+    """The scene at the orientation of the path, a warning if that was planned for another scene, and whether the platform turns."""
     instance("scene", scene, Scene)
+    along = None if turns is None else in_order(np.asarray(turns, dtype=np.float64))
     if not isinstance(waypoints, Path):
-        return scene._core.for_path(None)[0] or scene._core, None
+        turned, _, turning = scene._core.for_path(None, turns=along)
+        return turned or scene._core, None, turning
     turn, origin = waypoints.orientation, waypoints._origin()
     planned_for = (origin["scene"]["name"], origin["scene"]["fingerprint"]) if "scene" in origin else None
-    turned, warning = scene._core.for_path(
-        None if turn is None else turn.tolist(), origin.get("orientation_name"), planned_for, strict
+    turned, warning, turning = scene._core.for_path(
+        None if turn is None else turn.tolist(), origin.get("orientation_name"), planned_for, strict, along
     )
-    return turned or scene._core, warning
+    return turned or scene._core, warning, turning
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
@@ -348,8 +384,7 @@ def refine(
     >>> print(f"{refine(scene, raw).cost:.6f}")
     2.435167
     """
-    turns = turns_along(waypoints, orientations)
-    return _shortened(scene, waypoints, ("taut", 1.0, 1), engine, interference, strict, turns)
+    return _shortened(scene, waypoints, ("taut", 1.0, 1), engine, interference, strict, orientations)
 
 
 def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
@@ -367,9 +402,10 @@ def _shortened(
     turns: ArrayLike | None = None,
 ) -> Path:
     """A path shortened by a kind of post-processing with its step and repeats."""
-    core = core_for(scene, waypoints, strict=strict, level=4)
-    positions = path_rows("waypoints", waypoints) if turns is None else two_or_more("waypoints", waypoints)
-    along = None if turns is None else turns_of(positions, turns)
+    core, positions, along = way_of(scene, "waypoints", waypoints, turns, strict=strict, level=4)
+    if along is not None and how[0] != "taut":
+        found = "found a path on which the platform turns, expected one on which it keeps its orientation"
+        raise InputError(f"waypoints.orientations: {found}; rewinding is for such paths, cdpr.refine for both")
     written = core.shorten(positions, *how, *judges(engine, interference), along)
     found = json.loads(written)
     turned = found.get("orientations")
@@ -418,8 +454,8 @@ def lower_bound(
     True
     """
     file = None if certificate is None else file_name(certificate)
-    if file is not None and len(instance("scene", scene, Scene).orientations) > 1:
-        problem = "found a scene with several orientations, expected one: scene.replace(orientation=...)"
+    if file is not None and instance("scene", scene, Scene)._core.orientation_is_open():
+        problem = "found a scene with several orientations that selects none, expected one: scene.replace(orientation=...)"
         raise InputError(f"certificate: {problem}")
     bound, written = instance("scene", scene, Scene)._core.lower_bound(
         None if gap is None else number("gap", gap),
@@ -483,29 +519,35 @@ def check(
     >>> check(scene, [[0.3, 1, 0.3], [0.3, 1, 0.3]], [[1, 0, 0, 0], half_turn]).violations[0].kind
     'cable-cable'
     """
-    core = core_for(scene, waypoints, strict=strict)
-    positions, turns = _path_or_position(waypoints), turns_along(waypoints, orientations)
-    along = None if turns is None else turns_of(positions, turns)
+    core, positions, along = way_of(scene, "waypoints", waypoints, orientations, strict=strict, place=True)
     found = json.loads(core.check(positions, *judges(engine, interference), along))
     violations = tuple(violation_from(values) for values in found["violations"])
     exempt = tuple(exemption_from(values) for values in found["exempt"])
     return Report(**{**found, "violations": violations, "exempt": exempt})
 
 
-def _path_or_position(waypoints: ArrayLike | Path) -> Floats:
+def _path_or_position(name: str, waypoints: ArrayLike | Path) -> Floats:
     """The rows of a path; a single position becomes a path that stays there."""
     if isinstance(waypoints, Path):
-        return two_or_more("waypoints", waypoints)
-    flat, shape = flat_points("waypoints", waypoints)
-    return np.repeat(flat, 2, axis=0) if shape == () else two_or_more("waypoints", waypoints)
+        return two_or_more(name, waypoints)
+    flat, shape = flat_points(name, waypoints)
+    return np.repeat(flat, 2, axis=0) if shape == () else two_or_more(name, waypoints)
 
 
 def turns_along(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> ArrayLike | None:
     """The orientations given for a path, or its own."""
-    own = waypoints.orientations if isinstance(waypoints, Path) else None
-    if own is not None and orientations is not None:
+    if orientations is None or not isinstance(waypoints, Path):
+        return waypoints.orientations if isinstance(waypoints, Path) else orientations
+    if waypoints.orientations is not None:
         raise InputError("orientations: found some for a path that has its own, expected none")
-    return own if orientations is None else orientations
+    kept = waypoints.orientation
+    if kept is not None:
+        given = flat_quaternions("orientations", orientations)[0]
+        away = np.minimum(*(np.linalg.norm(given - sign * kept, axis=1) for sign in (1.0, -1.0)))
+        if (away > SAME_TURN).any():
+            found, own = given[away > SAME_TURN][0].tolist(), kept.tolist()
+            raise InputError(f"orientations: found {found} for a path that keeps {own}, expected its own or none")
+    return orientations
 
 
 def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, strict: bool = False) -> Path:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._arrays import Floats, Shape, alike, flat_points, flat_quaternions, not_negative, point, quaternion, shaped, thread_count
 from ._given import text
 from ._violation import Violation, violation_from
@@ -64,8 +66,22 @@ def states_valid(
     array([ True, False])
     """
     flat, turns, shape = _poses(points, orientations)
-    answers = self._core.states_valid(flat, *judges(engine, interference), thread_count(threads), turns)
-    return shaped(answers, shape)
+    how = (*judges(engine, interference), thread_count(threads))
+    if turns is not None and interference == "swept":
+        return shaped(_held(self, turns, lambda core, rows: core.states_valid(flat[rows], *how)), shape)
+    return shaped(self._core.states_valid(flat, *how, turns), shape)
+
+
+def _held(
+    scene: Scene, turns: Floats, answer: Callable[[_core.Scene, NDArray[np.bool_]], NDArray[np.bool_]]
+) -> NDArray[np.bool_]:
+    """Answers for rows without a turn, each at its own orientation: those at one orientation together."""
+    answers = np.zeros(len(turns), dtype=np.bool_)
+    for turn in np.unique(turns, axis=0):
+        rows = (turns == turn).all(axis=1)
+        w, x, y, z = turn.tolist()
+        answers[rows] = answer(scene._core.at("orientations", (w, x, y, z)), rows)
+    return answers
 
 
 def motions_valid(
@@ -121,8 +137,11 @@ def motions_valid(
         turned = [(name, _turns(self, name, turn)) for name, turn in given.items()]
         (first, last, before, after), shape = alike("motion", *ends_of, *turned)
         turns = (before, after)
-    answers = self._core.motions_valid(first, last, *judges(engine, interference), thread_count(threads), turns)
-    return shaped(answers, shape)
+    how = (*judges(engine, interference), thread_count(threads))
+    if turns is not None and interference == "swept" and (turns[0] == turns[1]).all():
+        answers = _held(self, turns[0], lambda core, rows: core.motions_valid(first[rows], last[rows], *how))
+        return shaped(answers, shape)
+    return shaped(self._core.motions_valid(first, last, *how, turns), shape)
 
 
 def _turns(scene: Scene, name: str, orientations: ArrayLike | None) -> tuple[Floats, Shape]:
@@ -221,7 +240,10 @@ def violations(
         given = {"start_orientation": start_orientation, "end_orientation": end_orientation}
         before, after = [quaternion(name, self.orientation if turn is None else turn) for name, turn in given.items()]
         turns = (before, after)
-    found = json.loads(self._core.violations(first, last, *judges(engine, interference), turns))
+    core = self._core
+    if turns is not None and interference == "swept" and turns[0] == turns[1]:
+        core, turns = core.at("start_orientation", turns[0]), None
+    found = json.loads(core.violations(first, last, *judges(engine, interference), turns))
     return tuple(violation_from(values) for values in found)
 
 
@@ -264,7 +286,10 @@ def nearest_valid(
     """
     at, room = point("position", position), not_negative("margin", margin)
     turn = None if orientation is None else quaternion("orientation", orientation)
-    found = self._core.nearest_valid(at, room, *judges(engine, interference), turn)
+    core = self._core
+    if turn is not None and interference == "swept":
+        core, turn = core.at("orientation", turn), None
+    found = core.nearest_valid(at, room, *judges(engine, interference), turn)
     return None if found is None else np.array(found)
 
 

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from ._arrays import Floats, number, numbers, point
 from ._given import instance
 from ._pandas import frame
-from ._planning import core_for, turns_along, two_or_more
-from ._results import Path, turns_of
+from ._planning import way_of
+from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
 
@@ -251,12 +251,10 @@ def tensions_along(
     >>> along.tensions.shape, bool(np.isfinite(along.tensions).all())
     ((21, 8), True)
     """
-    core = core_for(scene, waypoints, strict=strict)
+    core, positions, along = way_of(scene, "waypoints", waypoints, strict=strict)
     cables = scene.robot.cable_names
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
-    positions, turns = two_or_more("waypoints", waypoints), turns_along(waypoints, None)
-    along = None if turns is None else turns_of(positions, turns)
     found = json.loads(core.tensions_along(positions, number("step", step), wanted, along))
 
     def column(key: str) -> Floats:

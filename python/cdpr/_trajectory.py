@@ -16,8 +16,8 @@ from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
 from ._given import file_name, flag, instance
 from ._pandas import frame
-from ._planning import core_for, turns_along, two_or_more
-from ._results import Path, turns_of
+from ._planning import way_of
+from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import AnotherSceneWarning, InputError
@@ -471,9 +471,7 @@ def trajectory(
         "wrench_margin": wrench_margin,
     }
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}
-    core = core_for(scene, path, strict=strict)
-    positions, turns = two_or_more("path", path), turns_along(path, orientations)
-    along = None if turns is None else turns_of(positions, turns)
+    core, positions, along = way_of(scene, "path", path, orientations, strict=strict)
     found = _core.Trajectory.of(core, positions, along, json.dumps(limits), positive("rate", rate))
     return Trajectory._of(found)
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import rows
+from ._arrays import in_order, rows
 from ._given import file_name, flag, instance, text
 from ._planning import core_for, turns_along, two_or_more
 from ._questions import Interference
@@ -104,10 +104,13 @@ def view(
         if warning is not None:
             warnings.warn(warning, AnotherSceneWarning, stacklevel=3)
         return View(page)
+    if waypoints is None and (flag("strict", strict) or text("interference", interference) != "exact"):
+        option = "strict" if strict else "interference"
+        raise InputError(f"{option}: found without a path, where it has no effect; expected a path or a trajectory")
     file = None if waypoints is None else json.dumps(_file(waypoints, orientations))
     tree, certificate = None, None
     if isinstance(waypoints, Result):
-        tree = (np.ascontiguousarray(waypoints.tree.states), np.ascontiguousarray(waypoints.tree.parents))
+        tree = (in_order(waypoints.tree.states), in_order(waypoints.tree.parents))
         certificate = None if waypoints.proof is None else waypoints.proof._certificate
     core = own if waypoints is None else core_for(scene, waypoints, strict=strict, level=4)
     return View(core.page(file, tree, certificate, text("interference", interference), flag("live", live)))

@@ -1,5 +1,6 @@
 """Arrays in, arrays out: layouts, types, shapes, threads."""
 
+import copy
 import re
 import threading
 import time
@@ -173,3 +174,27 @@ def test_arrays_that_are_not_aligned_give_the_answers_of_their_copies() -> None:
         assert cdpr.check(scene, given) == cdpr.check(scene, places)
         assert scene.motions_valid(given[:-1], given[1:]).tolist() == scene.motions_valid(places[:-1], places[1:]).tolist()
     assert not shifted.flags.aligned and not records["xyz"].flags.aligned
+
+
+def moved(array: np.ndarray) -> np.ndarray:
+    """The same numbers, not aligned, as arrays are that Dask hands to a worker."""
+    apart = np.ndarray(array.shape, array.dtype, bytearray(array.nbytes + 3), 3)
+    apart[...] = array
+    assert not apart.flags.aligned
+    return apart
+
+
+def test_results_whose_arrays_are_not_aligned_give_the_answers_of_their_copies() -> None:
+    hard1, turn = (cdpr.Scene.load(f"testdata/scenes/{name}.toml") for name in ("hard1", "turn"))
+    limits = {"speed": 1, "acceleration": 2, "turn_speed": 1, "turn_acceleration": 2}
+    for scene in (hard1, turn):
+        result = cdpr.plan(scene)
+        apart = copy.copy(result)
+        for name in ("waypoints", "orientations", "orientation"):
+            if getattr(result, name) is not None:
+                object.__setattr__(apart, name, moved(getattr(result, name)))
+        object.__setattr__(apart, "tree", cdpr.SearchTree(moved(result.tree.states), moved(result.tree.parents)))
+        assert cdpr.check(scene, apart) == cdpr.check(scene, result)
+        assert cdpr.refine(scene, apart) == cdpr.refine(scene, result)
+        assert cdpr.trajectory(scene, apart, **limits) == cdpr.trajectory(scene, result, **limits)
+        assert cdpr._view.view(scene, apart).html == cdpr._view.view(scene, result).html

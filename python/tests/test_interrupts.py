@@ -6,6 +6,7 @@ import json
 import random
 import signal
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -69,3 +70,94 @@ def test_what_was_found_is_kept_at_any_moment(name, tmp_path):
             )
             assert checked.returncode == 0, (written.name, checked.stdout, checked.stderr)
     assert found >= MOMENTS // 3, found
+
+
+PLANNERS = ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
+
+# Calls in Python that are interrupted, or out of time, at random moments: prints what they gave, one line of JSON each.
+CALLS = """
+import json, os, random, signal, sys, threading, time, warnings
+import cdpr
+
+warnings.simplefilter("ignore")
+file, planner, moments = sys.argv[1], sys.argv[2], int(sys.argv[3])
+scene, chance = cdpr.Scene.load(file), random.Random(planner)
+options = {"goal_bias": 0.1} if planner in ("rrt", "rrt-star") else {}
+began = time.perf_counter()
+first = cdpr.plan(scene, planner, **options)
+assert first.solved
+enough = 0.5 + 5 * (time.perf_counter() - began)
+
+def interrupted(after):
+    timer = threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT))
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    timer.start()
+    try:
+        return cdpr.plan(scene, planner, keep_going=True, max_samples=10**9, **options)
+    except KeyboardInterrupt:
+        return None
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # a search for a straight path may end first
+        timer.join()
+
+def out_of_time(after):
+    return cdpr.plan(scene, planner, keep_going=True, max_samples=10**9, budget=after, **options)
+
+for ended in (interrupted, out_of_time):
+    for after in [*(chance.uniform(0.001, enough) for _ in range(moments)), enough]:
+        found = ended(after)
+        solved = found is not None and found.solved
+        valid = solved and cdpr.check(scene, found).valid
+        told = solved and found.cost > 0 and found.stats["planning_seconds"] > 0
+        print(json.dumps([ended.__name__, after < enough, solved, valid, told]), flush=True)
+"""
+
+
+@pytest.mark.parametrize("planner", PLANNERS)
+@pytest.mark.parametrize("scene", ["hard1", "turn", "plank"])
+def test_calls_in_python_keep_what_was_found_at_any_moment(scene, planner):
+    file = str(TESTDATA / f"scenes/{scene}.toml")
+    command = [sys.executable, "-c", CALLS, file, planner, str(MOMENTS // 4)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=280)
+    assert done.returncode == 0, done.stderr
+    answers = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(answers) == 2 * (MOMENTS // 4 + 1)
+    for name, early, solved, valid, told in answers:
+        assert (valid and told) if solved else early, (name, answers)
+
+
+# Calls that give nothing if they are interrupted, and afterwards answer as before.
+NOTHING = """
+import os, signal, sys, threading
+import numpy as np
+import cdpr
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+scenes = sys.argv[1]
+hard1, turn = (cdpr.Scene.load(f"{scenes}/{name}.toml") for name in ("hard1", "turn"))
+limits = {"speed": 1, "acceleration": 2, "turn_speed": 1, "turn_acceleration": 2}
+zigzag = [[0.3, 1.0, 0.3 + 0.01 * (k % 2)] for k in range(400)]
+calls = {
+    "lower_bound": lambda effort: cdpr.lower_bound(hard1, gap=1e-12 if effort else 0.1),
+    "trajectory": lambda effort: cdpr.trajectory(hard1, zigzag if effort else zigzag[:3], blend=0.001, **limits).duration,
+    "check": lambda effort: cdpr.check(hard1, zigzag * (500 if effort else 1), engine="gjk").valid,
+}
+for name, call in calls.items():
+    before = call(False)
+    for after in (0.001, 0.01, 0.1, 0.3):
+        timer = threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        try:
+            while True:
+                call(True)
+        except KeyboardInterrupt:
+            timer.join()
+        assert call(False) == before, name
+print("as before")
+"""
+
+
+def test_calls_in_python_that_give_nothing_answer_again_after_ctrl_c():
+    command = [sys.executable, "-c", NOTHING, str(TESTDATA / "scenes")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=280)
+    assert (done.returncode, done.stdout) == (0, "as before\n"), done.stderr

@@ -132,3 +132,67 @@ def test_scenes_are_made_with_orientations(plank: cdpr.Scene) -> None:
     assert cdpr.Scene.from_dict(made.to_dict()) == made
     with pytest.raises(cdpr.InputError, match="length 1"):
         cdpr.Scene(plank.robot, workspace=workspace, orientations={"a": [1, 1, 0, 0]})
+
+
+YAWED = [0.9961946980917455, 0.0, 0.0, 0.08715574274765817]  # by 10°
+WAY = [[0.45, 1.0, 0.5], [1.55, 1.0, 0.5]]
+
+
+@pytest.mark.parametrize("turns", [LEVEL, [LEVEL, LEVEL], [LEVEL, YAWED]])
+def test_orientations_beside_a_path_select_the_orientation_of_a_scene_that_leaves_it_open(turns: list[Any], plank: cdpr.Scene, tmp_path: Path) -> None:
+    report = cdpr.check(plank, WAY, turns)
+    assert report == cdpr.check(plank.replace(orientation="along"), WAY, turns)
+    shorter = cdpr.refine(plank, WAY, turns)
+    assert (shorter.orientations is not None) == (turns == [LEVEL, YAWED])
+    assert cdpr.check(plank, shorter) == report
+    limits = {"speed": 1, "acceleration": 2, "turn_speed": 1, "turn_acceleration": 2}
+    motion = cdpr.trajectory(plank, WAY, turns, **limits)
+    assert motion.turns == (turns == [LEVEL, YAWED]) and motion.orientation.tolist() == LEVEL
+    # The same in a file with a quaternion in each row.
+    cdpr.Path(WAY, 1.1, orientations=turns).save(tmp_path / "path.csv")
+    for loaded in (cdpr.load_path(tmp_path / "path.csv"), cdpr.load_path(tmp_path / "path.csv", plank)):
+        assert cdpr.check(plank, loaded) == report
+        assert cdpr.trajectory(plank, loaded, **limits).duration == motion.duration
+        assert "html" in cdpr._view.view(plank, loaded).html
+    motion.save(tmp_path / "motion.csv")
+    assert cdpr.load_trajectory(tmp_path / "motion.csv", plank).turns == motion.turns
+
+
+def test_other_orientations_than_those_of_a_path_are_refused(plank: cdpr.Scene) -> None:
+    path = cdpr.refine(plank, cdpr.plan(plank))
+    assert cdpr.check(plank, path, [-x for x in LEVEL]).valid
+    for ask in (cdpr.check, cdpr.refine, cdpr.trajectory):
+        with pytest.raises(cdpr.InputError, match=r"^orientations: found \[0.99.*\] for a path that keeps \[1.0, 0.0, 0.0, 0.0\]"):
+            ask(plank, path, [LEVEL, YAWED])
+
+
+def test_the_rule_swept_is_for_all_motions_without_a_turn(plank: cdpr.Scene) -> None:
+    along, across = plank.replace(orientation="along"), plank.replace(orientation="across")
+    turns = [plank.orientations["along"], plank.orientations["across"]]
+    start, end = np.array(WAY)
+    for places in ([start, start], [start, end], [end, [1.0, 1.0, 1.2]]):
+        swept = plank.states_valid(places, turns, interference="swept").tolist()
+        assert swept == [bool(at.states_valid(p, interference="swept")) for at, p in zip((along, across), places, strict=True)]
+    found = plank.motions_valid([start, start], [end, start], turns, turns, interference="swept").tolist()
+    assert found == [bool(along.motions_valid(start, end, interference="swept")), bool(across.states_valid(start))]
+    assert cdpr.check(plank, WAY, turns[0], interference="swept") == cdpr.check(along, WAY, interference="swept")
+    assert plank.violations(start, end, turns[0], turns[0], interference="swept") == along.violations(start, end, interference="swept")
+    near = [plank.nearest_valid(start, turns[0], interference="swept"), along.nearest_valid(start, interference="swept")]
+    assert near[0].tolist() == near[1].tolist()
+    for ask in (lambda: plank.motions_valid(start, end, *turns, interference="swept"), lambda: cdpr.check(plank, WAY, turns, interference="swept")):
+        with pytest.raises(cdpr.InputError, match='interference: found "swept", which is for motions without a turn'):
+            ask()
+
+
+def test_a_certificate_needs_a_selected_orientation_not_a_single_one(plank: cdpr.Scene, tmp_path: Path) -> None:
+    with pytest.raises(cdpr.InputError, match="certificate: found a scene with several orientations that selects none"):
+        cdpr.lower_bound(plank, certificate=tmp_path / "bound.json")
+    selected = plank.replace(orientation="along")
+    bound = cdpr.lower_bound(selected, certificate=tmp_path / "bound.json")
+    assert bound == pytest.approx(1.1, abs=1e-3) and cdpr.check_proof(selected, tmp_path / "bound.json")
+
+
+def test_an_unknown_orientation_is_called_by_the_name_of_its_argument(plank: cdpr.Scene) -> None:
+    for name in ("orientation", "start_orientation", "goal_orientation"):
+        with pytest.raises(cdpr.InputError, match=f'^{name}: found "askew", expected a quaternion'):
+            cdpr.plan(plank, **{name: "askew"})

@@ -103,6 +103,33 @@ def test_bad_options_are_refused(hard1, options, message):
         cdpr.plan(hard1, **options)
 
 
+@pytest.mark.parametrize(
+    ("options", "found"),
+    [
+        ({"step": 0.1}, 'step: found with planner="anytime" and post="none"'),
+        ({"repeats": 1}, 'repeats: found with planner="anytime" and post="none"'),
+        ({"planner": "two-trees", "step": 0.1}, 'step: found with planner="two-trees" and post="taut"'),
+        ({"planner": "rrt", "post": "taut", "repeats": 2}, 'repeats: found with planner="rrt" and post="taut"'),
+        ({"planner": "rrt", "post": "none", "step": 0.1, "extend_step": 0.2}, 'step: found with planner="rrt" and post="none"'),
+        ({"planner": "two-trees", "on_improvement": print}, 'on_improvement: found with planner="two-trees"'),
+    ],
+)
+def test_options_without_effect_are_refused(hard1, options, found):
+    with pytest.raises(cdpr.InputError, match=f"^{found}, where it has no effect; expected "):
+        cdpr.plan(hard1, **options)
+
+
+def test_options_that_have_an_effect_are_taken(hard1):
+    cdpr.plan(hard1, post="both", step=0.2, repeats=2)
+    cdpr.plan(hard1, "rrt", post="none", step=0.2, max_samples=100)
+    for option in ({"strict": True}, {"interference": "swept"}):
+        with pytest.raises(cdpr.InputError, match=f"^{next(iter(option))}: found without a path, where it has no effect"):
+            cdpr.show(hard1, **option)
+    for option in ({"cable_set": "original"}, {"bodies": "bodies.xml"}):
+        with pytest.raises(cdpr.InputError, match=f"^{next(iter(option))}: found with a YAML file, where it has no effect"):
+            cdpr.import_robot(TESTDATA / "gazebo/caroca.yaml", **option)
+
+
 @pytest.mark.parametrize(("planner", "options"), [("rrt", {"goal_bias": 0.1}), ("rrt-star", {"near_radius": 0.3})])
 def test_the_other_planners_take_their_options(hard1, planner, options):
     found = cdpr.plan(hard1, planner, seed=1, **options)

@@ -460,3 +460,11 @@ def test_ctrl_c_is_answered_at_once():
     times = np.linspace(0, motion.duration, 3_000_000)
     for call in (lambda: motion.at(times), lambda: cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2, rate=3e5)):
         assert min(interrupted_after(1.0, call)[0] for _ in range(3)) < AT_ONCE
+
+
+def test_a_table_is_not_blamed_for_limits_that_its_scene_lacks(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/empty.toml")
+    table = tmp_path / "motion.csv"
+    table.write_text("t,x,y,z\n0,0.3,1,0.3\n1,0.3,1,0.8\n")
+    loaded = cdpr.load_trajectory(table, scene.replace(motion={"speed": 1.0}))
+    assert loaded.cable_lengths.tolist() == cdpr.load_trajectory(table, scene).cable_lengths.tolist()

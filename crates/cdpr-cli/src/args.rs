@@ -3,10 +3,12 @@
 mod analysis;
 mod experiments;
 mod files;
+mod given_options;
 mod motion;
 mod planning;
 mod shared;
 mod values;
+mod without_effect;
 
 use std::path::{Path, PathBuf};
 
@@ -16,12 +18,13 @@ use clap::{Args, Parser, Subcommand};
 pub use analysis::{ShadowsArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
+pub use given_options::GivenOptions;
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
 pub use values::{Trials, place};
 
-use crate::output::{Talk, is_standard_output};
+use crate::output::{Talk, is_dash, is_standard_output};
 
 /// Plan, check and view paths of cable-driven parallel robots among obstacles.
 ///
@@ -229,6 +232,9 @@ impl Target<'_> {
         match self {
             Target::File(path) if is_standard_output(path) => Ok(()),
             Target::File(path) => cdpr_files::check_target(path),
+            Target::Folder(path) if is_dash(path) => {
+                Err(Error::file(path, "is standard output, expected the name of a folder"))
+            }
             Target::Folder(path) => cdpr_files::check_folder(path),
         }
     }

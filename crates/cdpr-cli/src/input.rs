@@ -5,18 +5,16 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
+use cdpr_core::geometry::Rotation;
 use cdpr_core::plan::{Query, engine_within};
-use cdpr_core::trajectory_check::Recorded;
-use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
 use cdpr_files::{
-    LoadedPath, LoadedTrajectory, Loader, PathFile, PathFormat, is_trajectory, read_trajectory, scene_of_path,
+    LoadedPath, LoadedTrajectory, Loader, PathFormat, begins_at, load_if_trajectory, loaded_if_trajectory,
+    scene_of_loaded, scene_of_path, waypoints_from_text,
 };
-use cdpr_files::{load_if_trajectory, loaded_if_trajectory, scene_of_loaded};
-use cdpr_files::{scene_of_trajectory, trajectory_from_text, waypoints_from_text};
 use cdpr_study::Experiment;
 use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
@@ -45,10 +43,9 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let parts = scene.obstacles().iter().map(|obstacle| obstacle.parts.len()).sum();
     let what = format!("{} of {}", count(scene.obstacles().len(), "obstacle"), count(parts, "part"));
     out.detail(&format!("read {} in {:.1} ms: {what}", args.scene.display(), 1e3 * clock.elapsed().as_secs_f64()));
-    match &args.orientation {
-        Some(orientation) => scene.turned(orientation.clone()).map_err(|e| e.in_file(&args.scene)),
-        None => Ok(scene),
-    }
+    let Some(orientation) = &args.orientation else { return Ok(scene) };
+    scene.named_orientation("--orientation", orientation)?;
+    scene.turned(orientation.clone())
 }
 
 /// Refuses a scene that leaves its orientation open.
@@ -79,7 +76,7 @@ pub fn turning_engine(scene: &Scene, file: &Path, checker: CheckerArgs) -> Resul
 
 /// The error with the name of the scene file, unless it is about the option --interference.
 pub fn in_scene_file(error: Error, file: &Path) -> Error {
-    if error.place() == Some("interference") { error } else { error.in_file(file) }
+    if error.place() == Some("interference") { error.at("--interference") } else { error.in_file(file) }
 }
 
 /// A path, and its scene at the path's orientation.
@@ -107,65 +104,45 @@ pub fn path(
         return Err(only_one());
     }
     match stream_of(path)? {
-        Some(stream) => stream.parse(|text| path_from_text(scene, text, strict, out)),
+        Some(stream) => stream.parse(|text| path_from_text((scene, args), text, strict, out)),
         None => {
             let loaded = cdpr_files::load_waypoints(path)?;
-            in_scene(scene, loaded, strict, out).map_err(|e| e.in_file(path))
+            in_scene((scene, args), loaded, strict, out).map_err(|e| e.in_file(path))
         }
     }
 }
 
-fn path_from_text(scene: &Scene, text: &str, strict: Strict, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+fn path_from_text(
+    asked: (&Scene, &SceneArgs),
+    text: &str,
+    strict: Strict,
+    out: &Console,
+) -> Result<(Scene, LoadedPath), Error> {
     let loaded = waypoints_from_text(text, PathFormat::of_text(text))?;
-    in_scene(scene, loaded, strict, out)
+    in_scene(asked, loaded, strict, out)
+}
+
+/// The orientations of waypoints or samples must begin with the one that is given as an option, if any.
+fn begins_as_given(scene: &Scene, args: &SceneArgs, turns: &[Rotation]) -> Result<(), Error> {
+    if args.orientation.is_some() { begins_at(scene.orientation(), turns) } else { Ok(()) }
 }
 
 fn in_scene(
-    scene: &Scene,
+    (scene, args): (&Scene, &SceneArgs),
     loaded: LoadedPath,
     Strict { strict }: Strict,
     out: &Console,
 ) -> Result<(Scene, LoadedPath), Error> {
-    let has_orientation = |file: &PathFile| file.orientation.is_some() || file.orientation_name.is_some();
-    let open = scene.orientation_is_open() && !loaded.file.as_ref().is_some_and(has_orientation);
+    if loaded.orientation().is_none() {
+        begins_as_given(scene, args, &loaded.turns())?;
+    }
+    let open = scene.orientation_is_open() && loaded.orientation().is_none() && loaded.poses.is_none();
     let hint = open.then(|| "use --orientation NAME".to_string());
     let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
     let (scene, warning) = found?;
     warning.iter().for_each(|warning| out.warning(warning));
+    let loaded = loaded.in_scene(&scene);
     Ok((scene, loaded))
-}
-
-/// A path or a trajectory, with the scene at its orientation.
-pub enum Motion {
-    /// A path without times.
-    Path(Box<(Scene, LoadedPath)>),
-    /// A trajectory.
-    Trajectory(Box<(Scene, TrajectoryFile)>),
-}
-
-/// A path or trajectory of a scene. Warns if it was made for another scene.
-pub fn motion(scene: &Scene, args: &SceneArgs, file: &Path, strict: Strict, out: &Console) -> Result<Motion, Error> {
-    if is_standard_input(&args.scene) && is_standard_input(file) {
-        return Err(only_one());
-    }
-    let of_path = |found| Motion::Path(Box::new(found));
-    if let Some(stream) = stream_of(file)? {
-        return stream.parse(|text| match is_trajectory(text) {
-            true => trajectory(scene, text, strict, out),
-            false => path_from_text(scene, text, strict, out).map(of_path),
-        });
-    }
-    match read_trajectory(file)? {
-        Some(text) => trajectory(scene, &text, strict, out).map_err(|e| e.in_file(file)),
-        None => path(scene, args, file, strict, out).map(of_path),
-    }
-}
-
-fn trajectory(scene: &Scene, text: &str, Strict { strict }: Strict, out: &Console) -> Result<Motion, Error> {
-    let file = trajectory_from_text(text)?;
-    let (scene, warning) = scene_of_trajectory(scene, &file, strict)?;
-    warning.iter().for_each(|warning| out.warning(warning));
-    Ok(Motion::Trajectory(Box::new((scene, file))))
 }
 
 /// A path or the samples of a trajectory, with the scene at its orientation; or a proof, with the scene.
@@ -173,38 +150,45 @@ pub enum Given {
     /// A path without times.
     Path(Box<(Scene, LoadedPath)>),
     /// A trajectory from any source.
-    Trajectory(Box<(Scene, Recorded)>),
+    Trajectory(Box<(Scene, LoadedTrajectory)>),
     /// The text of a proof.
     Proof(Box<(Scene, String)>),
 }
 
-/// A path or a trajectory from any source, JSON or CSV. Warns if it was made for another scene.
-pub fn path_or_trajectory(args: &PathArgs, out: &Console) -> Result<Given, Error> {
-    if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
+/// A path or a trajectory from any source, JSON or CSV, or a proof. Warns if it was made for another scene.
+pub fn path_trajectory_or_proof(args: &SceneArgs, file: &Path, strict: Strict, out: &Console) -> Result<Given, Error> {
+    if is_standard_input(&args.scene) && is_standard_input(file) {
         return Err(only_one());
     }
-    let scene = scene(&args.scene, out)?;
+    let scene = scene(args, out)?;
+    if let Some(text) = cdpr_files::text::read_certificate(file)? {
+        return Ok(Given::Proof(Box::new((scene, text))));
+    }
     let recorded = |loaded: LoadedTrajectory| {
-        let open = scene.orientation_is_open() && loaded.orientation.is_none();
+        let turns = loaded.motion.orientations.as_deref().unwrap_or_default();
+        if loaded.orientation.is_none() {
+            begins_as_given(&scene, args, turns)?;
+        }
+        let open = scene.orientation_is_open() && loaded.orientation.is_none() && turns.is_empty();
         let hint = open.then(|| "use --orientation NAME".to_string());
-        let found = scene_of_loaded(&scene, &loaded, args.strict.strict);
+        let found = scene_of_loaded(&scene, &loaded, strict.strict);
         let (scene, motion, warning) = found.map_err(|e: Error| e.with_hints(hint.as_slice()))?;
         warning.iter().for_each(|warning| out.warning(warning));
-        Ok(Given::Trajectory(Box::new((scene, motion))))
+        Ok(Given::Trajectory(Box::new((scene, LoadedTrajectory { motion, ..loaded }))))
     };
     let of_path = |found| Given::Path(Box::new(found));
-    if let Some(stream) = stream_of(&args.path)? {
+    if let Some(stream) = stream_of(file)? {
         return stream.parse(|text| match loaded_if_trajectory(text)? {
             _ if cdpr_files::text::is_certificate(text) => {
                 Ok(Given::Proof(Box::new((scene.clone(), text.to_string()))))
             }
             Some(loaded) => recorded(loaded),
-            None => path_from_text(&scene, text, args.strict, out).map(of_path),
+            None => path_from_text((&scene, args), text, strict, out).map(of_path),
         });
     }
-    match load_if_trajectory(&args.path)? {
-        Some(loaded) => recorded(loaded).map_err(|e| e.in_file(&args.path)),
-        None => path(&scene, &args.scene, &args.path, args.strict, out).map(of_path),
+    match load_if_trajectory(file)? {
+        Some(loaded) => recorded(loaded).map_err(|e| e.in_file(file)),
+        None => path(&scene, args, file, strict, out).map(of_path),
     }
 }
 

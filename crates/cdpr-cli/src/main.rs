@@ -81,6 +81,7 @@ fn say_where_panics_are() {
 }
 
 fn run(command: Command, out: &Console) -> Result<Answer, Error> {
+    command.check_effects()?;
     command.check_targets()?;
     match command {
         Command::Plan(args) => commands::plan::run(&args, out),

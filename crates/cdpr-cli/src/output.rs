@@ -10,7 +10,7 @@ use cdpr_core::error::printable;
 use cdpr_core::geometry::{Point, Rotation, wxyz};
 use cdpr_core::{Error, Scene};
 
-pub use cdpr_core::words::count;
+pub use cdpr_core::words::{count, thousandths};
 
 use crate::interruption::writing;
 
@@ -249,15 +249,11 @@ pub fn position(p: &Point) -> String {
     format!("({}, {}, {})", short(p.x), short(p.y), short(p.z))
 }
 
-/// A length as readable text, m: up to four decimals.
+/// A length as readable text, m: up to four decimals, never minus zero.
 pub fn short(number: f64) -> String {
     let text = format!("{number:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_string()
-}
-
-/// A force or moment as readable text: three decimals, never minus zero.
-pub fn thousandths(number: f64) -> String {
-    format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0)
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
 /// An angle as readable text.

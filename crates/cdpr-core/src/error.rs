@@ -80,9 +80,19 @@ impl Error {
         Self::of(Kind::Internal { problem: problem.into() })
     }
 
-    /// Adds the name of the file with the bad input; keeps a file name that is already there.
+    /// Adds the name of the file with the bad input; keeps a file name that is already there. An interruption is in no file.
     pub fn in_file(mut self, path: &Path) -> Self {
-        self.file.get_or_insert_with(|| path.to_path_buf());
+        if self.class() != ErrorClass::Interrupted {
+            self.file.get_or_insert_with(|| path.to_path_buf());
+        }
+        self
+    }
+
+    /// The same bad input at another place, such as the option that gave it.
+    pub fn at(mut self, other: &str) -> Self {
+        if let Kind::Invalid { place, .. } = &mut self.kind {
+            *place = other.to_string();
+        }
         self
     }
 

@@ -161,8 +161,8 @@ impl RegionOptions {
         match (self.space, self.all) {
             (Some(Space::Attachment), true) => Err(Error::invalid(
                 "space",
-                "found \"attachment\" with all regions, expected \"position\": each cable has its own \
-                 own, and the platform none",
+                "found \"attachment\" with all regions, expected \"position\": each cable has a space \
+                 of attachments of its own, and the platform none",
             )),
             (None, true) => Ok(Space::Position),
             (space, _) => Ok(space.unwrap_or_default()),

@@ -15,15 +15,27 @@ pub fn count(number: usize, thing: &str) -> String {
     }
 }
 
+/// A number with three decimals, never minus zero.
+///
+/// # Example
+/// ```
+/// use cdpr_core::words::thousandths;
+/// assert_eq!([thousandths(-1.25), thousandths(-0.0004)], ["-1.250", "0.000"]);
+/// ```
+pub fn thousandths(number: f64) -> String {
+    let text = format!("{number:.3}");
+    if text == "-0.000" { "0.000".to_string() } else { text }
+}
+
 /// A length with three decimals, in metres from 1 m on, else in millimetres.
 ///
 /// # Example
 /// ```
 /// use cdpr_core::words::length;
-/// assert_eq!([length(12.0), length(-0.0125), length(0.0)], ["12.000 m", "-12.500 mm", "0.000 mm"]);
+/// assert_eq!([length(12.0), length(-0.0125), length(-1e-9)], ["12.000 m", "-12.500 mm", "0.000 mm"]);
 /// ```
 pub fn length(metres: f64) -> String {
-    if metres.abs() >= 1.0 { format!("{metres:.3} m") } else { format!("{:.3} mm", metres * 1e3) }
+    if metres.abs() >= 1.0 { format!("{} m", thousandths(metres)) } else { format!("{} mm", thousandths(metres * 1e3)) }
 }
 
 /// As [`length`], but in micrometres below 1 µm, so that a length other than zero does not read as zero.
@@ -34,5 +46,5 @@ pub fn length(metres: f64) -> String {
 /// assert_eq!([small_length(4e-9), small_length(0.0125)], ["0.004 µm", "12.500 mm"]);
 /// ```
 pub fn small_length(metres: f64) -> String {
-    if metres.abs() < 1e-6 { format!("{:.3} µm", metres * 1e6) } else { length(metres) }
+    if metres.abs() < 1e-6 { format!("{} µm", thousandths(metres * 1e6)) } else { length(metres) }
 }

@@ -49,7 +49,10 @@ impl Loader<'_> {
     pub fn import(&self, path: impl AsRef<Path>, options: &ImportOptions) -> Result<Imported, Error> {
         let path = path.as_ref();
         let Source { robot, origin, notes } = match extension(path).as_deref() {
-            Some("yaml" | "yml") => gazebo::import(path)?,
+            Some("yaml" | "yml") => {
+                options.refuse_those_of_caspr()?;
+                gazebo::import(path)?
+            }
             Some("xml") => caspr::import(path, options)?,
             _ if path.is_dir() => caspr::import(path, options)?,
             _ => return Err(other_extension(path, ".xml (CASPR), a folder of it, or .yaml")),

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use cdpr_core::error::Error;
 use cdpr_core::model::inertia::checked;
 use cdpr_core::model::{BodySpec, InertiaSpec, RobotSpec, Unit};
 
@@ -14,6 +15,15 @@ pub struct ImportOptions {
     pub cable_set: Option<String>,
     /// A mesh of the platform in its frame, and its unit, instead of what the source says.
     pub platform: Option<(PathBuf, Unit)>,
+}
+
+impl ImportOptions {
+    /// Refuses the options of CASPR for a robot of another program.
+    pub(super) fn refuse_those_of_caspr(&self) -> Result<(), Error> {
+        let given = [("bodies", self.bodies.is_some()), ("cable_set", self.cable_set.is_some())];
+        let problem = "found with a YAML file, where it has no effect; expected a model of CASPR";
+        given.into_iter().find(|(_, given)| *given).map_or(Ok(()), |(key, _)| Err(Error::invalid(key, problem)))
+    }
 }
 
 /// A robot as a reader found it, where it is from, and what was not carried over.

@@ -26,8 +26,8 @@ pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
-    LoadedPath, PathFile, PathFormat, SceneId, check_path_name, load_waypoints, save_path, scene_for, scene_of_path,
-    waypoints_from_text,
+    LoadedPath, PathFile, PathFormat, SceneId, begins_at, check_path_name, load_waypoints, said_by_turns, save_path,
+    scene_for, scene_of_path, waypoints_from_text,
 };
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
 pub use sources::sources;
@@ -35,8 +35,8 @@ pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use trajectory_file::{
-    LoadedTrajectory, check_trajectory, check_trajectory_name, is_trajectory, load_if_trajectory, load_trajectory,
-    loaded_if_trajectory, read_trajectory, save_trajectory, scene_of_loaded, scene_of_trajectory, trajectory_from_text,
+    LoadedTrajectory, check_effort, check_trajectory, check_trajectory_name, is_trajectory, load_if_trajectory,
+    load_trajectory, loaded_if_trajectory, save_trajectory, scene_of_loaded, scene_of_trajectory, trajectory_from_text,
     trajectory_json,
 };
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};

@@ -9,12 +9,14 @@ use serde_json::json;
 use super::output::write_atomically;
 use super::text::{self, extension, other_extension};
 use cdpr_core::error::{Error, printable};
-use cdpr_core::geometry::{Point, Pose, wxyz};
+use cdpr_core::geometry::{Point, Pose, Rotation, wxyz};
 use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
 use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::numerics::SAME_TURN;
 pub use cdpr_core::path_file::{PathFile, SceneId};
+use cdpr_core::plan::Query;
 
 /// Writes a path, or its JSON, in the format given by the extension: JSON, or the waypoints as CSV.
 ///
@@ -95,6 +97,26 @@ pub struct LoadedPath {
     pub file: Option<PathFile>,
 }
 
+impl LoadedPath {
+    /// The orientation that the file states for the whole path, if it does.
+    pub fn orientation(&self) -> Option<OrientationSource> {
+        let file = self.file.as_ref()?;
+        let named = || file.orientation_name.clone().flatten().map(Named);
+        file.orientation.map(OrientationSource::from).or_else(named)
+    }
+
+    /// The orientations at the waypoints, if the file has them.
+    pub fn turns(&self) -> Vec<Rotation> {
+        self.poses.iter().flatten().map(|pose| pose.orientation).collect()
+    }
+
+    /// The same path without poses if they all have the orientation of the scene: the platform then keeps it.
+    pub fn in_scene(self, scene: &Scene) -> Self {
+        let poses = self.poses.filter(|poses| !scene.keeps_orientation(poses));
+        LoadedPath { poses, ..self }
+    }
+}
+
 /// Loads a path of at least two waypoints from JSON or CSV.
 ///
 /// # Errors
@@ -117,15 +139,39 @@ pub fn waypoints_from_text(text: &str, format: PathFormat) -> Result<LoadedPath,
 }
 
 /// The scene at the orientation of a path, and a warning if the path was planned for another scene. The orientation is
-/// the one that the scene selects, or else the one in the path file.
+/// the one that the scene selects, or else the one in the path file, or else that of its waypoints ([`said_by_turns`]).
 ///
 /// # Errors
 /// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(Scene, Option<String>), Error> {
     let file = path.file.clone().unwrap_or_default();
     let named = file.orientation_name.flatten();
-    let said = file.orientation.map(OrientationSource::from).or(named.clone().map(Named));
+    let said = path.orientation().or_else(|| said_by_turns(scene, &path.turns()));
     scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
+}
+
+/// The orientation for [`scene_for`] that follows from those at the waypoints of a path, if the path states no other: the one that
+/// it keeps, unless the scene selects one and lets the platform turn; if it turns, the one at its start where the scene
+/// selects none.
+pub fn said_by_turns(scene: &Scene, turns: &[Rotation]) -> Option<OrientationSource> {
+    let first = turns.first()?;
+    let keeps = turns.iter().all(|turn| turn.angle_to(first) <= SAME_TURN);
+    let counts =
+        if keeps { !(scene.orientation_is_fixed() && Query::of(scene).turns()) } else { scene.orientation_is_open() };
+    counts.then(|| wxyz(first).into())
+}
+
+/// Refuses the orientations of waypoints or samples that begin with another one than was given beside them.
+///
+/// # Errors
+/// Another orientation at the first of them.
+pub fn begins_at(given: &Rotation, turns: &[Rotation]) -> Result<(), Error> {
+    let Some(first) = turns.first().filter(|first| first.angle_to(given) > SAME_TURN) else { return Ok(()) };
+    let [first, given] = [first, given].map(wxyz);
+    let problem = format!(
+        "found {first:?} at the start, but {given:?} is given; expected the same orientation, or none to be given"
+    );
+    Err(Error::invalid("orientations", problem))
 }
 
 /// As [`scene_of_path`], given the orientation of the path, its name, and the scene that it was planned for, as far as
@@ -161,6 +207,9 @@ pub fn scene_for(
 }
 
 fn from_json(text: &str) -> Result<LoadedPath, Error> {
+    if text::is_certificate(text) {
+        return Err(Error::invalid("", "found a proof, expected a path"));
+    }
     let file: PathFile = text::parse(text, text::Notation::Json)?;
     if let Some(version) = file.version.filter(|v| *v != FORMAT_VERSION) {
         return Err(Error::invalid("version", format!("found {version}, expected {FORMAT_VERSION}")));

@@ -2,16 +2,18 @@
 
 mod consistent;
 mod message;
+mod sampled;
 mod table;
 
 pub use consistent::check_trajectory;
+pub use message::check_effort;
 
 use std::path::Path;
 
 use serde::Deserialize;
 
 use super::output::write_atomically;
-use super::path_file::scene_for;
+use super::path_file::{said_by_turns, scene_for};
 use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
@@ -19,19 +21,6 @@ use cdpr_core::model::OrientationSource;
 use cdpr_core::numerics::MOST_TRAJECTORY_BYTES;
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
-
-/// The text of a trajectory file; `None` for other JSON files.
-///
-/// # Errors
-/// A file that cannot be read or is larger than [`MOST_TRAJECTORY_BYTES`].
-pub fn read_trajectory(path: impl AsRef<Path>) -> Result<Option<String>, Error> {
-    let path = path.as_ref();
-    if text::extension(path).as_deref() != Some("json") {
-        return Ok(None);
-    }
-    let text = text::read_at_most(path, MOST_TRAJECTORY_BYTES)?;
-    Ok(is_trajectory(&text).then_some(text))
-}
 
 /// Whether a text is JSON that says it is a trajectory.
 pub fn is_trajectory(text: &str) -> bool {
@@ -215,8 +204,9 @@ pub fn scene_of_loaded(
         let (scene, warning) = scene_of_trajectory(scene, file, strict)?;
         return Ok((scene, loaded.motion.clone(), warning));
     }
-    let orientation = loaded.orientation.map(OrientationSource::from);
-    let (scene, warning) = scene_for(scene, orientation, None, None, strict)?;
+    let turns = loaded.motion.orientations.as_deref().unwrap_or_default();
+    let said = loaded.orientation.map(OrientationSource::from).or_else(|| said_by_turns(scene, turns));
+    let (scene, warning) = scene_for(scene, said, None, None, strict)?;
     let motion = in_order(&loaded.motion, &loaded.cables, &scene.robot().cable_names())?;
     Ok((scene, motion, warning))
 }

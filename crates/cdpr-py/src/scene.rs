@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path, nearest_valid};
-use cdpr_core::geometry::{Point, path_length};
+use cdpr_core::geometry::{Point, Rotation, path_length, rotation_as_written};
 use cdpr_core::model::MarginSpec;
-use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Query, check, check_turning, plan};
-use cdpr_core::planning::{PlannerOptions, PlannerSettings};
+use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, check, check_turning, plan};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, tensions_along_poses, turn_weight};
@@ -84,21 +84,39 @@ impl Scene {
         self.0.orientations().iter().map(|(name, turn)| (name.clone(), quaternion(turn))).collect()
     }
 
-    /// The scene for a path with this orientation, if any (`None` if it is the scene itself), and a warning if the path
-    /// was planned for another scene, given by name and fingerprint; with `strict`, an error instead.
-    #[pyo3(signature = (orientation, orientation_name=None, planned_for=None, strict=false))]
+    /// The scene for a path with this orientation, if any, or with these at its waypoints, (k, 4) (`None` if it is the scene
+    /// itself); a warning if the path was planned for another scene, given by name and fingerprint, or with `strict` an error
+    /// instead; and whether the platform turns along the path.
+    #[pyo3(signature = (orientation, orientation_name=None, planned_for=None, strict=false, turns=None))]
     fn for_path(
         &self,
         orientation: Option<[f64; 4]>,
         orientation_name: Option<&str>,
         planned_for: Option<(String, String)>,
         strict: bool,
-    ) -> PyResult<(Option<Scene>, Option<String>)> {
+        turns: Option<PyReadonlyArray2<'_, f64>>,
+    ) -> PyResult<(Option<Scene>, Option<String>, bool)> {
         let id = planned_for.map(|(name, fingerprint)| cdpr_files::SceneId { name, fingerprint });
+        let turns = turns.as_ref().map(|turns| turns.as_slice()).transpose()?.unwrap_or_default();
+        let turns: Vec<Rotation> = turns.as_chunks().0.iter().map(|turn| rotation_as_written(*turn)).collect();
         let (scene, warning) = answered(|| {
-            cdpr_files::scene_for(&self.0, orientation.map(Into::into), orientation_name, id.as_ref(), strict)
+            let said = orientation.map(Into::into).or_else(|| cdpr_files::said_by_turns(&self.0, &turns));
+            cdpr_files::scene_for(&self.0, said, orientation_name, id.as_ref(), strict)
         })?;
-        Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning))
+        let turning = turns.iter().any(|turn| !scene.has_orientation(turn));
+        Ok(((scene.orientation() != self.0.orientation()).then(|| Scene::of(scene)), warning, turning))
+    }
+
+    /// The scene at another orientation; errors call it `place`.
+    fn at(&self, place: &str, orientation: Orientation) -> PyResult<Scene> {
+        let source = orientation.source();
+        let turned = || self.0.named_orientation(place, &source).and_then(|_| self.0.turned(source));
+        Ok(Scene::of(answered(turned)?))
+    }
+
+    /// Whether the scene lists several orientations and selects none.
+    fn orientation_is_open(&self) -> bool {
+        self.0.orientation_is_open()
     }
 
     /// What the user should know about the scene.
@@ -361,16 +379,19 @@ impl Scene {
         goal: Option<[f64; 3]>,
         start_orientation: Option<Orientation>,
         goal_orientation: Option<Orientation>,
-        step: f64,
+        step: Option<f64>,
         post: Option<&str>,
-        repeats: usize,
+        repeats: Option<usize>,
         budget: Option<f64>,
         settings: &str,
         proof: bool,
         on_improvement: Option<Py<PyAny>>,
     ) -> PyResult<Planned<'py>> {
         let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
-        let planner = named(planner)?;
+        let planner: Planner = named(planner)?;
+        let given = (step.is_some(), repeats.is_some(), on_improvement.is_some());
+        let PlanOptions { step: usual_step, repeats: usual_repeats, .. } = PlanOptions::default();
+        let (step, repeats) = (step.unwrap_or(usual_step), repeats.unwrap_or(usual_repeats));
         let options = PlanOptions {
             planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
             engine: named(engine)?,
@@ -382,6 +403,8 @@ impl Scene {
             proof,
             budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
+        answered(|| Post::Both.processing(step, repeats).map(drop))?; // a wrong number is told first
+        answered(|| without_effect(&options, given, settings.extend_step.is_some()))?;
         let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(&self.0, key)).transpose();
         let ends = answered(|| {
             Ok([turn("start_orientation", start_orientation)?, turn("goal_orientation", goal_orientation)?])
@@ -530,7 +553,8 @@ impl Scene {
         let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
         let planning = Planning::of_json(path);
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
-        if let Some(poses) = answered(|| file.poses())? {
+        let poses = answered(|| file.poses())?.filter(|poses| !self.0.keeps_orientation(poses));
+        if let Some(poses) = poses {
             let engine = self.turning_engine(py, Engine::default().name(), interference)?;
             let file = PathFile { cost: Some(pose_path_length(&self.0, &poses)), tree, ..file };
             return interruptible(py, |stop| {
@@ -555,6 +579,31 @@ impl Scene {
             page_within(&self.0, contents, form, &watch)
         })
     }
+}
+
+/// Refuses a step, repeats and a function for improvements, where given, that would have no effect.
+fn without_effect(
+    options: &PlanOptions,
+    (step, repeats, improvements): (bool, bool, bool),
+    extend_step: bool,
+) -> Result<(), Error> {
+    let (planner, post) = (options.planner.planner(), options.post());
+    let refused = |place: &str, with: String, expected: &str| {
+        Err(Error::invalid(place, format!("found with {with}, where it has no effect; expected {expected}")))
+    };
+    let both = || format!("planner=\"{}\" and post=\"{}\"", planner.name(), post.name());
+    if repeats && !post.rewinds() {
+        return refused("repeats", both(), "post=\"both\", \"backward\" or \"forward\"");
+    }
+    if step && !options.uses_step(extend_step) {
+        let expected =
+            "post=\"both\", \"backward\" or \"forward\", or planner=\"rrt\" or \"rrt-star\" without extend_step";
+        return refused("step", both(), expected);
+    }
+    if improvements && planner != Planner::Anytime {
+        return refused("on_improvement", format!("planner=\"{}\"", planner.name()), "planner=\"anytime\"");
+    }
+    Ok(())
 }
 
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);

@@ -3,13 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use cdpr_core::collision::Engine;
-use cdpr_core::geometry::{Point, Pose, Vector, path_length, rotation_as_written, wxyz};
+use cdpr_core::geometry::{Point, Pose, Vector, rotation_as_written, wxyz};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::path_file::SceneId;
 use cdpr_core::plan::engine_within;
-use cdpr_core::trajectory::{self, Curve, Limits, Motion, Timing, Winches, Winding};
-use cdpr_core::trajectory_check::Recorded;
-use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
+use cdpr_core::trajectory::{self, Curve, Motion, Timing, Winches};
+use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
@@ -20,7 +18,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArra
 use pyo3::prelude::*;
 use serde_json::json;
 
-use crate::convert::{named, points, quaternion, serialized, triples};
+use crate::convert::{named, points, serialized, triples};
 use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
 use crate::turning::PoseRows;
@@ -257,74 +255,10 @@ fn load(
     strict: bool,
 ) -> Result<(TrajectoryFile, Option<CoreScene>, Option<String>), Error> {
     let loaded = cdpr_files::load_trajectory(path)?;
-    let Some(scene) = scene else {
-        let LoadedTrajectory { motion, cables, orientation, file } = loaded;
-        return Ok((file.map_or_else(|| of_table(&motion, cables, orientation, None), Ok)?, None, None));
-    };
+    let Some(scene) = scene else { return Ok((loaded.whole(None)?, None, None)) };
     let (turned, motion, warning) = cdpr_files::scene_of_loaded(scene, &loaded, strict)?;
-    let cables = turned.robot().cable_names().iter().map(ToString::to_string).collect();
-    let table = || of_table(&motion, cables, Some(quaternion(turned.orientation())), Some(&turned));
-    Ok((loaded.file.map_or_else(table, Ok)?, Some(turned), warning))
-}
-
-/// The samples of a table as a file without limits. Its path is that of the samples; its time begins with the first sample.
-/// Lengths and speeds of cables that the table does not have are those of the robot of the scene.
-fn of_table(
-    motion: &Recorded,
-    cables: Vec<String>,
-    orientation: Option<[f64; 4]>,
-    scene: Option<&CoreScene>,
-) -> Result<TrajectoryFile, Error> {
-    let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
-    let poses = motion.poses();
-    // The orientation of a scene counts only where the platform does not turn; without a scene, no cables are computed.
-    let orientation = orientation.or_else(|| poses.as_ref().map(|poses| wxyz(&poses[0].orientation)));
-    let orientation = orientation.ok_or_else(|| missing("qw"))?;
-    let motions = motion.motions(&rotation_as_written(orientation));
-    let winches =
-        scene.map(|scene| Winches::of(scene, &Limits::of(scene, &MotionSpec::default())?, &motion.positions[0]));
-    let winches = winches.transpose()?;
-    let windings = |of: fn(&Winding) -> f64| {
-        let row = |winches: &Winches, now: &Motion| winches.windings(now).map(|w| of(&w)).collect();
-        winches.as_ref().map(|winches| motions.iter().map(|now| row(winches, now)).collect())
-    };
-    let columns =
-        |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
-    let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
-    let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
-    let rows = |rate: fn(&Motion) -> Vector| -> Vec<[f64; 3]> { motions.iter().map(|now| rate(now).into()).collect() };
-    Ok(TrajectoryFile {
-        format: TRAJECTORY_FORMAT.to_string(),
-        version: TRAJECTORY_VERSION,
-        scene: scene.map_or_else(|| SceneId { name: String::new(), fingerprint: String::new() }, SceneId::of),
-        orientation,
-        orientation_name: None,
-        duration: last - first,
-        length: path_length(&motion.positions),
-        rate: (motion.times.len() - 1) as f64 / (last - first),
-        limits: Limits::default(),
-        tension_limits: None,
-        waypoints: positions.clone(),
-        waypoint_orientations: None,
-        corners: Vec::new(),
-        limiting: Vec::new(),
-        largest: None,
-        nearest: None,
-        times: motion.times.iter().map(|time| time - first).collect(),
-        velocities: rows(|now| now.velocity),
-        accelerations: rows(|now| now.acceleration),
-        orientations: poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
-        angular_velocities: poses.as_ref().map(|_| rows(|now| now.angular_velocity)),
-        angular_accelerations: poses.as_ref().map(|_| rows(|now| now.angular_acceleration)),
-        cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
-        cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
-        tensions: motion.tensions.clone(),
-        cable_accelerations: windings(|winding| winding.acceleration),
-        curve: None,
-        timing: None,
-        cables,
-        positions,
-    })
+    let file = LoadedTrajectory { motion, ..loaded }.whole(Some(&turned))?;
+    Ok((file, Some(turned), warning))
 }
 
 type Rows<'py> = Bound<'py, PyArray2<f64>>;

@@ -19,11 +19,14 @@ pub enum Orientation {
 
 impl Orientation {
     pub fn of(self, scene: &Scene, place: &str) -> Result<Rotation, Error> {
-        let source = match self {
+        scene.named_orientation(place, &self.source())
+    }
+
+    pub fn source(self) -> OrientationSource {
+        match self {
             Orientation::Name(name) => OrientationSource::Named(name),
             Orientation::Quaternion(quaternion) => OrientationSource::Quaternion(quaternion),
-        };
-        scene.named_orientation(place, &source)
+        }
     }
 }
 

@@ -5,11 +5,14 @@ use std::path::PathBuf;
 use cdpr_core::regions::{RegionOptions, Space};
 use clap::{Args, ValueHint};
 
+use super::given_options::GivenOptions;
 use super::shared::{SceneArgs, Strict};
 use super::values::{choice, positive};
 
 #[derive(Debug, Args)]
 pub struct ShadowsArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// File to write (.obj, .ply, .stl or .html).
@@ -34,6 +37,8 @@ pub struct ShadowsArgs {
 #[command(group = clap::ArgGroup::new("where").required(true).args(["at", "grid", "along"]))]
 pub struct WrenchArgs {
     #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
     pub scene: SceneArgs,
     /// A position of the platform's origin, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
@@ -42,7 +47,7 @@ pub struct WrenchArgs {
     #[arg(long, value_name = "STEP", value_parser = positive, requires = "output", allow_negative_numbers = true)]
     pub grid: Option<f64>,
     /// With --grid, also compute force and moment margins (slower).
-    #[arg(long, requires = "grid")]
+    #[arg(long)]
     pub projected: bool,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z.
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]

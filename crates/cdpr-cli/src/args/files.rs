@@ -6,11 +6,14 @@ use cdpr_core::{Choice, model::Unit};
 use cdpr_study::schema::Format as FileFormat;
 use clap::{Args, ValueHint};
 
+use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, Format, SceneArgs, Strict};
 use super::values::choice;
 
 #[derive(Debug, Args)]
 pub struct NewArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     /// File to write [default: standard output].
     #[arg(value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
@@ -39,6 +42,8 @@ pub struct NewArgs {
 
 #[derive(Debug, Args)]
 pub struct ImportArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     /// Source: a CASPR XML file, a folder of them, or a YAML file of the Gazebo simulation.
     #[arg(value_hint = ValueHint::AnyPath)]
     pub source: PathBuf,
@@ -74,6 +79,8 @@ pub struct SchemaArgs {
 
 #[derive(Debug, Args)]
 pub struct ViewArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Path or trajectory to show, or a proof that there is no path.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use cdpr_core::model::spec::MotionSpec;
 use clap::{Args, ValueHint};
 
+use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict};
 use super::values::{not_negative, positive};
 
@@ -76,6 +77,8 @@ pub struct TimingArgs {
 #[derive(Debug, Args)]
 pub struct CheckArgs {
     #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
     pub scene: SceneArgs,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns). Also a
     /// trajectory, JSON as written by `trajectory` or CSV with at least the columns t,x,y,z, or a proof as written by `plan
@@ -84,16 +87,16 @@ pub struct CheckArgs {
     pub path: Option<PathBuf>,
     /// Check a position of the platform's origin instead of a path, m: everything that is wrong with it, worst first, and a
     /// valid position near it.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with_all = ["path", "strict"])]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "path")]
     pub at: Option<Vec<f64>>,
     /// With --at: how far the suggested position is inside the valid ones, m [default: 0.001].
-    #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true, requires = "at")]
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true)]
     pub margin: Option<f64>,
     /// Start that a proof is about, instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "at")]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub start: Option<Vec<f64>>,
     /// Goal that a proof is about, instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "at")]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub goal: Option<Vec<f64>>,
     #[command(flatten)]
     pub strict: Strict,
@@ -112,6 +115,8 @@ impl CheckArgs {
 
 #[derive(Debug, Args)]
 pub struct TrajectoryArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns).

@@ -4,19 +4,21 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cdpr_core::model::OrientationSource;
-use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::trajectory::Minimise;
 use cdpr_core::{Choice, Error, Scene};
 use clap::{Args, ValueHint};
 
+use super::given_options::GivenOptions;
 use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
 use super::values::{budget, choice, orientation, place, positive, something};
 
 #[derive(Debug, Args)]
 pub struct PlanArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Search method.
@@ -70,7 +72,7 @@ pub struct PlanArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub trajectory: Option<PathBuf>,
     /// With --trajectory, what to minimise; for `time`, each path has the time of --budget-ms.
-    #[arg(long, value_parser = choice::<Minimise>(), requires = "trajectory", default_value = Minimise::default().name())]
+    #[arg(long, value_parser = choice::<Minimise>(), default_value = Minimise::default().name())]
     pub minimise: Minimise,
     #[command(flatten)]
     pub timing: TimingArgs,
@@ -136,6 +138,8 @@ pub struct RewindArgs {
 #[derive(Debug, Args)]
 pub struct PostArgs {
     #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
@@ -150,7 +154,8 @@ pub struct PostArgs {
 impl PlanArgs {
     pub fn options(&self) -> Result<PlanOptions, Error> {
         Ok(PlanOptions {
-            planner: PlannerOptions::new(self.planner, self.rewinding.step, &self.settings.settings())?,
+            planner: PlannerOptions::new(self.planner, self.rewinding.step, &self.settings.settings())
+                .map_err(|e| self.given.named(e).0)?,
             engine: self.checker.engine,
             interference: self.checker.interference,
             seed: self.seed,
@@ -175,22 +180,6 @@ impl PlanArgs {
         ];
         let [start, goal] = [place("--start", self.start.as_deref())?, place("--goal", self.goal.as_deref())?];
         Ok(Query { start, goal, ..Query::of(scene) }.oriented(orientations))
-    }
-}
-
-impl PlanArgs {
-    /// Refuses limits of motions and `--rate` without `--trajectory`.
-    ///
-    /// # Errors
-    /// Limits without a trajectory.
-    pub fn limits_need_a_trajectory(&self) -> Result<(), Error> {
-        if self.trajectory.is_some() || self.timing.limits.spec() == MotionSpec::default() {
-            return Ok(());
-        }
-        Err(Error::invalid(
-            "--trajectory",
-            "found none, but limits of a motion; expected a file to write the motion to",
-        ))
     }
 }
 

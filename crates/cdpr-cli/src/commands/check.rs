@@ -24,20 +24,11 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
     let limits = args.limits.spec();
     let Some(path) = &args.path else {
-        if limits != MotionSpec::default() {
-            return Err(Error::invalid("--at", "found a position, expected a trajectory: limits are given"));
-        }
         let at = place("--at", args.at.as_deref())?.expect("a path or --at is required");
         return check_place(args, &at, out);
     };
-    if args.margin.is_some() {
-        return Err(Error::invalid("--margin", "found with a file, expected it with --at"));
-    }
     let files = args.of_file(path);
-    let given = match cdpr_files::text::read_certificate(path)? {
-        Some(text) => Given::Proof(Box::new((input::scene(&args.scene, out)?, text))),
-        None => input::path_or_trajectory(&files, out)?,
-    };
+    let given = input::path_trajectory_or_proof(&args.scene, path, args.strict, out)?;
     let wrong = |found: &str, expected: &str| {
         Err(Error::invalid("", format!("found {found}, expected {expected}")).in_file(path))
     };
@@ -50,9 +41,12 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         Given::Path(_) if ends_given => wrong("a path", "a proof, since --start and --goal are given"),
         Given::Trajectory(_) if ends_given => wrong("a trajectory", "a proof, since --start and --goal are given"),
         Given::Path(found) => check_waypoints(&files, &found.0, &found.1, out),
-        Given::Trajectory(found) => trajectory_check::run(&files, limits, &found.0, &found.1, out),
+        Given::Trajectory(found) => {
+            trajectory_check::run((&files, &args.given), limits, &found.0, &found.1.motion, out)
+        }
         Given::Proof(found) => {
             let (scene, text) = *found;
+            args.given.refuse(&["--strict", "--engine", "--interference"], "with a proof", "a path or a trajectory")?;
             let scene = if ends_given { with_ends(args, &scene)? } else { scene };
             check_proof(&files, &scene, &text, out)
         }
@@ -283,7 +277,8 @@ pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
     match tension_range {
         None => lines.push("the loads cannot be balanced everywhere on the path".to_string()),
         Some(range) => {
-            let told = |t: &TensionPlace| format!("{:.3} N ({} {})", t.value, t.cable, place(t.at, t.segment));
+            let told =
+                |t: &TensionPlace| format!("{} N ({} {})", thousandths(t.value), t.cable, place(t.at, t.segment));
             lines.push(format!("tensions from {} to {}", told(&range.min), told(&range.max)));
         }
     }

@@ -18,7 +18,7 @@ pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
         cable_set: args.cable_set.clone(),
         platform: args.platform.clone().map(|mesh| (mesh, args.units)),
     };
-    let found = loader().import(&args.source, &options)?;
+    let found = loader().import(&args.source, &options).map_err(|e| args.given.named(e).0)?;
     if is_stream(&args.output) {
         out.write(&args.output, robot_toml(&found).as_bytes(), "")?;
     } else {

@@ -9,7 +9,7 @@ use cdpr_files::{NewScene, Starter, starter_scene, starter_text};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
-use crate::output::{Console, STANDARD, is_stream, position};
+use crate::output::{Console, STANDARD, is_stream, lossy, position};
 use crate::progress::with_sign_of_life;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
@@ -30,6 +30,9 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
     }
     let (scene, has_query) = text(args, notation, path, out)?;
     out.write(path, scene.as_bytes(), "")?;
+    if args.format == Format::Json {
+        out.result(&format!("{:#}", serde_json::json!({ "output": lossy(path), "query": has_query })));
+    }
     out.say(&match has_query {
         true => format!("next: cdpr plan {} -o path.json --html view.html", path.display()),
         false => format!("next: cdpr info {}", path.display()),

@@ -32,7 +32,6 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     check_path_name(args.output.as_deref())?;
     args.html.as_deref().map(super::view::check_page_name).transpose()?;
     check_trajectory_name(args.trajectory.as_deref(), args.timing.effort)?;
-    args.limits_need_a_trajectory()?;
     let files = [&args.output, &args.html, &args.proof, &args.trajectory].map(|file| file.as_deref());
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
         let problem = "found - for more than one of -o, --html, --proof and --trajectory; only one of them can be \
@@ -42,7 +41,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
     let scene = input::scene(&args.scene, out)?;
     let options = args.options()?;
-    let in_scene = |e: Error| input::in_scene_file(e, &args.scene.scene);
+    let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
     let query = args.query(&scene)?;
     query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
@@ -64,6 +63,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     };
     let (planned, options, timed, appraisal, certificate) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+    timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), args.timing.effort))?;
     planned.checker().iter().for_each(|checker| out.notes(&scene, checker.conditions()));
     let Planned { turned, result: found, .. } = planned;
     let here = if turned.is_some() { " at this orientation" } else { "" };

@@ -41,6 +41,8 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let given = &args.path;
     let (scene, path) = input::scene_and_path(given, out)?;
     if let Some(poses) = &path.poses {
+        let found = "with a path on which the platform turns, which has its own way";
+        args.given.refuse(&["--post", "--step", "--repeats"], found, "a path on which it keeps its orientation")?;
         return shorten_turning(args, &scene, poses, out);
     }
     let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))

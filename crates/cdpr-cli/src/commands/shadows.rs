@@ -18,7 +18,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
     let format = RegionFormat::of(&args.output)?;
     let scene = input::scene(&args.scene, out)?;
     let watch = Watch::on(&interrupted);
-    let found = regions_within(&scene, &args.options(), &watch).map_err(|e| e.in_file(&args.scene.scene))?;
+    let found = regions_within(&scene, &args.options(), &watch).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
     if args.all {
         out.remarks(&scene, &Conditions::new(&scene)?);
     }

@@ -16,7 +16,7 @@ use crate::Answer;
 use crate::args::{Format, TrajectoryArgs};
 use crate::input;
 use crate::interruption::writing;
-use crate::output::{Console, Verdict, count, is_stream, scene_line, short};
+use crate::output::{Console, Verdict, count, is_stream, scene_line, short, thousandths};
 use crate::progress::with_sign_of_life;
 
 /// Checks that a trajectory can be written under this name, before any work is done.
@@ -48,9 +48,10 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
     let limits = args.timing.limits.spec();
-    Limits::of(&scene, &limits).map_err(|e| e.in_file(&args.scene.scene))?;
+    Limits::of(&scene, &limits).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
     let timed = with_sign_of_life(out, "timing", timed).map_err(|e| named(e, args))?;
+    timed.fits(args.output.as_deref(), args.timing.effort)?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", timed.json())),
         Format::Text => {
@@ -67,9 +68,9 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
 /// The error with the file that it is about: the path, or the scene with its limits; the rate is in neither.
 fn named(error: Error, args: &TrajectoryArgs) -> Error {
     match error.place() {
-        Some("rate") => error,
+        Some("rate") => args.given.named(error).0,
         Some(place) if place.starts_with("waypoints") => error.in_file(&args.path),
-        _ => hinted(error).in_file(&args.scene.scene),
+        _ => args.given.blamed(hinted(error), &args.scene.scene),
     }
 }
 
@@ -153,6 +154,11 @@ impl Timed {
         Ok(Timed { choice, ..timed })
     }
 
+    /// Checks that the file can hold the tensions, if they are asked for, before anything is printed.
+    pub fn fits(&self, output: Option<&Path>, effort: bool) -> Result<(), Error> {
+        output.filter(|_| effort).map_or(Ok(()), |output| cdpr_files::check_effort(output, &self.file))
+    }
+
     /// Prints the summary.
     pub fn print(&self, out: &Console) {
         let TrajectoryFile { duration, length, times, .. } = &self.file;
@@ -226,17 +232,15 @@ pub fn largest_lines(largest: &Largest) -> Vec<String> {
     let turns = largest.turn_speed.zip(largest.turn_acceleration).map(|(speed, acceleration)| {
         format!("turns at most by {} rad/s and {} rad/s²", short(speed), short(acceleration))
     });
-    let tensions = largest.tensions.map(|[least, most]| format!("tensions from {least:.3} N to {most:.3} N"));
+    let tensions = largest
+        .tensions
+        .map(|[least, most]| format!("tensions from {} N to {} N", thousandths(least), thousandths(most)));
     [Some(rates), turns, tensions].into_iter().flatten().collect()
 }
 
-/// Lengths below this are printed as zero, m, without a sign.
-const NO_LENGTH: f64 = 5e-7;
-
 /// The nearest approach of a motion in words.
 pub fn nearest_line(nearest: &NearestInTime) -> String {
-    let value = if nearest.value.abs() < NO_LENGTH { 0.0 } else { nearest.value };
-    let (gap, culprits) = (length(value), nearest.culprits.join(" and "));
+    let (gap, culprits) = (length(nearest.value), nearest.culprits.join(" and "));
     format!("nearest approach {gap}: {culprits} at {:.3} s", nearest.time)
 }
 

@@ -14,7 +14,7 @@ use cdpr_view::{Contents, Form, Planning, page_within, trajectory_page_within};
 
 use crate::Answer;
 use crate::args::{Format, ViewArgs};
-use crate::input::{self, Motion};
+use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, is_stream, lossy};
 
@@ -25,57 +25,58 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     check_page_name(&args.output)?;
     let out = &out.beside(Some(&args.output));
     let watch = Watch::on(&interrupted);
-    let scene = input::scene(&args.scene, out)?;
-    let proof = args.path.as_deref().map(cdpr_files::text::read_certificate).transpose()?.flatten();
-    if let Some((path, _)) = args.path.as_ref().zip(proof.as_deref()).filter(|(_, text)| cdpr_certify::is_bound(text)) {
-        let problem = "found a proof that no path is shorter than a length, which is not drawn; expected a path, a \
-                       trajectory or a proof that there is no path";
-        return Err(Error::invalid("", problem).with_hints(&["or check it: cdpr check".to_string()]).in_file(path));
-    }
     let engine = |scene: &Scene| {
         engine_within(scene, args.checker.engine, args.checker.interference, &watch)
             .map_err(|e| e.in_file(&args.scene.scene))
     };
     let form = form(args.is_static);
-    let (page, violations) = match (&args.path, proof) {
-        (None, _) => (page_within(&scene, Contents::default(), form, &watch)?, Vec::new()),
-        (Some(path), Some(text)) => {
+    let given = |path: &Path| input::path_trajectory_or_proof(&args.scene, path, args.strict, out);
+    let (page, violations) = match args.path.as_deref().map(|path| Ok::<_, Error>((path, given(path)?))).transpose()? {
+        None => (page_within(&input::scene(&args.scene, out)?, Contents::default(), form, &watch)?, Vec::new()),
+        Some((path, Given::Proof(found))) => {
+            let (scene, text) = *found;
+            if cdpr_certify::is_bound(&text) {
+                let problem = "found a proof that no path is shorter than a length, which is not drawn; expected a path, a \
+                               trajectory or a proof that there is no path";
+                let hint = "or check it: cdpr check".to_string();
+                return Err(Error::invalid("", problem).with_hints(&[hint]).in_file(path));
+            }
+            args.given.refuse(&["--strict"], "with a proof", "a path or a trajectory")?;
             input::selects_orientation(&scene, &args.scene)?;
             input::never_turns(&scene, &args.scene)?;
             let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
             (page_within(&scene, Contents::from(&shown), form, &watch)?, Vec::new())
         }
-        (Some(path), None) => match input::motion(&scene, &args.scene, path, args.strict, out)? {
-            Motion::Path(found) => {
-                let (scene, loaded) = *found;
-                let report = match &loaded.poses {
-                    None => check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?,
-                    Some(poses) => {
-                        let engine = input::turning_engine(&scene, &args.scene.scene, args.checker)?;
-                        check_poses(&scene, &engine, poses, &watch)?
-                    }
-                };
-                let shown = shown(&loaded, report.length);
-                // A CSV path has no planning data.
-                let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
-                let planning = text.and_then(|text| Planning::of_json(&text));
-                let violations = &report.violations;
-                let contents = Contents { path: Some(&shown), planning: planning.as_ref(), violations };
-                (page_within(&scene, contents, form, &watch)?, report.violations)
-            }
-            Motion::Trajectory(found) => {
-                let (scene, file) = *found;
-                let moving = file.limits.over(&scene)?.scene(&scene)?.into_owned();
-                let violations = match file.orientations {
-                    None => file.violations(&*engine(&moving)?, &watch)?,
-                    Some(_) => {
-                        let engine = input::turning_engine(&moving, &args.scene.scene, args.checker)?;
-                        file.turning_violations(&engine, &watch)?
-                    }
-                };
-                (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
-            }
-        },
+        Some((path, Given::Path(found))) => {
+            let (scene, loaded) = *found;
+            let report = match &loaded.poses {
+                None => check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?,
+                Some(poses) => {
+                    let engine = input::turning_engine(&scene, &args.scene.scene, args.checker)?;
+                    check_poses(&scene, &engine, poses, &watch)?
+                }
+            };
+            let shown = shown(&loaded, report.length);
+            // A CSV path has no planning data.
+            let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
+            let planning = text.and_then(|text| Planning::of_json(&text));
+            let violations = &report.violations;
+            let contents = Contents { path: Some(&shown), planning: planning.as_ref(), violations };
+            (page_within(&scene, contents, form, &watch)?, report.violations)
+        }
+        Some((path, Given::Trajectory(found))) => {
+            let (scene, loaded) = *found;
+            let file = loaded.whole(Some(&scene)).map_err(|e| e.in_file(path))?;
+            let moving = file.limits.over(&scene)?.scene(&scene)?.into_owned();
+            let violations = match file.orientations {
+                None => file.violations(&*engine(&moving)?, &watch)?,
+                Some(_) => {
+                    let engine = input::turning_engine(&moving, &args.scene.scene, args.checker)?;
+                    file.turning_violations(&engine, &watch)?
+                }
+            };
+            (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
+        }
     };
     out.write(&args.output, page.as_bytes(), IN_BROWSER)?;
     if args.scene.format == Format::Json {

@@ -17,7 +17,7 @@ use cdpr_core::{Error, Scene};
 use cdpr_files::LoadedPath;
 
 use crate::Answer;
-use crate::args::{Format, WrenchArgs};
+use crate::args::{Format, WrenchArgs, place};
 use crate::input;
 use crate::interruption::{interrupted, writing};
 use crate::output::{Console, count, is_stream, position, robot_line, scene_line, thousandths};
@@ -26,7 +26,10 @@ use crate::progress::with_sign_of_life;
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     match (&args.at, args.grid, &args.along) {
-        (Some(at), _, _) => at_position(args, &scene, &Point::from_slice(at), out),
+        (Some(at), _, _) => {
+            let at = place("--at", Some(at))?.expect("it is given");
+            at_position(args, &scene, &at, out)
+        }
         (_, Some(step), _) => map(args, &scene, step, out),
         (_, _, path) => along(args, &scene, path.as_deref().expect("clap asks for one of the three"), out),
     }
@@ -35,7 +38,8 @@ pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
 /// The scene's statics and required wrenches.
 fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error> {
     let statics = Statics::new(scene.robot(), &Loads::of(scene)).map_err(|e| e.in_file(&args.scene.scene))?;
-    Ok((statics, constraint::required_of(scene, args.force, args.moment)?))
+    let required = constraint::required_of(scene, args.force, args.moment).map_err(|e| args.given.named(e).0)?;
+    Ok((statics, required))
 }
 
 fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> Result<Answer, Error> {
@@ -154,14 +158,9 @@ fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<Strin
                 );
             }
             lines.push("tensions nearest to the middle of their limits:".to_string());
-            lines.extend(
-                statics
-                    .cables()
-                    .iter()
-                    .zip(tensions)
-                    .zip(&report.lengths)
-                    .map(|((cable, tension), length)| format!("  {}: {tension:.3} N, {length:.4} m", cable.name)),
-            );
+            lines.extend(statics.cables().iter().zip(tensions).zip(&report.lengths).map(
+                |((cable, tension), length)| format!("  {}: {} N, {length:.4} m", cable.name, thousandths(*tension)),
+            ));
         }
     }
     lines
@@ -203,7 +202,7 @@ fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
         tensions.zip(names).map(|(tension, cable)| (*tension, *cable, row.place.s))
     });
     let line = |(what, found): (&str, Found)| {
-        found.map(|(tension, cable, s)| format!("{what} tension {tension:.3} N: {cable} at {s:.4} m"))
+        found.map(|(tension, cable, s)| format!("{what} tension {} N: {cable} at {s:.4} m", thousandths(tension)))
     };
     let scarcest = rows.iter().filter_map(|row| row.capacity_margin.map(|margin| (margin, row.place.s)));
     let mut lines = vec![path_line(scene, &rows[0].place)];
@@ -212,7 +211,7 @@ fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
     lines.extend(
         scarcest
             .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(margin, s)| format!("least capacity margin {margin:.3} N at {s:.4} m")),
+            .map(|(margin, s)| format!("least capacity margin {} N at {s:.4} m", thousandths(margin))),
     );
     lines.extend(length_lines(names, &rows.iter().map(|row| &row.place).collect::<Vec<_>>()));
     lines
@@ -227,13 +226,15 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
         return Err(Error::invalid(
             "workspace",
             "found one that the platform does not fit into, so there are no positions",
-        ));
+        )
+        .in_file(&args.scene.scene));
     }
     let options = MapOptions { step, projected: args.projected };
     let map = with_sign_of_life(out, "measuring", |stop| {
         let batch = BatchOptions { threads: None, interrupted: stop };
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
-    })?;
+    })
+    .map_err(|e| if e.place() == Some("step") { e.at("--grid") } else { e })?;
     let writing = writing();
     cdpr_files::save_wrench_map(output, &map)?;
     drop(writing);

@@ -329,7 +329,7 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
         (vec!["--along", "nowhere.csv"], "nowhere.csv"),
         (vec!["--grid", "0.5"], "--output"),
         (vec!["--grid", "0.5", "-o", "map.txt"], "map.txt"),
-        (vec!["--grid", "1e-6", "-o", "map.npz"], "step"),
+        (vec!["--grid", "1e-6", "-o", "map.npz"], "--grid: found 0.000001 m"),
         (vec!["--at", "0", "0"], "--at"),
     ] {
         let all: Vec<&str> = ["wrench"].into_iter().chain([at("hall.toml").leak() as &str]).chain(arguments).collect();

@@ -9,6 +9,7 @@ mod cases;
 mod cli;
 mod files;
 mod messages;
+mod options;
 mod scenes;
 mod shell;
 mod trajectory;

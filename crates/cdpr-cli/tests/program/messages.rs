@@ -337,7 +337,10 @@ fn everything_that_is_wrong_with_an_end_is_told_worst_first() {
     for (args, words) in [
         (&["check", "scene.toml"][..], "<PATH>"),
         (&["check", "scene.toml", "p.json", "--at", "1", "1", "1"], "--at"),
-        (&["check", "scene.toml", "--at", "1", "1", "1", "--speed", "1"], "found a position, expected a trajectory"),
+        (
+            &["check", "scene.toml", "--at", "1", "1", "1", "--speed", "1"],
+            "--speed: found with --at, where it has no effect",
+        ),
         (&["check", "scene.toml", "p.json", "--margin", "1"], "--at"),
     ] {
         let refused = run(args);

@@ -65,7 +65,7 @@ fn shadows_say_what_they_leave_out_and_refuse_what_is_not_there() {
     let hard1 = testdata("scenes/hard1.toml");
     for (arguments, words) in [
         (vec!["-o", "out.step"], vec!["out.step", ".step", ".obj, .ply, .stl or .html"]),
-        (vec!["-o", "out.obj", "--cable", "cabel 3"], vec!["hard1.toml", "cabel 3", "did you mean \"cable 3\"?"]),
+        (vec!["-o", "out.obj", "--cable", "cabel 3"], vec!["--cable: found \"cabel 3\"", "did you mean \"cable 3\"?"]),
         (vec!["-o", "out.obj", "--obstacle", "column"], vec!["obstacle", "column", "expected one of pillar"]),
         (vec!["-o", "out.obj", "--all", "--space", "attachment"], vec!["space", "attachment", "expected \"position\""]),
         (vec!["-o", "out.obj", "--space", "joint"], vec!["joint", "attachment", "position"]),

@@ -246,7 +246,7 @@ fn plan_writes_a_trajectory_in_one_command() {
     assert!(found["trajectory"]["choice"]["tried"].as_u64().unwrap() > 2, "{found}");
     assert_eq!(json(&check(folder.path(), "path.json", &["--format", "json"]))["valid"], true);
     for (arguments, expected) in [
-        (&["plan", &hard1, "--speed", "1"][..], "--trajectory: found none, but limits of a motion"),
+        (&["plan", &hard1, "--speed", "1"][..], "--speed: found without --trajectory, where it has no effect"),
         (&["plan", &hard1, "--minimise", "time"], "--trajectory"),
         (
             &["plan", &hard1, "--trajectory", "t.toml"],
@@ -267,10 +267,15 @@ fn plan_writes_a_trajectory_in_one_command() {
             &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.yaml", "--effort"],
             "m.yaml: cannot hold the field effort: the tensions of this motion are not known",
         ),
+        (
+            &["plan", &hard1, "--trajectory", "m.yaml", "--speed", "1", "--jerk", "4", "--effort"],
+            "m.yaml: cannot hold the field effort: the tensions of this motion are not known",
+        ),
         (&["check", &hard1, "path.json", "--speed", "1"], "path.json: found a path without times"),
     ] {
         let refused = cdpr_in(folder.path(), arguments);
         assert!(status(&refused) == 2 && stderr(&refused).contains(expected), "{arguments:?}: {}", stderr(&refused));
+        assert_eq!(stdout(&refused), "", "{arguments:?}");
     }
     assert!(!folder.path().join("t.csv").exists());
 }

@@ -43,6 +43,11 @@ impl Post {
         }
     }
 
+    /// Whether it rewinds, and so has a step and repeats.
+    pub fn rewinds(self) -> bool {
+        matches!(self, Post::Both | Post::Backward | Post::Forward)
+    }
+
     /// Adds the parameters of rewinding.
     ///
     /// # Errors
@@ -137,5 +142,11 @@ impl PlanOptions {
     /// What is done to the planner's path.
     pub fn post(&self) -> Post {
         self.post.unwrap_or_else(|| Post::of(self.planner.planner()))
+    }
+
+    /// Whether the step of rewinding has an effect: on rewinding, or as the step of a planner if that is not given.
+    pub fn uses_step(&self, extend_step_given: bool) -> bool {
+        let plain = matches!(self.planner.planner(), Planner::Rrt | Planner::RrtStar);
+        self.post().rewinds() || plain && !extend_step_given
     }
 }

@@ -53,14 +53,25 @@ fn row(rows: Option<&Vec<Vec<f64>>>, k: usize) -> &[f64] {
     rows.map_or(&[], |rows| &rows[k])
 }
 
+/// Checks that a message can hold the tensions of a motion, before anything is said about it.
+///
+/// # Errors
+/// Tensions that are not known.
+pub fn check_effort(path: &Path, file: &TrajectoryFile) -> Result<(), Error> {
+    match file.tensions {
+        Some(_) => Ok(()),
+        None => Err(Error::file(path, "cannot hold the field effort: the tensions of this motion are not known")),
+    }
+}
+
 /// A trajectory as YAML text, with its tensions if `effort` is set.
 ///
 /// # Errors
 /// A trajectory without tensions, if they are asked for; one that is too long for the message, or sampled more often than once in a
 /// nanosecond; `path` is named.
 pub fn message(path: &Path, file: &TrajectoryFile, effort: bool) -> Result<String, Error> {
-    if effort && file.tensions.is_none() {
-        return Err(Error::file(path, "cannot hold the field effort: the tensions of this motion are not known"));
+    if effort {
+        check_effort(path, file)?;
     }
     let tensions = file.tensions.as_ref().filter(|_| effort);
     let point = |k: usize| {

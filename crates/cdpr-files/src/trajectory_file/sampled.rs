@@ -1,0 +1,86 @@
+//! Samples of any source as a whole trajectory, without limits.
+
+use cdpr_core::Scene;
+use cdpr_core::error::Error;
+use cdpr_core::geometry::{Vector, path_length, rotation_as_written, wxyz};
+use cdpr_core::path_file::SceneId;
+use cdpr_core::trajectory::{Limits, Motion, Winches, Winding};
+use cdpr_core::trajectory_check::Recorded;
+use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
+
+use super::LoadedTrajectory;
+
+impl LoadedTrajectory {
+    /// The whole trajectory: as it is in a JSON file, otherwise its samples, without limits. With a scene, at the orientation of the
+    /// trajectory and with its cables in the order of the robot (as [`scene_of_loaded`](super::scene_of_loaded) gives them), lengths
+    /// and speeds of cables that a table does not have are computed.
+    ///
+    /// # Errors
+    /// A table without orientation or cables, and no scene.
+    pub fn whole(self, scene: Option<&Scene>) -> Result<TrajectoryFile, Error> {
+        let LoadedTrajectory { motion, cables, orientation, file } = self;
+        let Some(scene) = scene else { return file.map_or_else(|| sampled(&motion, cables, orientation, None), Ok) };
+        let cables = scene.robot().cable_names().iter().map(ToString::to_string).collect();
+        let orientation = Some(wxyz(scene.orientation()));
+        file.map_or_else(|| sampled(&motion, cables, orientation, Some(scene)), Ok)
+    }
+}
+
+/// The samples of a table as a file without limits. Its path is that of the samples; its time begins with the first sample.
+/// Lengths and speeds of cables that the table does not have are those of the robot of the scene.
+fn sampled(
+    motion: &Recorded,
+    cables: Vec<String>,
+    orientation: Option<[f64; 4]>,
+    scene: Option<&Scene>,
+) -> Result<TrajectoryFile, Error> {
+    let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
+    let poses = motion.poses();
+    // The orientation of a scene counts only where the platform does not turn; without a scene, no cables are computed.
+    let orientation = orientation.or_else(|| poses.as_ref().map(|poses| wxyz(&poses[0].orientation)));
+    let orientation = orientation.ok_or_else(|| missing("qw"))?;
+    let motions = motion.motions(&rotation_as_written(orientation));
+    let winches = scene.map(|scene| Winches::of(scene, &Limits::default(), &motion.positions[0]));
+    let winches = winches.transpose()?;
+    let windings = |of: fn(&Winding) -> f64| {
+        let row = |winches: &Winches, now: &Motion| winches.windings(now).map(|w| of(&w)).collect();
+        winches.as_ref().map(|winches| motions.iter().map(|now| row(winches, now)).collect())
+    };
+    let columns =
+        |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
+    let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
+    let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
+    let rows = |rate: fn(&Motion) -> Vector| -> Vec<[f64; 3]> { motions.iter().map(|now| rate(now).into()).collect() };
+    Ok(TrajectoryFile {
+        format: TRAJECTORY_FORMAT.to_string(),
+        version: TRAJECTORY_VERSION,
+        scene: scene.map_or_else(|| SceneId { name: String::new(), fingerprint: String::new() }, SceneId::of),
+        orientation,
+        orientation_name: None,
+        duration: last - first,
+        length: path_length(&motion.positions),
+        rate: (motion.times.len() - 1) as f64 / (last - first),
+        limits: Limits::default(),
+        tension_limits: None,
+        waypoints: positions.clone(),
+        waypoint_orientations: None,
+        corners: Vec::new(),
+        limiting: Vec::new(),
+        largest: None,
+        nearest: None,
+        times: motion.times.iter().map(|time| time - first).collect(),
+        velocities: rows(|now| now.velocity),
+        accelerations: rows(|now| now.acceleration),
+        orientations: poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
+        angular_velocities: poses.as_ref().map(|_| rows(|now| now.angular_velocity)),
+        angular_accelerations: poses.as_ref().map(|_| rows(|now| now.angular_acceleration)),
+        cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
+        cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
+        tensions: motion.tensions.clone(),
+        cable_accelerations: windings(|winding| winding.acceleration),
+        curve: None,
+        timing: None,
+        cables,
+        positions,
+    })
+}

@@ -1,0 +1,546 @@
+"""Random command lines, over files of one folder: every option of every command, as the help lists them.
+
+Each line ends with status 0, 1 or 2, changes no input, writes nothing but the outputs that it names, prints JSON with `--format
+json`, and says the same in text, JSON and files; `check` accepts what `plan` wrote. A new option must be drawn here, too.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+from conftest import TESTDATA, program
+
+import cdpr
+
+pytestmark = pytest.mark.filterwarnings("ignore::cdpr.CdprWarning")
+
+SECONDS = 120  # a line that takes longer hangs
+LINES = int(os.environ.get("CDPR_COMMAND_LINES", "400"))  # of the long test
+CHUNKS = 8
+
+# Scenes, and what planning in them takes; names of orientations.
+SCENES = {"hard1": [], "closed": [], "plank": ["along", "across"], "turn": ["along", "across"], "cogiro": [], "concave": []}
+LIMITS = ["--speed", "1", "--acceleration", "2", "--turn-speed", "1", "--turn-acceleration", "2"]
+OF_MOTIONS = ["speed", "acceleration", "turn-speed", "turn-acceleration", "jerk", "cable-speed", "cable-acceleration", "blend"]
+OF_MOTIONS = [f"--{name}" for name in [*OF_MOTIONS, "motion-clearance", "wrench-margin"]]
+INPUT = "(an input)"
+
+
+def run(folder: Path, line: list[str]) -> subprocess.CompletedProcess[str]:
+    command = [program(), *line]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+
+
+def options_of(command: str) -> dict[str, tuple[bool, list[str]]]:
+    """Each option in the help of a command: whether it takes values, and those it may have if they are listed."""
+    shown = subprocess.run([program(), command, "--help"], capture_output=True, text=True, check=True).stdout
+    found: dict[str, tuple[bool, list[str]]] = {}
+    for entry in re.split(r"\n(?= {2,6}-)", shown.partition("\nOptions:\n")[2])[0:]:
+        head = re.match(r"\s*(?:-\w, )?(--[\w-]+)( <)?", entry)
+        if head and head[1] not in ("--help", "--version"):
+            named = re.findall(r"^ +- ([\w-]+)(?:: .*)?$", entry, re.MULTILINE) if "Possible values:" in entry else []
+            listed = re.search(r"\[possible values: ([^\]]*)\]", " ".join(entry.split()))
+            found[head[1]] = (head[2] is not None, named or (listed[1].split(", ") if listed else []))
+    return found
+
+
+def commands() -> list[str]:
+    shown = subprocess.run([program(), "--help"], capture_output=True, text=True, check=True).stdout
+    names = re.findall(r"^  ([a-z]+) ", shown.partition("Commands:\n")[2].partition("\n\n")[0], re.MULTILINE)
+    return [name for name in names if name != "help"]
+
+
+OPTIONS = {command: options_of(command) for command in commands()}
+
+
+@pytest.fixture(scope="session")
+def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of scenes, robots, meshes, paths, motions, proofs, experiments and runs."""
+    folder = tmp_path_factory.mktemp("inputs")
+    for name in SCENES:
+        scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
+        scene.save(folder / f"{name}.toml")
+        scene.save(folder / f"{name}.json")
+        ended = ["--budget-ms", "2000", "--max-samples", "3000"]
+        run(folder, ["plan", f"{name}.toml", "-o", f"{name}-path.json", "--proof", f"{name}-proof.json", *ended])
+        if json.loads((folder / f"{name}-path.json").read_text())["status"] != "solved":
+            continue
+        path = cdpr.load_path(folder / f"{name}-path.json")
+        path.save(folder / f"{name}-path.csv")
+        turns = [path.orientation] * len(path.waypoints) if path.orientations is None else path.orientations
+        cdpr.Path(path.waypoints, path.cost, orientations=turns).save(folder / f"{name}-poses.csv")
+        for kind in ("json", "csv"):
+            made = run(folder, ["trajectory", f"{name}.toml", f"{name}-path.json", "-o", f"{name}-motion.{kind}", *LIMITS])
+            assert made.returncode == 0, made.stderr
+    # One that can be shortened.
+    made = run(folder, ["plan", "hard1.toml", "--planner", "rrt", "--post", "none", "-o", "hard1-raw.csv"])
+    assert made.returncode == 0, made.stderr
+    for source in ("robots/paper.toml", "robots/cogiro.toml", "meshes/machine.stl", "meshes/platform.stl", "gazebo/caroca.yaml"):
+        shutil.copy(TESTDATA / source, folder)
+    shutil.copytree(TESTDATA / "caspr/CoGiRo", folder / "CoGiRo")
+    (folder / "mesh.toml").write_text(
+        'robot = "paper.toml"\n[workspace]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n[[obstacles]]\nmesh = "machine.stl"\nunits = "mm"\n'
+        "scale = 0.2\n[query]\nstart = [0.3, 1.0, 1.3]\ngoal = [1.7, 1.0, 1.7]\n"
+    )
+    (folder / "trials.toml").write_text(
+        'version = 1\nname = "trials"\ntrials = 4\n[[scenarios]]\nname = "a"\nscene = "hard1.toml"\n'
+        '[[methods]]\nname = "RRT"\nplanner = "rrt"\n'
+    )
+    for part in ("0..2", "2..4"):
+        made = run(folder, ["batch", "trials.toml", "-o", f"run{part[0]}", "--trials", part])
+        assert made.returncode == 0, made.stderr
+    return folder
+
+
+def contents(folder: Path) -> dict[str, str]:
+    # Beside a mesh, its convex parts are kept.
+    files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.name.endswith(".parts.json"))
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+class Draw:
+    """Draws one line of a command."""
+
+    def __init__(self, seed: str, folder: Path, command: str, must: str | None = None) -> None:
+        self.random, self.folder, self.command = random.Random(seed), folder, command
+        self.outputs: list[str] = []
+        self.replaced: list[str] = []
+        self.scene = self.random.choice(list(SCENES) + ["mesh"] * (command in ("plan", "info", "shadows")))
+        options = {option: self.value(option) for option in self.chosen(must)}
+        if command == "plan" and not {"--budget-ms", "--max-samples"} & set(options):
+            options |= {"--budget-ms": self.value("--budget-ms")}
+        self.options = options
+        self.positional = self.files()
+        self.replaces_an_input()
+        parts = [[option, *values] for option, values in self.options.items()]
+        self.random.shuffle(parts)
+        # Before options: some take any number of values.
+        self.line = [command, *self.positional, *(word for part in parts for word in part)]
+
+    def often(self, probability: float) -> bool:
+        return self.random.random() < probability
+
+    def chosen(self, must: str | None) -> list[str]:
+        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose")]
+        some = self.random.sample(known, min(self.random.choice([0, 1, 1, 2, 3]), len(known)))
+        some += [] if must is None else [must]
+        some += {
+            "wrench": [self.random.choice(["--at", "--grid", "--along"])] if not {"--at", "--grid", "--along"} & set(some) else [],
+            "trajectory": ["--speed", "--acceleration"] + ["--turn-speed", "--turn-acceleration"] * (self.scene == "turn"),
+            "new": ["--robot"] if {"--obstacle", "--start", "--goal"} & set(some) else [],
+        }.get(self.command, [])
+        needed = {"view", "shadows", "import", "batch", "merge"}
+        some += ["--output"] if self.command in needed or "--grid" in some else []
+        also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory"}
+        also |= {"--static": "--html", "--minimise": "--trajectory", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
+        also |= dict.fromkeys(OF_MOTIONS, "--trajectory") if self.command == "plan" else {}
+        for option in some:  # grows, for what is added may need more
+            if also.get(option) in OPTIONS[self.command] and self.often(0.9):
+                some.append(also[option])
+        if "--trajectory" in some and self.command == "plan":
+            some += ["--speed", "--acceleration", "--turn-speed", "--turn-acceleration"]
+        if self.often(0.3):
+            some.append(self.random.choice(["--quiet", "--verbose"]))
+        if must is None and self.often(0.3) and "--format" in OPTIONS[self.command]:
+            some.append("--format")
+        return list(dict.fromkeys(some))
+
+    def value(self, option: str) -> list[str]:
+        takes, choices = OPTIONS[self.command][option]
+        if not takes:
+            return []
+        if choices:
+            return [self.random.choice(choices)]
+        value = getattr(self, f"{self.command}_{option[2:].replace('-', '_')}", None) or getattr(self, option[2:].replace("-", "_"))
+        found = value()
+        return found if isinstance(found, list) else [str(found)]
+
+    def number(self, *numbers: float) -> float:
+        return self.random.choice(numbers)
+
+    def position(self) -> list[str]:
+        here = {"cogiro": [(0, 0, 2), (2, 1, 1.5)], "turn": [(0.5, 0.5, 0.15), (1.0, 0.4, 1.2)], "plank": [(0.45, 1, 0.5), (1.55, 1, 0.5)]}
+        places = here.get(self.scene, [(0.3, 1, 0.3), (1.7, 1, 1.7), (0.3, 1, 1.5), (1, 1, 1)])
+        place = self.random.choice([*places, *places, (9, 9, 9), (-1, 0, 0)])
+        return [str(x) for x in place]
+
+    start = goal = at = position
+
+    def orientation(self) -> str:
+        return self.random.choice([*SCENES.get(self.scene, []), *SCENES.get(self.scene, []), "1,0,0,0", "0.6,0,0,0.8", "askew"])
+
+    start_orientation = goal_orientation = orientation
+
+    def new_file(self, *endings: str) -> str:
+        if self.often(0.04):
+            return "-"
+        if self.often(0.06):
+            return INPUT
+        if self.often(0.05) and self.outputs:
+            return self.random.choice(self.outputs)
+        self.outputs.append(f"made{len(self.outputs)}{'.odd' if self.often(0.04) else self.random.choice(endings)}")
+        return self.outputs[-1]
+
+    def output(self) -> str:
+        endings = {
+            "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
+            "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
+            "merge": ("",), "wrench": (".npz", ".vti", ".csv"),
+        }
+        return self.new_file(*endings[self.command])
+
+    def replaces_an_input(self) -> None:
+        """Puts the name of an input in place of `INPUT`."""
+        read = [*self.positional, *(word for option in ("--along", "--robot", "--platform") for word in self.options.get(option, []))]
+        read += ["machine.stl", "paper.toml"] * ("mesh.toml" in read) + ["hard1.toml"] * ("trials.toml" in read)
+        read = [name for name in read if name not in (INPUT, "-")]
+        self.outputs += ["made"] * (not read)
+        chosen = self.random.choice(read or ["made"])
+        if INPUT in self.positional or any(INPUT in words for words in self.options.values()):
+            self.replaced.append(chosen)
+        self.options = {option: [chosen if word == INPUT else word for word in words] for option, words in self.options.items()}
+        self.positional = [chosen if word == INPUT else word for word in self.positional]
+
+    def html(self) -> str:
+        return self.new_file(".html")
+
+    def trajectory(self) -> str:
+        return self.new_file(".json", ".csv", ".yaml")
+
+    def proof(self) -> str:
+        return self.new_file(".json")
+
+    def plots(self) -> str:
+        return self.new_file("")
+
+    def given(self, *kinds: str) -> str:
+        """An input of one of these kinds, usually of the scene."""
+        whole = [name for name in contents(self.folder) if name.endswith((".json", ".csv", ".toml"))]
+        fitting = [f"{self.scene}-{kind}" for kind in kinds if (self.folder / f"{self.scene}-{kind}").exists()]
+        return self.random.choice(fitting if fitting and self.often(0.9) else whole)
+
+    def along(self) -> str:
+        return self.given("path.json", "path.csv", "poses.csv")
+
+    def files(self) -> list[str]:
+        scene = f"{self.scene}.toml" if self.scene == "mesh" or self.often(0.7) else f"{self.scene}.json"
+        any_path = ("path.json", "path.csv", "poses.csv")
+        any_motion = ("motion.json", "motion.csv")
+        match self.command:
+            case "plan" | "info" | "shadows" | "wrench":
+                return [scene]
+            case "post" | "trajectory":
+                return [scene, self.given(*any_path, *["raw.csv"] * 3)]
+            case "check":
+                limits = set(OF_MOTIONS) & set(self.options)
+                ends = {"--start", "--goal"} & set(self.options)
+                wanted = any_motion if limits else ("proof.json",) if ends else (*any_path, *any_motion, "proof.json")
+                return [scene] if "--at" in self.options else [scene, self.given(*wanted)]
+            case "view":
+                return [scene, self.given(*any_path, *any_motion, "proof.json")] if self.often(0.8) else [scene]
+            case "new":
+                return [self.new_file(".toml", ".json")] if self.often(0.8) else []
+            case "import":
+                return [self.random.choice(["CoGiRo", "CoGiRo/CoGiRo_cables.xml", "caroca.yaml"])]
+            case "batch":
+                return ["trials.toml"]
+            case "merge":
+                return self.random.choice([["run0", "run2"], ["run0"], ["run0", "run0"]])
+            case "report":
+                return [self.random.choice(["run0", "run2", "CoGiRo"])]
+            case "completions":
+                return [self.random.choice(["bash", "fish", "zsh"])]
+            case "schema":
+                return self.random.choice([[], ["scene"], ["robot"], ["path"], ["experiment"]])
+            case "man":
+                return []
+            case other:
+                raise AssertionError(f"no files are known for the command {other}")
+
+    def cable(self) -> list[str]:
+        return self.random.choice([["cable 0"], ["cable 1", "cable 0"], ["nope"]])
+
+    def shadows_obstacle(self) -> list[str]:
+        return self.random.choice([["pillar"], ["left"], ["nope"]])
+
+    def new_obstacle(self) -> list[str]:
+        return self.random.choice([["machine.stl"], ["machine.stl", "platform.stl"], ["hard1.toml"]])
+
+    def robot(self) -> str:
+        return self.random.choice(["paper.toml", "cogiro.toml", "hard1.toml"])
+
+    def platform(self) -> str:
+        return "platform.stl"
+
+    def bodies(self) -> str:
+        return self.random.choice(["CoGiRo/CoGiRo_bodies.xml", "caroca.yaml"])
+
+    def cable_set(self) -> str:
+        return self.random.choice(["original", "gazebo_sim", "nope"])
+
+    def trials(self) -> str:
+        return self.random.choice(["1", "0..2", "2..1", "1..3"])
+
+    def threads(self) -> int:
+        return self.random.choice([1, 2, 0])
+
+    def budget_ms(self) -> float:
+        return self.number(1, 50, 200)
+
+    def seed(self) -> int:
+        return self.random.choice([0, 1, 7, 2**64 - 1])
+
+    def max_samples(self) -> int:
+        return self.random.choice([0, 10, 1000])
+
+    max_nodes = max_samples
+
+    def repeats(self) -> int:
+        return self.random.choice([0, 1, 3])
+
+    def step(self) -> float:
+        return self.number(0.02, 0.1, 0.5, 0, -1)
+
+    extend_step = near_radius = step
+
+    def goal_bias(self) -> float:
+        return self.number(0, 0.1, 1, 2)
+
+    def target_cost(self) -> float:
+        return self.number(0.5, 2.6, 5)
+
+    def gap(self) -> float:
+        return self.number(0.001, 0.1)
+
+    def grid(self) -> float:
+        return self.number(0.5, 1, 3)
+
+    def force(self) -> float:
+        return self.number(0, 5, 100, -3)
+
+    moment = force
+
+    def margin(self) -> float:
+        return self.number(0, 0.001, 0.05)
+
+    def rate(self) -> float:
+        return self.number(50, 100, 333.3, 1e9)
+
+    def speed(self) -> float:
+        return self.number(0.5, 1, 20)
+
+    turn_speed = cable_speed = speed
+
+    def acceleration(self) -> float:
+        return self.number(0.5, 2, 50)
+
+    turn_acceleration = cable_acceleration = acceleration
+
+    def jerk(self) -> float:
+        return self.number(2, 50)
+
+    def blend(self) -> float:
+        return self.number(0, 0.02, 0.2)
+
+    motion_clearance = blend
+
+    def wrench_margin(self) -> float:
+        return self.number(0, 1, 1e4)
+
+
+def kept(options: dict[str, list[str]], *names: str) -> list[str]:
+    return [word for name in names if name in options for word in (name, *options[name])]
+
+
+def tried(folder: Path, drawn: Draw) -> subprocess.CompletedProcess[str]:
+    """Runs a line and checks everything that holds for every line."""
+    before = contents(folder)
+    try:
+        return as_promised(folder, drawn, before)
+    finally:
+        for name in contents(folder):
+            if name not in before:
+                (folder / name).unlink()
+        for made in drawn.outputs:
+            shutil.rmtree(folder / made, ignore_errors=True)
+
+
+def as_promised(folder: Path, drawn: Draw, before: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    done = run(folder, drawn.line)
+    told = (" ".join(drawn.line), done.returncode, done.stdout[-2000:], done.stderr[-2000:])
+    assert done.returncode in (0, 1, 2), told
+    assert "panic" not in done.stderr and "bug in cdpr" not in done.stderr, told
+    after = contents(folder)
+    assert {name: after.get(name) for name in before} == before, told
+    named = [Path(name) for name in [*drawn.outputs, *drawn.replaced, "run0/report.html", "run2/report.html"]]
+    new = [Path(name) for name in after if name not in before]
+    assert all(any(name == made or made in name.parents for made in named) for name in new), (told, new)
+    streamed = any("-" in values for values in drawn.options.values()) or "-" in drawn.positional
+    if done.returncode == 2:
+        assert done.stderr and (streamed or not done.stdout), told
+    elif drawn.options.get("--format") == ["json"] and not streamed:
+        json.loads(done.stdout)
+    if done.returncode < 2 and not streamed:
+        agrees(folder, drawn, done)
+    return done
+
+
+def agrees(folder: Path, drawn: Draw, done: subprocess.CompletedProcess[str]) -> None:
+    """Text, JSON and file say the same, and `check` accepts what was written."""
+    told = (" ".join(drawn.line), done.returncode, done.stdout[-2000:], done.stderr[-2000:])
+    options, printed, said = drawn.options, {}, re.sub(r"\x1b\[[\d;]*m", "", done.stdout)
+    if options.get("--format") == ["json"]:
+        printed = json.loads(done.stdout)
+    written = {option: folder / options[option][0] for option in ("--output", "--trajectory", "--proof") if option in options}
+    path = written.get("--output")
+    saved = json.loads(path.read_text()) if path and path.suffix == ".json" and path.exists() else {}
+    scene = drawn.positional[0] if drawn.positional else ""
+    if drawn.command == "plan":
+        status = printed.get("status") or ("solved" if re.search(r"^solved: ", said, re.MULTILINE) else "other")
+        assert (status == "solved") == (done.returncode == 0), told
+        assert not saved or (saved["status"] == "solved") == (status == "solved"), told
+        check(folder, drawn, scene, written, printed or saved, done)
+    length = {"plan": r"^solved: ([\d.]+) m ", "post": r"^([\d.]+) m with ", "check": r"^(?:not )?valid: ([\d.]+) m,"}.get(drawn.command)
+    text = re.search(length, said, re.MULTILINE) if length and not printed else None
+    if text and saved.get("cost"):
+        assert abs(float(text[1]) - saved["cost"]) <= 5.1e-5, told
+    if printed and saved and drawn.command in ("plan", "post"):
+        assert printed["cost"] == saved["cost"] and printed["waypoints"] == saved["waypoints"], told
+    if drawn.command == "check" and "valid" in printed:
+        assert printed["valid"] == (done.returncode == 0), told
+    if drawn.command == "trajectory" and saved:
+        timed = re.search(r"^timed: ([\d.]+) s along ([\d.]+) m", said, re.MULTILINE)
+        found = (printed["duration"], printed["length"]) if printed else (float(timed[1]), float(timed[2]))
+        assert abs(found[0] - saved["duration"]) <= 5.1e-5 and abs(found[1] - saved["length"]) <= 5.1e-5, told
+
+
+def check(folder: Path, drawn: Draw, scene: str, written: dict[str, Path], result: dict, done: subprocess.CompletedProcess[str]) -> None:
+    """`check` with the same options accepts what `plan` wrote."""
+    options = drawn.options
+    turned = kept(options, "--orientation")
+    if not turned and (name := result.get("orientation_name")) and drawn.scene == "plank":
+        turned = ["--orientation", name]
+    for option, file in written.items():
+        if not file.exists() or file.suffix == ".yaml" or (option != "--proof" and done.returncode == 1):
+            continue
+        if option != "--proof" and {"--start-orientation", "--goal-orientation"} & set(options):
+            turned = []  # `check` has no such options
+        own = {
+            "--output": kept(options, "--engine", "--interference"),
+            "--proof": kept(options, "--start", "--goal"),
+            "--trajectory": kept(options, "--engine", "--interference", *OF_MOTIONS),
+        }[option]
+        if drawn.scene == "plank" and not turned:
+            continue  # only the path file would say which orientation was chosen
+        checked = run(folder, ["check", scene, file.name, *turned, *own])
+        assert checked.returncode == 0, (" ".join(drawn.line), option, checked.args, checked.stdout, checked.stderr)
+
+
+@pytest.fixture
+def folder(inputs: Path, tmp_path: Path) -> Path:
+    return shutil.copytree(inputs, tmp_path / "copy")
+
+
+@pytest.mark.parametrize("command", OPTIONS)
+def test_every_option_of_every_command_is_drawn(command: str, folder: Path) -> None:
+    for option in OPTIONS[command]:
+        drawn = Draw(f"{command} {option}", folder, command, option)
+        assert option in drawn.line
+        tried(folder, drawn)
+
+
+@pytest.mark.long
+@pytest.mark.timeout(0)
+@pytest.mark.parametrize("chunk", range(CHUNKS))
+def test_random_lines(chunk: int, folder: Path) -> None:
+    ended, wrong = random_lines(folder, range(chunk, LINES, CHUNKS))
+    assert not wrong
+    assert ended[0] >= LINES // CHUNKS // 4, ended
+
+
+def random_lines(folder: Path, numbers: Iterable[int]) -> tuple[Counter[int], list[str]]:
+    """How often these lines ended with each status, and what is wrong with them."""
+    weights = {command: 1 + len(options) for command, options in OPTIONS.items()}
+    ended, wrong = Counter[int](), []
+    for k in numbers:
+        command = random.Random(k).choices(list(weights), list(weights.values()))[0]
+        try:
+            ended[tried(folder, Draw(f"line {k}", folder, command)).returncode] += 1
+        except (AssertionError, subprocess.TimeoutExpired) as problem:
+            wrong.append(f"line {k}: {problem}")
+    return ended, wrong
+
+
+# Options that change no answer, by design or with nearly all inputs: why, and of which command, if not of all.
+SAME_ANSWERS = {
+    "--quiet": "says less, if there is more to say than the result",
+    "--verbose": "says more, if there is more to say",
+    "--color": "colours the verdict, if there is one",
+    "--strict": "refuses the path of another scene, which is no answer",
+    "--engine": "both engines give the same answers",
+    "--interference": "differs only where cables that cross sweep the same region",
+    "--orientation": "the only one of most scenes",
+    "batch --threads": "trials are the same on any number of threads",
+    "batch --resume": "a new run has nothing to resume",
+    "check --start": "a proof is of its own start and goal",
+    "check --goal": "a proof is of its own start and goal",
+    "check --blend": "a bound of the deviation from a path, which samples do not have",
+    "import --bodies": "the file that is found without it",
+    "import --cable-set": "the only one of this model",
+    "import --platform": "a mesh that this robot's cables do not fit",
+    "new --force": "replaces a file, which is no input here",
+    "trajectory --effort": "needs tensions, which few of the robots have",
+    "trajectory --motion-clearance": "takes the place of a clearance, which none of the scenes has",
+    "schema --format": "a schema is JSON",
+}
+
+
+def answer(folder: Path, line: list[str]) -> tuple[int, str, str, dict[str, bytes]]:
+    """Everything that a line gives, without the times that it took."""
+
+    def timeless(text: str) -> str:
+        return re.sub(r'("(?:\w+_)?seconds": )[^,\s]+|[\d.]+ ms\b', r"\1", text)
+
+    before = contents(folder)
+    done = run(folder, line)
+    new = [name for name, found in contents(folder).items() if before.get(name) != found]
+    written = {name: timeless((folder / name).read_bytes().decode("latin-1")).encode() for name in new}
+    for name in new:
+        (folder / name).unlink()
+    return done.returncode, timeless(done.stdout), timeless(done.stderr), written
+
+
+@pytest.mark.long
+@pytest.mark.timeout(0)
+@pytest.mark.parametrize("command", [command for command in OPTIONS if command != "plan"])  # whose searches may not end
+def test_every_option_has_an_effect(command: str, folder: Path) -> None:
+    idle = []
+    for option in OPTIONS[command]:
+        excused = {option, f"{command} {option}"} & set(SAME_ANSWERS)
+        if not excused and not any(has_effect(folder, command, option, k) for k in range(60)):
+            idle.append(option)
+    assert not idle
+
+
+def has_effect(folder: Path, command: str, option: str, k: int) -> bool | None:
+    """Whether an answer is another one without the option; None if the line is refused or its answer depends on the clock."""
+    drawn = Draw(f"effect {command} {option} {k}", folder, command, option)
+    if drawn.replaced or any("-" in values for values in drawn.options.values()):
+        return None
+    words = {name: [name, *values] for name, values in drawn.options.items()}
+    line = [command, *drawn.positional]
+    found = answer(folder, [*line, *(word for part in words.values() for word in part)])
+    if found[0] == 2:
+        return None
+    less = answer(folder, [*line, *(word for name, part in words.items() if name != option for word in part)])
+    return found != less
