@@ -4,6 +4,7 @@
 mod support;
 
 use std::io::Write;
+use std::sync::Arc;
 
 use cdpr_certify::{check_bound, check_certificate, is_bound};
 use cdpr_core::Scene;
@@ -126,7 +127,7 @@ fn with_ends(spec: &Value, [start, goal]: [[f64; 3]; 2]) -> Value {
     spec
 }
 
-fn engine(scene: &Scene) -> Box<dyn Checker> {
+fn engine(scene: &Scene) -> Arc<dyn Checker> {
     let options = PlanOptions::default();
     engine_for(scene, options.engine, options.interference).unwrap()
 }
@@ -141,7 +142,7 @@ fn proof_of(spec: &Value) -> Option<Value> {
     if let Some(found) = NoPath::decided(&scene, &*engine, ends, &options, &Watch::NONE).ok()? {
         return serde_json::to_value(&found.certificate).ok();
     }
-    let result = plan(Query::of(&scene).by(&*engine), &PlanOptions { proof: false, ..options }, &()).ok()?.result;
+    let result = plan(Query::of(&scene).by(&engine), &PlanOptions { proof: false, ..options }, &()).ok()?.result;
     if result.status != Status::Solved {
         return None;
     }
@@ -190,7 +191,7 @@ impl Case {
         if !points.iter().all(|point| engine.state_valid(point)) {
             return None;
         }
-        let query = Query { start: Some(points[0]), goal: Some(points[1]), ..Query::of(&scene) }.by(&*engine);
+        let query = Query { start: Some(points[0]), goal: Some(points[1]), ..Query::of(&scene) }.by(&engine);
         let result = plan(query, &PlanOptions { proof: false, ..PlanOptions::default() }, &()).ok()?.result;
         if result.status != Status::Solved {
             return None;

@@ -121,13 +121,16 @@ const THINGS_PER_WAY: usize = 100;
 const DETOUR: f64 = 1.4;
 /// A path shorter than the last polished one by this factor is polished at once, otherwise at the end.
 const MUCH_BETTER: f64 = 0.98;
+/// The effort to prove a gap grows by this factor from one attempt to the next, while the number of samples doubles.
+const MORE_EFFORT: usize = 3;
 /// Number of nodes at which the trees restart; the best path is kept.
 const MOST_NODES: usize = 20_000;
 
 /// Searches for ever shorter paths; see the module. If interrupted, it returns the best path so far, if there is one.
 ///
-/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline, a target cost
-/// or a gap, it continues until one of these is reached; otherwise until it has found nothing better for a while.
+/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline or a target cost, it
+/// continues until one of these is reached, or the gap. Otherwise it ends when it has found nothing better for a while; with a gap,
+/// after the greatest effort to prove it.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
@@ -140,7 +143,7 @@ pub fn anytime<S: StateSpace>(
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath || options.gap.is_some();
+    let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath;
     // A given number of samples is used up as long as there is no path.
     let hopeless = if options.limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
     let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
@@ -275,18 +278,24 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    /// If a gap was requested, and a better path was found since the last time: tries to prove that it is good enough.
+    /// If a gap was requested: tries now and then to prove it, with an effort in proportion to that of the search. A path that is too
+    /// long would take all the effort, and time that finds a shorter one.
     fn look_at_the_gap(&mut self) -> Result<(), Error> {
         if let Some(gap) = self.gap
             && self.cost.is_finite()
             && self.search.samples() >= self.next_bound
             && (self.unbounded() || self.bound_effort < BOUND_EFFORT)
         {
-            let effort = if self.next_bound == 0 { QUICK_BOUND_EFFORT } else { BOUND_EFFORT };
             self.next_bound = FIRST_WAY.max(2 * self.search.samples());
-            self.prove(gap, effort)?;
+            self.prove(gap, self.next_effort())?;
         }
         Ok(())
+    }
+
+    /// The effort of the next attempt to prove the gap: more than that of the last one, unless the path is better than it was then.
+    fn next_effort(&self) -> usize {
+        let more = if self.unbounded() { self.bound_effort } else { MORE_EFFORT * self.bound_effort };
+        more.clamp(QUICK_BOUND_EFFORT, BOUND_EFFORT)
     }
 
     /// Whether the best path is better than when the bound was last computed.
@@ -346,12 +355,24 @@ impl<S: StateSpace> Run<'_, S> {
             return Ok(false);
         }
         if self.unbounded() {
-            self.prove(BOUND_GAP, QUICK_BOUND_EFFORT)?;
+            self.prove(self.gap.unwrap_or(BOUND_GAP), self.next_effort())?;
             if self.unbounded() {
                 return Ok(false);
             }
         }
-        Ok(self.cost <= self.enough || self.best.is_empty() || !self.look_again())
+        if self.cost <= self.enough || self.best.is_empty() {
+            return Ok(true);
+        }
+        if self.look_again() {
+            return Ok(false);
+        }
+        while let Some(gap) = self.gap.filter(|_| self.cost > self.enough && self.bound_effort < BOUND_EFFORT) {
+            self.prove(gap, self.next_effort())?;
+            if self.unbounded() {
+                return Ok(false); // a shorter path was found on the way
+            }
+        }
+        Ok(true)
     }
 
     /// Restarts the search once, with new trees that do not contain the best path, and with chains of cells from the goal: trees
