@@ -45,7 +45,7 @@ enum Step {
 /// Searches for a path by RRT-Connect. Stops at the first path, or continues up to the limits and keeps the shortest
 /// path.
 ///
-/// Like the other planners, it tries the straight line from start to goal first. A new state is first tested as a
+/// It tries the straight line from start to goal first, as all planners but `rrt` and `rrt-star` do. A new state is first tested as a
 /// state, which is not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid
 /// sample.
 ///

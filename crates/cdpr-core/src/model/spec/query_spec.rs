@@ -47,7 +47,7 @@ pub struct WrenchSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum MarginSpec {
-    /// The rigorous margin of the six-dimensional wrench set.
+    /// The margin of the six-dimensional wrench set, which takes forces and moments together.
     Capacity,
     /// The paper's margin: forces and moments separately.
     Projected,
@@ -58,7 +58,7 @@ pub enum MarginSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum RuleSpec {
-    /// Every point of the motion is proved feasible.
+    /// Every point of the motion is checked, by bounds between positions with bounds of rounding errors.
     Certified,
     /// The grid cells that the motion crosses are checked.
     Grid,
