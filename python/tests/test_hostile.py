@@ -202,8 +202,8 @@ def calls(tmp_path, monkeypatch, batch):
         ),
         "shadows": (cdpr.shadows, {"scene": scene} | regions),
         "save_shadows": (cdpr.save_shadows, {"path": "s.obj", "scene": scene} | regions),
-        "show": (cdpr.show, along | {"interference": "exact", "live": True}),
-        "save_view": (cdpr.save_view, along | {"path": "v.html", "interference": "exact", "live": True}),
+        "show": (cdpr.show, along | {"orientations": None, "interference": "exact", "live": True}),
+        "save_view": (cdpr.save_view, along | {"path": "v.html", "orientations": None, "interference": "exact", "live": True}),
         "run_batch": (cdpr.run_batch, experiment),
         "figures.scene": (
             cdpr.figures.scene,

@@ -12,9 +12,8 @@ mod shorten;
 mod turning_wrench;
 
 pub use allowed::AllowedTurns;
-pub use check::{check_poses, pose_path_length};
+pub use check::{check_poses, nearest_of_poses, pose_path_length};
 pub use engine::TurningEngine;
-pub use nearest::nearest_of_poses;
 pub use pose_curve::{Derivatives, PoseCurve};
 pub use pose_rows::{lengths_along_poses, tensions_along_poses};
 pub use pose_space::{PoseSpace, turn_weight};

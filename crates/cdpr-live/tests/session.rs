@@ -18,7 +18,7 @@ fn planned(session: &mut Session, scene: &Value, options: &Value) -> Value {
 
 fn of_testdata(name: &str) -> Scene {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../testdata/scenes");
-    cdpr_files::load_scene(&folder.join(format!("{name}.toml"))).unwrap()
+    cdpr_files::load_scene(folder.join(format!("{name}.toml"))).unwrap()
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! Checks a path of poses: every violation with its place, and the closest approach.
 
 use super::engine::TurningEngine;
-use super::nearest::nearest_of_poses;
+use super::nearest::path_clearance;
 use super::pose_space::{pose_distance, turn_weight};
 use crate::collision::Validity;
-use crate::collision::path_check::{PathReport, PathViolation};
+use crate::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use crate::error::Error;
 use crate::geometry::Pose;
 use crate::model::Scene;
@@ -32,4 +32,16 @@ pub fn check_poses(scene: &Scene, engine: &TurningEngine, poses: &[Pose], watch:
     }
     let nearest = nearest_of_poses(engine, poses, watch)?;
     Ok(PathReport { valid, length: pose_path_length(scene, poses), nearest, violations })
+}
+
+/// The closest approach of a path of poses: of all pairs, of those that are not exempt, and of each exempt pair.
+///
+/// # Errors
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn nearest_of_poses(engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<Nearest, Error> {
+    let conditions = engine.conditions();
+    Nearest::by(conditions, |indices| {
+        let found = path_clearance((conditions, engine.reference()), indices, poses, watch)?;
+        Ok(found.map(|(segment, clearance)| PathClearance::on(segment, clearance)))
+    })
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::allowed::AllowedTurns;
-use super::nearest::path_clearance;
+use super::nearest::{is_level, path_clearance};
 use super::turning_wrench::TurningWrench;
 use crate::collision::along::{Least, least_between};
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
@@ -16,7 +16,7 @@ use crate::conditions::Bodies;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
 use crate::model::Scene;
-use crate::numerics::{SAME_TURN, TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES, TURNING_PLACE};
+use crate::numerics::{TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES, TURNING_PLACE};
 use crate::watch::Watch;
 
 /// An engine for motions from pose to pose.
@@ -94,8 +94,8 @@ impl TurningEngine {
     }
 
     /// Whether a pose has the orientation of the scene.
-    pub(super) fn is_level(&self, pose: &Pose) -> bool {
-        pose.orientation.angle_to(&self.reference) <= SAME_TURN
+    fn is_level(&self, pose: &Pose) -> bool {
+        is_level(pose, &self.reference)
     }
 
     fn kept(&self, index: usize, motion: &Turning, whole: &TurningPiece) -> bool {
@@ -217,7 +217,7 @@ impl Validity<Pose> for TurningEngine {
 
     fn clearance(&self, from: &Pose, to: &Pose) -> Option<Clearance> {
         let all: Vec<usize> = (0..self.conditions().list.len()).collect();
-        let found = path_clearance(self, &all, &[*from, *to], &Watch::NONE);
+        let found = path_clearance((self.conditions(), &self.reference), &all, &[*from, *to], &Watch::NONE);
         found.expect("nothing interrupts it").map(|(_, clearance)| clearance)
     }
 }

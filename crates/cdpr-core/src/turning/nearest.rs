@@ -1,41 +1,30 @@
 //! The closest approach of motions with turns, and of paths of poses.
 
-use super::engine::TurningEngine;
 use crate::collision::along::{Least, golden_sections};
 use crate::collision::clearance::{Gap, gap_below, nearest_segment, reached};
-use crate::collision::path_check::{Nearest, PathClearance};
 use crate::collision::{Clearance, Condition, Conditions};
 use crate::conditions::Bodies;
 use crate::error::Error;
-use crate::geometry::{Placed, Pose, Turning};
+use crate::geometry::{Placed, Pose, Rotation, Turning};
+use crate::numerics::SAME_TURN;
 use crate::watch::Watch;
 
-/// The closest approach of a path of poses: of all pairs, of those that are not exempt, and of each exempt pair.
-///
-/// # Errors
-/// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn nearest_of_poses(engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<Nearest, Error> {
-    Nearest::by(engine.conditions(), |indices| {
-        Ok(path_clearance(engine, indices, poses, watch)?.map(|(segment, found)| PathClearance::on(segment, found)))
-    })
-}
-
-/// The closest approach of a path of poses, and its segment, for the conditions with these indices.
+/// The closest approach of a path of poses, and its segment, for the conditions with these indices, which are given with their
+/// orientation.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn path_clearance(
-    engine: &TurningEngine,
+    (conditions, reference): (&Conditions, &Rotation),
     indices: &[usize],
     poses: &[Pose],
     watch: &Watch,
 ) -> Result<Option<(usize, Clearance)>, Error> {
-    let conditions = engine.conditions();
     let Conditions { list, bodies, .. } = conditions;
     let about_gap = |index: &usize| list[*index].details().is_about_gap(bodies);
     let mut about_gaps: Vec<(usize, f64)> =
         indices.iter().copied().filter(about_gap).map(|index| (index, 0.0)).collect();
-    let segments: Vec<Segment> = poses.windows(2).map(|pair| Segment::between(engine, &pair[0], &pair[1])).collect();
+    let segments: Vec<Segment> = poses.windows(2).map(|pair| Segment::between(reference, &pair[0], &pair[1])).collect();
     if let Some(Segment::Turning(motion)) = segments.first() {
         // Nearly always a pair that is close at the start shows that others are not closest.
         let start = motion.at(0.0);
@@ -67,6 +56,11 @@ pub fn path_clearance(
     }))
 }
 
+/// Whether a pose has the orientation of the conditions.
+pub fn is_level(pose: &Pose, reference: &Rotation) -> bool {
+    pose.orientation.angle_to(reference) <= SAME_TURN
+}
+
 /// A segment of a path of poses.
 enum Segment {
     /// Without a turn, at the orientation of the conditions.
@@ -75,10 +69,10 @@ enum Segment {
 }
 
 impl Segment {
-    fn between(engine: &TurningEngine, from: &Pose, to: &Pose) -> Self {
-        match engine.is_level(from) && engine.is_level(to) {
+    fn between(reference: &Rotation, from: &Pose, to: &Pose) -> Self {
+        match is_level(from, reference) && is_level(to, reference) {
             true => Segment::Level(*from, *to),
-            false => Segment::Turning(Box::new(from.toward(to).relative_to(engine.reference()))),
+            false => Segment::Turning(Box::new(from.toward(to).relative_to(reference))),
         }
     }
 
@@ -150,9 +144,10 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::geometry::{Point, Rotation, Vector};
+    use crate::geometry::{Point, Vector};
     use crate::plan::turning_engine;
     use crate::testing::{hard1, hard3};
+    use crate::turning::TurningEngine;
 
     /// The smallest gap of all pairs at some shares of a motion.
     fn sampled<'a>(engine: &TurningEngine, motion: &Turning, shares: impl Iterator<Item = &'a f64>) -> f64 {
@@ -178,7 +173,10 @@ mod tests {
                         if k % 5 == 4 { Rotation::identity() } else { Rotation::from_scaled_axis(axis * turned) };
                     path.push(Pose::new(position, turn * path[k].orientation));
                 }
-                let (segment, found) = path_clearance(&engine, &all, &path, &Watch::NONE).unwrap().unwrap();
+                let (segment, found) =
+                    path_clearance((engine.conditions(), engine.reference()), &all, &path, &Watch::NONE)
+                        .unwrap()
+                        .unwrap();
                 let motions: Vec<Turning> =
                     path.windows(2).map(|pair| pair[0].toward(&pair[1]).relative_to(engine.reference())).collect();
                 let least =
