@@ -240,10 +240,10 @@ def violations(
         given = {"start_orientation": start_orientation, "end_orientation": end_orientation}
         before, after = [quaternion(name, self.orientation if turn is None else turn) for name, turn in given.items()]
         turns = (before, after)
-    core = self._core
+    core, how = self._core, judges(engine, interference)
     if turns is not None and interference == "swept" and turns[0] == turns[1]:
         core, turns = core.at("start_orientation", turns[0]), None
-    found = json.loads(core.violations(first, last, *judges(engine, interference), turns))
+    found = json.loads(core.violations(first, last, *how, turns))
     return tuple(violation_from(values) for values in found)
 
 
@@ -286,10 +286,10 @@ def nearest_valid(
     """
     at, room = point("position", position), not_negative("margin", margin)
     turn = None if orientation is None else quaternion("orientation", orientation)
-    core = self._core
+    core, how = self._core, judges(engine, interference)
     if turn is not None and interference == "swept":
         core, turn = core.at("orientation", turn), None
-    found = core.nearest_valid(at, room, *judges(engine, interference), turn)
+    found = core.nearest_valid(at, room, *how, turn)
     return None if found is None else np.array(found)
 
 
