@@ -98,7 +98,7 @@ def open_page(browser: Browser, tmp_path: Path, request: pytest.FixtureRequest) 
     assert complaints == []
 
 
-def wait_until(page: Page, condition: str, seconds: float = 15.0) -> None:
+def wait_until(page: Page, condition: str, seconds: float = 60.0) -> None:
     """Waits in Python: the page's own policy forbids Playwright to evaluate text within it."""
     end = time.monotonic() + seconds
     while not page.evaluate(condition):
