@@ -180,7 +180,7 @@ def shown(value: Any) -> str:
 
 
 def in_order(array: NDArray[_Entry]) -> NDArray[_Entry]:
-    """The same array C-contiguous and aligned, as the core takes it; unpickled arrays need not be."""
+    """An array made C-contiguous and aligned, as the core requires; unpickled arrays may be neither."""
     return np.require(array, requirements=["C", "A"])
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ._arrays import Floats, number, numbers, point
 from ._given import instance
 from ._pandas import frame
-from ._planning import way_of
+from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
 from ._values import ByValue

@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
 from ._given import file_name, flag, instance
 from ._pandas import frame
-from ._planning import way_of
+from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
 from ._values import ByValue

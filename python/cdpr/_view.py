@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import in_order, rows
 from ._given import file_name, flag, instance, text
-from ._planning import core_for, turns_along, two_or_more
+from ._paths import core_for, turns_along, two_or_more
 from ._questions import Interference
 from ._results import Path, Result, turns_of
 from ._scene import Scene

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
@@ -39,6 +40,10 @@ HOSTILE = [
     "<!--<script>{{data}}/*{{script}}*/",
     "__proto__",
 ]
+
+# What the page that plans says about its path, and whether that is its answer.
+STATUS = "document.querySelector('.edit-status')"
+SETTLED = f"['good', 'bad'].includes({STATUS}.dataset.kind) && !{STATUS}.classList.contains('busy')"
 
 Open = Callable[..., Page]
 
@@ -114,3 +119,24 @@ def picture(page: Page) -> str:
 def plain(text: str) -> str:
     """A text of the page with ordinary spaces."""
     return text.replace("\xa0", " ")
+
+
+def settled(page: Page, seconds: float = 30.0) -> str:
+    """Waits for the answer and returns what the page says about it."""
+    wait_until(page, SETTLED, seconds)
+    return status(page)
+
+
+def status(page: Page) -> str:
+    return page.locator(".edit-text").inner_text().replace("\xa0", " ")
+
+
+def where(page: Page, name: str) -> np.ndarray[Any, Any]:
+    """Where a thing is on the page, px."""
+    place = page.evaluate("(name) => cdpr.where(name)", name)
+    return np.array([place["x"], place["y"]])
+
+
+def edit(page: Page) -> None:
+    page.keyboard.press("e")
+    assert page.locator("#edit-toggle").inner_text() == "Done"

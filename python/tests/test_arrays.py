@@ -177,7 +177,7 @@ def test_arrays_that_are_not_aligned_give_the_answers_of_their_copies() -> None:
 
 
 def moved(array: np.ndarray) -> np.ndarray:
-    """The same numbers, not aligned, as arrays are that Dask hands to a worker."""
+    """An unaligned copy of an array, like those that Dask passes to its workers."""
     apart = np.ndarray(array.shape, array.dtype, bytearray(array.nbytes + 3), 3)
     apart[...] = array
     assert not apart.flags.aligned

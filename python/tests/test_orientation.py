@@ -148,7 +148,7 @@ def test_orientations_beside_a_path_select_the_orientation_of_a_scene_that_leave
     limits = {"speed": 1, "acceleration": 2, "turn_speed": 1, "turn_acceleration": 2}
     motion = cdpr.trajectory(plank, WAY, turns, **limits)
     assert motion.turns == (turns == [LEVEL, YAWED]) and motion.orientation.tolist() == LEVEL
-    # The same in a file with a quaternion in each row.
+    # A file with a quaternion in each row describes these motions as well.
     cdpr.Path(WAY, 1.1, orientations=turns).save(tmp_path / "path.csv")
     for loaded in (cdpr.load_path(tmp_path / "path.csv"), cdpr.load_path(tmp_path / "path.csv", plank)):
         assert cdpr.check(plank, loaded) == report

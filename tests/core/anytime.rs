@@ -10,7 +10,7 @@ use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interferenc
 use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::lower_bound::Bound;
-use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, Scene};
+use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{
     Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
 };
@@ -26,11 +26,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-fn planned<'q>(query: impl Into<Query<'q>>, options: &PlanOptions) -> PlanResult {
+pub fn planned<'q>(query: impl Into<Query<'q>>, options: &PlanOptions) -> PlanResult {
     plan(query, options, &|| false).unwrap().result
 }
 
-fn seeded(seed: u64) -> PlanOptions {
+pub fn seeded(seed: u64) -> PlanOptions {
     PlanOptions { seed, ..PlanOptions::default() }
 }
 
@@ -89,19 +89,6 @@ fn paths_to_and_fro_are_equally_short_with_every_seed() {
     let [least, most] =
         [costs.iter().copied().fold(f64::INFINITY, f64::min), costs.iter().copied().fold(0.0, f64::max)];
     assert!(costs.iter().all(|cost| cost.is_finite()) && most <= 1.005 * least, "{costs:?}");
-}
-
-#[test]
-fn a_search_with_a_gap_ends_with_the_proof_whatever_the_rounding() {
-    let most = 200_000;
-    let settings = PlannerSettings { gap: Some(0.01), max_samples: Some(most), ..PlannerSettings::default() };
-    let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
-    // In one of these scenes the bound is proved, but multiplied by the gap it is below the cost by rounding.
-    (0..102u64).into_par_iter().for_each(|seed| {
-        let scene = random_scenes(3).draw(seed).unwrap();
-        let found = planned(&scene, &PlanOptions { planner: planner.clone(), ..seeded(0) });
-        assert!(found.stats.samples < most, "scene {seed}: {} samples", found.stats.samples);
-    });
 }
 
 #[test]
@@ -581,45 +568,6 @@ fn every_planner_finds_its_way_on_a_plane_and_along_a_line() {
             assert_eq!(found.status, Status::Solved, "{} {planner:?}", scene.name());
             valid_by_both(&scene, &found.waypoints);
             assert!(!straight || (found.cost - 1.4).abs() < 1e-9, "{planner:?}: {}", found.cost);
-        }
-    }
-}
-
-/// A bound for a path that is too long can never come near it: its effort must not take the time that finds a shorter path. Without a
-/// budget, a gap that is not reached must not keep the search from ending either.
-#[test]
-fn a_gap_never_costs_the_path_and_ends() {
-    let obstacles = vec![
-        block("shelf", [0.25, 0.5, 0.125], [1.125, 1.125, 1.3125]),
-        block("low", [0.375, 0.375, 0.375], [0.9375, 0.3125, 1.0625]),
-        block("high", [0.375, 0.375, 0.375], [0.9375, 0.3125, 1.4376]),
-        block("bar", [0.5, 0.125, 0.125], [0.875, 1.0625, 1.3125]),
-        block("wall", [0.25, 1.25, 1.5], [0.5, 0.625, 0.75]),
-    ];
-    let mut spec = platform_only(obstacles).spec().clone();
-    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("an inline robot") };
-    robot.platform = vec![BodySpec { cuboid: Some([0.25, 0.25, 0.125]), ..BodySpec::default() }];
-    robot.cables.truncate(1);
-    (robot.cables[0].outlet, robot.cables[0].attachment) = ([1.0, 1.0, 9.0], [0.0, 0.0, 0.0625]);
-    spec.ignore.retain(|[cable, _]| cable == "cable 0");
-    spec.query =
-        Some(QuerySpec { start: Some([0.375, 0.25, 1.75]), goal: Some([1.5, 1.5, 0.875]), ..QuerySpec::default() });
-    let scene = Scene::new(spec).unwrap();
-    let planned = |seed: u64, gap: Option<f64>| {
-        let settings = PlannerSettings { gap, ..PlannerSettings::default() };
-        let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
-        planned(&scene, &PlanOptions { seed, planner, ..PlanOptions::default() })
-    };
-    for seed in 0..6 {
-        let without = planned(seed, None).cost;
-        for gap in [1e-3, 1e-5] {
-            let with = planned(seed, Some(gap));
-            assert!(with.cost <= without * (1.0 + 1e-9), "{seed}: {} instead of {without}", with.cost);
-            assert!(
-                with.lower_bound.unwrap() * (1.0 + gap) >= with.cost * (1.0 - 1e-9),
-                "{seed}: {:?}",
-                with.lower_bound
-            );
         }
     }
 }

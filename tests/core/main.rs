@@ -4,6 +4,7 @@ mod anytime;
 mod bound_certificate;
 mod clearances;
 mod decomposition;
+mod gaps;
 mod lower_bound;
 mod orientation;
 mod planners;

@@ -1,6 +1,7 @@
-//! Checks certificates that a cable robot has no path, and that none is shorter than a length ([`check_bound`]). It shares no
-//! code with the program that writes them: what a scene forbids is derived again, and every decision is exact, but
-//! for lengths along bends, which are compared in double precision with tolerances far above its errors.
+//! Checks certificates that a cable robot has no path, or that every path has at least a certain length ([`check_bound`]). The
+//! checker shares no code with the program that writes certificates: it derives from the scene what is forbidden, and decides
+//! everything in exact arithmetic, except that lengths of bent paths are compared in double precision, with tolerances far above
+//! the rounding errors.
 //!
 //! # What a certificate that there is no path proves
 //!

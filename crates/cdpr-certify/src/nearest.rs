@@ -87,7 +87,7 @@ pub fn distance(a: &[Vector], b: &[Vector]) -> f64 {
 
 /// The distance of two hulls, exactly: |x|² and s, for the distance |x| / s.
 ///
-/// The same algorithm as [`nearest`]; in exact arithmetic it ends, since the distance decreases from one simplex to the next.
+/// Wolfe's algorithm. In exact arithmetic it ends, because the distance decreases from one simplex to the next.
 pub fn squared_distance(a: &[Exact3], b: &[Exact3]) -> (Exact, Exact) {
     let lowest = |points: &[Exact3], direction: &Exact3| {
         let heights: Vec<Exact> = points.iter().map(|p| dot(p, direction)).collect();

@@ -109,7 +109,7 @@ fn draw(random: &mut Random) -> (Value, Vec<Wall>, [[f64; 3]; 2]) {
     (spec, walls, [half, half.map(|h| 2.0 - h)])
 }
 
-/// The same scene with larger gaps.
+/// A copy of a scene that requires larger gaps.
 fn tighter(spec: &Value, more: f64) -> Value {
     let mut spec = spec.clone();
     spec["clearance"] = (spec["clearance"].as_f64().unwrap() + more).into();
@@ -318,7 +318,8 @@ impl Case {
         })
     }
 
-    /// A certificate from nothing that there is no path: boxes by random cuts, closed but for those around the ends.
+    /// A certificate made up from nothing, which claims that there is no path: the box of positions is cut at random, and all parts are
+    /// declared closed except the two that contain start and goal.
     fn no_path_from_nothing(&self, random: &mut Random) -> Value {
         let mut found = self.head(random);
         found["format"] = "cdpr-proof".into();

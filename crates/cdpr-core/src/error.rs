@@ -88,7 +88,7 @@ impl Error {
         self
     }
 
-    /// The same bad input at another place, such as the option that gave it.
+    /// Replaces the place of a bad input, for example by the option that gave it.
     pub fn at(mut self, other: &str) -> Self {
         if let Kind::Invalid { place, .. } = &mut self.kind {
             *place = other.to_string();

@@ -110,7 +110,7 @@ impl LoadedPath {
         self.poses.iter().flatten().map(|pose| pose.orientation).collect()
     }
 
-    /// The same path without poses if they all have the orientation of the scene: the platform then keeps it.
+    /// Drops the poses of a path if they all have the orientation of the scene, since the platform does not turn then.
     pub fn in_scene(self, scene: &Scene) -> Self {
         let poses = self.poses.filter(|poses| !scene.keeps_orientation(poses));
         LoadedPath { poses, ..self }

@@ -27,7 +27,7 @@ use crate::convert::{
 use crate::drawing::drawn;
 use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
-use crate::search::{Planned, Tree, observed, search_tree, tree_arrays};
+use crate::search::{Planned, Tree, observed, search_tree, tree_arrays, without_effect};
 use crate::shortening::{self, Tries};
 use crate::turning::{self, Orientation, PoseRows, pose};
 
@@ -403,7 +403,8 @@ impl Scene {
             proof,
             budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
         };
-        answered(|| Post::Both.processing(step, repeats).map(drop))?; // a wrong number is told first
+        // An invalid number is reported as such, even where it would have no effect.
+        answered(|| Post::Both.processing(step, repeats).map(drop))?;
         answered(|| without_effect(&options, given, settings.extend_step.is_some()))?;
         let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(&self.0, key)).transpose();
         let ends = answered(|| {
@@ -579,31 +580,6 @@ impl Scene {
             page_within(&self.0, contents, form, &watch)
         })
     }
-}
-
-/// Refuses a step, repeats and a function for improvements, where given, that would have no effect.
-fn without_effect(
-    options: &PlanOptions,
-    (step, repeats, improvements): (bool, bool, bool),
-    extend_step: bool,
-) -> Result<(), Error> {
-    let (planner, post) = (options.planner.planner(), options.post());
-    let refused = |place: &str, with: String, expected: &str| {
-        Err(Error::invalid(place, format!("found with {with}, where it has no effect; expected {expected}")))
-    };
-    let both = || format!("planner=\"{}\" and post=\"{}\"", planner.name(), post.name());
-    if repeats && !post.rewinds() {
-        return refused("repeats", both(), "post=\"both\", \"backward\" or \"forward\"");
-    }
-    if step && !options.uses_step(extend_step) {
-        let expected =
-            "post=\"both\", \"backward\" or \"forward\", or planner=\"rrt\" or \"rrt-star\" without extend_step";
-        return refused("step", both(), expected);
-    }
-    if improvements && planner != Planner::Anytime {
-        return refused("on_improvement", format!("planner=\"{}\"", planner.name()), "planner=\"anytime\"");
-    }
-    Ok(())
 }
 
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);

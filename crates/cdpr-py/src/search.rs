@@ -1,12 +1,12 @@
-//! Searches: improvements found on the way, and search trees as arrays.
+//! Searches: arguments that would have no effect, improvements found on the way, and search trees as arrays.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use cdpr_core::Error;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::Observer;
-use cdpr_core::planning::SearchTree;
+use cdpr_core::plan::{Observer, PlanOptions};
+use cdpr_core::planning::{Planner, SearchTree};
 use cdpr_core::watch::Interrupt;
+use cdpr_core::{Choice, Error};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -79,4 +79,29 @@ impl Observer for Callback<'_> {
         });
         *self.failure() = called.err();
     }
+}
+
+/// Refuses a step, repeats and a function for improvements, where given, that would have no effect.
+pub fn without_effect(
+    options: &PlanOptions,
+    (step, repeats, improvements): (bool, bool, bool),
+    extend_step: bool,
+) -> Result<(), Error> {
+    let (planner, post) = (options.planner.planner(), options.post());
+    let refused = |place: &str, with: String, expected: &str| {
+        Err(Error::invalid(place, format!("found with {with}, where it has no effect; expected {expected}")))
+    };
+    let both = || format!("planner=\"{}\" and post=\"{}\"", planner.name(), post.name());
+    if repeats && !post.rewinds() {
+        return refused("repeats", both(), "post=\"both\", \"backward\" or \"forward\"");
+    }
+    if step && !options.uses_step(extend_step) {
+        let expected =
+            "post=\"both\", \"backward\" or \"forward\", or planner=\"rrt\" or \"rrt-star\" without extend_step";
+        return refused("step", both(), expected);
+    }
+    if improvements && planner != Planner::Anytime {
+        return refused("on_improvement", format!("planner=\"{}\"", planner.name()), "planner=\"anytime\"");
+    }
+    Ok(())
 }

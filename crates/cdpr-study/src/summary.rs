@@ -122,7 +122,7 @@ pub struct TestSummary {
     pub df: Option<f64>,
     /// Probability.
     pub p: Option<f64>,
-    /// The same measure in pairs of trials, if both are in one scenario.
+    /// The comparison trial by trial, if both methods are in one scenario.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paired: Option<Paired>,
 }

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from .._arrays import Floats
 from .._given import instance
-from .._planning import check, scene_for
+from .._paths import scene_for
+from .._planning import check
 from .._results import Path
 from .._scene import Scene
 from .._tensions import Tensions, tensions_along

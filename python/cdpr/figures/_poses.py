@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._arrays import Floats
-from .._planning import two_or_more
+from .._paths import two_or_more
 from .._results import Path, Result
 from .._scene import Scene
 from ..exceptions import InputError

@@ -14,7 +14,7 @@ from .._arrays import Floats, number, point, shown, whole
 from .._given import flag, instance, table, text
 from .._robot import Robot
 from .._scene import Scene
-from .._planning import path_rows, scene_for
+from .._paths import path_rows, scene_for
 from .._results import Path, Result
 from .._shadows import shadows as shadow_meshes
 from .._wrench import force_set, moment_set

@@ -39,7 +39,7 @@ fn a_path_with_quaternions_is_read_at_its_own_orientations() {
     assert!(stdout(&checked).contains("at \"along\"\nvalid: 1.1 m, 2 waypoints\n"), "{}", stdout(&checked));
     let turning = of_plank(folder.path(), "check", &["turns.csv"]);
     assert!(stdout(&turning).contains("valid: 1.1480 m, 2 waypoints, turns by 10.0°") || status(&turning) < 2);
-    // The same orientation may be given beside it, but no other one.
+    // An orientation given beside a path must be the path's own.
     for command in ["check", "post", "trajectory"] {
         for file in ["along.csv", "turns.csv"] {
             let limits: &[&str] = if command == "trajectory" { &LIMITS } else { &[] };

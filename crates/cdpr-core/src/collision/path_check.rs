@@ -72,10 +72,10 @@ impl Nearest {
         Nearest { exempt, ..Nearest::default() }
     }
 
-    /// The closest approaches of a path, which `of` gives for the conditions with some indices.
+    /// The closest approaches of a path; `of` returns the closest approach over the conditions with the given indices.
     ///
     /// # Errors
-    /// Those of `of`.
+    /// Passes on the errors of `of`.
     pub fn by(
         conditions: &Conditions,
         of: impl Fn(&[usize]) -> Result<Option<PathClearance>, Error>,

@@ -92,21 +92,12 @@ fn search(
         }
     };
     let problem = Problem { space: space.clone(), start, goal };
-    let kept = kept_for_simplifying(watch);
+    // The anytime planner shortens its paths itself, and leaves out needless waypoints in the end.
+    let shortens = options.planner.planner() == Planner::Anytime;
+    let simplifies = shortens || options.post() != Post::None;
+    let kept = if simplifies { kept_for_simplifying(watch) } else { Duration::ZERO };
     let search = Watch { deadline: watch.deadline.map(|deadline| deadline - kept), ..*watch };
-    let mut outcome = options.planner.search(&problem, engine, &shortener, &better, &mut rng, &search)?;
-    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
-    // A caller who interrupts wants the path that was found.
-    let simplified = |path: &[Pose]| -> Result<Vec<Pose>, Error> {
-        let longest = match options.planner.settings() {
-            PlannerSettings { target_cost: None, gap: None, .. } => f64::INFINITY,
-            _ => 0.0, // a length that was asked for and reached must not be lost again
-        };
-        Ok(unless_interrupted(shortener.simplified(path, longest, &grace))?.unwrap_or_else(|| path.to_vec()))
-    };
-    if options.planner.planner() == Planner::Anytime {
-        outcome.waypoints = simplified(&outcome.waypoints)?; // it shortens its paths itself
-    }
+    let outcome = options.planner.search(&problem, engine, &shortener, &better, &mut rng, &search)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let Outcome { status, waypoints, tree, motion_checks, samples, history, .. } = outcome;
     let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
@@ -116,8 +107,18 @@ fn search(
         return Ok(unsolved);
     }
     let clock = Instant::now();
-    // The default written out, as path files and the page have it, must give the same path as the default left out.
-    let path = if options.post() == Post::None { waypoints.clone() } else { simplified(&waypoints)? };
+    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
+    let longest = match options.planner.settings() {
+        PlannerSettings { target_cost: None, gap: None, .. } => f64::INFINITY,
+        _ => 0.0, // a length that was asked for and reached must not be lost again
+    };
+    let path = match simplifies {
+        // A caller who interrupts wants the path that was found.
+        true => unless_interrupted(shortener.simplified(&waypoints, longest, &grace))?,
+        false => None,
+    };
+    let path = path.unwrap_or_else(|| waypoints.clone());
+    let raw = if shortens { &path } else { &waypoints };
     if let Some(segment) = path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1])) {
         return Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")));
     }
@@ -126,8 +127,8 @@ fn search(
         cost: space.length(&path),
         waypoints: positions(&path),
         orientations: orientations(&path),
-        raw_cost: space.length(&waypoints),
-        raw_waypoints: positions(&waypoints),
+        raw_cost: space.length(raw),
+        raw_waypoints: positions(raw),
         stats,
         ..unsolved
     })

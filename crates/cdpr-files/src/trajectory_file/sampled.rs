@@ -26,8 +26,8 @@ impl LoadedTrajectory {
     }
 }
 
-/// The samples of a table as a file without limits. Its path is that of the samples; its time begins with the first sample.
-/// Lengths and speeds of cables that the table does not have are those of the robot of the scene.
+/// Converts the samples of a table to a trajectory without limits. The samples become the waypoints, and time starts at the first
+/// one. If the table has no cable lengths or speeds, they are computed from the robot of the scene.
 fn sampled(
     motion: &Recorded,
     cables: Vec<String>,
